@@ -3,13 +3,13 @@
 //! The binaries in `fuzz_targets` are glue for libFuzzer. The corpus is replayed on stable Rust by a test, so that
 //! what was found once is held for ever.
 
-use gaugeblock::fuzz::{comparable, is_fragile};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_fuzz::generate::{self, Entropy, malformed, metamorphic};
 use gaugeblock_fuzz::oracle;
+use gaugeblock_runner::fuzz::{comparable, is_fragile};
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// A target by name.

@@ -18,11 +18,12 @@ mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::drive::{Circumstances, plan_under};
 use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
+
+use crate::drive::{Circumstances, plan_under};
 
 /// The production controller.
 #[derive(Debug)]

@@ -1,0 +1,316 @@
+//! What the adapter protocol costs a case: production behind it less production in this process, against a bare round
+//! trip of lines of the same size through pipes.
+//!
+//! `cargo bench -p gaugeblock --bench door`
+//!
+//! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is
+//! what a case costs whoever certifies: its model and its verdict are found while the controller works. A run alone
+//! is how long somebody waits for one outcome who does nothing meanwhile.
+//!
+//! What a case of a campaign is held against are bare round trips that follow at once on one another, so that neither
+//! side falls asleep. What one costs a campaign in this process that makes one beside each case, where both sides may
+//! sleep in between, is told below.
+#![expect(clippy::print_stdout, reason = "a measurement is printed")]
+
+use std::env;
+use std::io::{BufRead, BufReader, Error, Read, Result, Write};
+use std::num::NonZero;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Mutex;
+use std::time::Duration;
+
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::protocol::{Answer, Operation, Reply, Request, Ways};
+use gaugeblock_adapter::{Adapter, HarnessError};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_controllers::Production;
+use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_suite::{Edition, Suite, scenario_of};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario};
+use mimalloc::MiMalloc;
+use serde_json::Value;
+
+/// As the command has it.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
+
+/// How often each case is run each way.
+const ROUNDS: u32 = 15;
+
+/// How often each case is certified each way.
+const CAMPAIGNS: u32 = 5;
+
+fn main() -> Result<()> {
+    if env::args().nth(1).as_deref() == Some("echo") {
+        return echo();
+    }
+    let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?)
+        .map_err(|errors| Error::other(errors.join("\n")))?;
+    let edition = suite.edition("linuxcnc-2.9").ok_or_else(|| Error::other("no edition"))?;
+    let production = Production::default();
+    let command = format!("{} serve production", env!("CARGO_BIN_EXE_gaugeblock"));
+    let behind =
+        Exec::start(&command, Limits::default()).map_err(|e| Error::other(e.to_string()))?;
+    let behind = behind.assuming(suite.defaults());
+
+    let options = suite.options(edition);
+    let cases = suite.rules.iter().filter(|rule| rule.language == Language::Rs274);
+    let cases = cases.flat_map(|rule| &rule.cases);
+    let scenarios = cases.map(|case| scenario_of(case, &options, edition));
+    let scenarios: Vec<Scenario> = scenarios
+        .filter(|scenario| {
+            production.supports(scenario).is_ok() && behind.supports(scenario).is_ok()
+        })
+        .collect();
+    let mut bare = Bare::start()?;
+    let (mut alone, mut bytes) = (Least::of(scenarios.len()), Vec::new());
+    for (place, scenario) in scenarios.iter().enumerate() {
+        let size = sizes(scenario, &production, &suite)?;
+        bytes.push(size);
+        for _ in 0..ROUNDS {
+            alone.within(place, time(|| production.run(scenario).map_err(failed))?);
+            alone.behind(place, time(|| behind.run(scenario).map_err(failed))?);
+            alone.bare(place, time(|| bare.round_trip(size))?);
+        }
+    }
+    let each = bytes.iter().map(|(asked, answered)| asked + answered).sum::<usize>() / bytes.len();
+    println!("{} cases, {each} bytes each, out and back; microseconds a case", bytes.len());
+    let beside = Beside { production: Production::default(), bare: Mutex::new((bare, 0)), bytes };
+    let campaign = campaigns(edition, (&production, &behind), &beside)?;
+    println!(
+        "                in process  behind it  overhead  bare round trip  overhead / round trip"
+    );
+    let [alone_within, through, with_trip] = campaign.means();
+    print("in a campaign", [alone_within, through, beside.trips()?]);
+    print("a run alone", alone.means());
+    println!("a bare round trip beside each case of a campaign: {:.1}", with_trip - alone_within);
+
+    let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let plan = Plan { suite: &suite, edition, only: &[], jobs };
+    let within = time(|| Ok(certify(plan, &production, &|| ()).cases.len()))?;
+    let outside = time(|| Ok(certify(plan, &behind, &|| ()).cases.len()))?;
+    println!(
+        "the whole suite on {jobs} processors: {:.2} s in process, {:.2} s through the protocol",
+        within.as_secs_f64(),
+        outside.as_secs_f64()
+    );
+    Ok(())
+}
+
+/// What a case costs a campaign of one job in this process, and behind the protocol.
+fn campaigns(
+    edition: &Edition,
+    (production, behind): (&Production, &Exec),
+    beside: &Beside,
+) -> Result<Least> {
+    let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?);
+    let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
+    suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
+    let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+    let mut least = Least::of(beside.bytes.len());
+    for _ in 0..CAMPAIGNS {
+        // A case that is not supported is not run: it costs the same both ways.
+        for (place, case) in certify(plan, production, &|| ()).cases.iter().enumerate() {
+            least.within(place, case.cost);
+        }
+        for (place, case) in certify(plan, behind, &|| ()).cases.iter().enumerate() {
+            least.behind(place, case.cost);
+        }
+        for (place, case) in certify(plan, beside, &|| ()).cases.iter().enumerate() {
+            least.bare(place, case.cost);
+        }
+    }
+    Ok(least)
+}
+
+/// Production in this process, which makes a bare round trip beside each run, of the size of some case or other.
+#[derive(Debug)]
+struct Beside {
+    production: Production,
+    /// The trips, and how many were made.
+    bare: Mutex<(Bare, usize)>,
+    /// Sizes of all cases.
+    bytes: Vec<(usize, usize)>,
+}
+
+impl Beside {
+    fn trip(&self) -> Result<()> {
+        let mut bare = self.bare.lock().map_err(|error| Error::other(error.to_string()))?;
+        let size = self.bytes[bare.1 % self.bytes.len()];
+        bare.1 += 1;
+        bare.0.round_trip(size)
+    }
+
+    /// What a trip takes where nothing lies between them, microseconds.
+    fn trips(&self) -> Result<f64> {
+        let mut least = Least::of(self.bytes.len());
+        for _ in 0..CAMPAIGNS {
+            for place in 0..self.bytes.len() {
+                least.bare(place, time(|| self.trip())?);
+            }
+        }
+        Ok(least.means()[2])
+    }
+}
+
+impl Adapter for Beside {
+    fn capabilities(&self) -> &Capabilities {
+        self.production.capabilities()
+    }
+
+    fn supports(&self, scenario: &Scenario) -> std::result::Result<(), String> {
+        self.production.supports(scenario)
+    }
+
+    fn run(&self, scenario: &Scenario) -> std::result::Result<Outcome, HarnessError> {
+        let outcome = self.production.run(scenario)?;
+        self.trip().map_err(|error| HarnessError::NotRun(error.to_string()))?;
+        Ok(outcome)
+    }
+}
+
+/// The least times of each case.
+#[derive(Debug)]
+struct Least {
+    /// In process, behind the protocol, and of a bare round trip.
+    ways: [Vec<Duration>; 3],
+    cases: usize,
+}
+
+impl Least {
+    fn of(cases: usize) -> Self {
+        Self { ways: Default::default(), cases }
+    }
+
+    fn within(&mut self, place: usize, time: Duration) {
+        self.add(0, place, time);
+    }
+
+    fn behind(&mut self, place: usize, time: Duration) {
+        self.add(1, place, time);
+    }
+
+    fn bare(&mut self, place: usize, time: Duration) {
+        self.add(2, place, time);
+    }
+
+    fn add(&mut self, way: usize, place: usize, time: Duration) {
+        let times = &mut self.ways[way];
+        times.resize(times.len().max(place + 1), Duration::MAX);
+        times[place] = times[place].min(time);
+    }
+
+    /// Microseconds a case.
+    fn means(&self) -> [f64; 3] {
+        let cases = u32::try_from(self.cases).unwrap_or(u32::MAX);
+        self.ways
+            .each_ref()
+            .map(|times| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases))
+    }
+}
+
+/// A line of the table.
+fn print(what: &str, [within, behind, bare]: [f64; 3]) {
+    let overhead = behind - within;
+    println!(
+        "{what:15} {within:10.1} {behind:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
+        overhead / bare
+    );
+}
+
+/// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
+fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
+    let defaults = suite.defaults();
+    let operation = Operation::Run { scenario: Box::new(scenario.clone()), ways: Ways::default() };
+    let mut request = serde_json::to_value(&Request { id: 1, operation })?;
+    let default = serde_json::to_value(Scenario::default())?;
+    if let Some(told) = request["scenario"].as_object_mut() {
+        if let Some(options) = told.get_mut("options").and_then(Value::as_object_mut) {
+            options.retain(|id, option| defaults.get(id) != option.as_str());
+        }
+        told.retain(|name, value| *value != default[name]);
+        for part in ["program", "environment"] {
+            if let Some(told) = told.get_mut(part).and_then(Value::as_object_mut) {
+                told.retain(|name, value| *value != default[part][name] || name == "language");
+            }
+        }
+    }
+    let outcome = production.run(scenario).map_err(failed)?;
+    let answer = Answer { id: 1, reply: Reply::Outcome(Box::new(outcome)) };
+    let (asked, answered) = (serde_json::to_vec(&request)?, serde_json::to_vec(&answer)?);
+    let (reset, done) = ("{\"id\":1,\"op\":\"reset\"}\n", "{\"id\":1,\"done\":{}}\n");
+    Ok((asked.len() + 1 + reset.len(), answered.len() + 1 + done.len()))
+}
+
+fn failed(error: HarnessError) -> Error {
+    Error::other(error.to_string())
+}
+
+#[expect(clippy::disallowed_methods, reason = "time is what is measured")]
+fn time<T>(work: impl FnOnce() -> Result<T>) -> Result<Duration> {
+    let start = std::time::Instant::now();
+    std::hint::black_box(work()?);
+    Ok(start.elapsed())
+}
+
+/// A child that reads a line and writes one, and does nothing else.
+#[derive(Debug)]
+struct Bare {
+    child: Child,
+    requests: ChildStdin,
+    answers: BufReader<ChildStdout>,
+    line: Vec<u8>,
+}
+
+impl Bare {
+    fn start() -> Result<Self> {
+        let mut child = Command::new(env::current_exe()?)
+            .arg("echo")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let lost = || Error::other("no pipe");
+        let requests = child.stdin.take().ok_or_else(lost)?;
+        let answers = BufReader::with_capacity(64 << 10, child.stdout.take().ok_or_else(lost)?);
+        Ok(Self { child, requests, answers, line: Vec::new() })
+    }
+
+    /// A line of so many bytes out, and one of so many back.
+    fn round_trip(&mut self, (asked, answered): (usize, usize)) -> Result<()> {
+        self.line.clear();
+        write!(self.line, "{answered:012}")?;
+        self.line.resize(asked.max(14) - 1, b' ');
+        self.line.push(b'\n');
+        self.requests.write_all(&self.line)?;
+        self.line.clear();
+        self.answers.read_until(b'\n', &mut self.line)?;
+        if self.line.len() == answered { Ok(()) } else { Err(Error::other("another size")) }
+    }
+}
+
+impl Drop for Bare {
+    fn drop(&mut self) {
+        let _ended = self.child.kill();
+        let _status = self.child.wait();
+    }
+}
+
+/// The other side of [`Bare`].
+fn echo() -> Result<()> {
+    let mut requests = BufReader::with_capacity(64 << 10, std::io::stdin().lock());
+    let mut answers = std::io::stdout().lock();
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        if requests.by_ref().read_until(b'\n', &mut line)? == 0 {
+            return Ok(());
+        }
+        let size = std::str::from_utf8(&line[..12]).ok().and_then(|size| size.parse().ok());
+        let size: usize = size.ok_or_else(|| Error::other("no size"))?;
+        line.clear();
+        line.resize(size - 1, b' ');
+        line.push(b'\n');
+        answers.write_all(&line)?;
+        answers.flush()?;
+    }
+}

@@ -1,0 +1,148 @@
+//! What a run is compared with besides the documents: expectations, a baseline, waivers.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use gaugeblock_report::Header;
+use gaugeblock_report::merge::Stored;
+use gaugeblock_runner::certify::{BASELINE, EXPECTATIONS, Run};
+use gaugeblock_runner::expectations::{Expectations, Trouble};
+use gaugeblock_runner::waivers::{Day, Waivers};
+use gaugeblock_suite::Suite;
+
+use super::report;
+use crate::refused::Refused;
+
+#[derive(Debug, Args)]
+pub(crate) struct Against {
+    /// File of known divergences; any other divergence fails
+    #[arg(long, value_name = "FILE")]
+    expectations: Option<PathBuf>,
+    /// Earlier report of this controller and edition; only new or changed results fail, such as a case that passed then
+    /// and is not judged now
+    #[arg(long, value_name = "REPORT", conflicts_with = "expectations")]
+    baseline: Option<PathBuf>,
+    /// Time-limited waivers, a TOML file: rule, case, reason, owner, expires
+    #[arg(long, value_name = "FILE")]
+    waivers: Option<PathBuf>,
+    /// Date on which waivers are checked for expiry [default: today]
+    #[arg(long, value_name = "YYYY-MM-DD")]
+    today: Option<Day>,
+}
+
+/// The files, read.
+#[derive(Debug)]
+pub(crate) struct Known {
+    expectations: Option<Expectations>,
+    baseline: Option<Stored>,
+    waivers: Option<(Waivers, Day)>,
+}
+
+impl Against {
+    /// Reads the files, before anything runs.
+    pub(crate) fn read(&self) -> Result<Known, Refused> {
+        let baseline = self.baseline.as_deref().map(report::stored).transpose()?;
+        let today = self.today.unwrap_or_else(today);
+        let waivers = self.waivers.as_deref().map(read_waivers).transpose()?;
+        Ok(Known {
+            expectations: self.expectations.as_deref().map(read).transpose()?,
+            baseline: baseline.map(|(_, stored)| stored),
+            waivers: waivers.map(|waivers| (waivers, today)),
+        })
+    }
+}
+
+impl Known {
+    /// Refuses files of another controller or edition, and waivers for unknown rules. Returns a note where the
+    /// baseline belongs to another version.
+    pub(crate) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, Refused> {
+        let waivers = self.waivers.as_ref();
+        if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
+            return Err(Refused::wrong(
+                unknown,
+                "`gaugeblock rules` lists the rules, and with --format json their cases",
+            ));
+        }
+        if let Some(baseline) = &self.baseline {
+            let hint = "choose the report.json of an earlier run of this controller and edition";
+            return baseline.fits(header).map_err(|why| Refused::wrong(why, hint));
+        }
+        let Some(expectations) = &self.expectations else { return Ok(None) };
+        let Header { controller, version, edition, .. } = header;
+        if expectations.controller != *controller || expectations.edition != *edition {
+            return Err(Refused::wrong(
+                format!(
+                    "the expectations are for {}/{}, this run is {controller}/{edition}",
+                    expectations.controller, expectations.edition
+                ),
+                "choose the expectations of this controller and edition",
+            ));
+        }
+        if expectations.version != *version {
+            return Err(Refused::unfinished(
+                format!(
+                    "the expectations are for version {}, the controller has version {version}",
+                    expectations.version
+                ),
+                "review the results of the new version, then write them with --write-expectations",
+            ));
+        }
+        Ok(None)
+    }
+
+    /// Mismatches with the expectations or the baseline, and a note for each divergence that is fixed. Marks known and
+    /// waived divergences in the run. `whole` says that every case was selected.
+    pub(crate) fn hold(
+        &self,
+        run: &mut Run<'_>,
+        whole: bool,
+    ) -> (Option<Vec<Trouble>>, Vec<String>) {
+        let (mut troubles, mut notes, mut who) = (None, Vec::new(), None);
+        if let Some(expectations) = &self.expectations {
+            (troubles, who) = (Some(expectations.hold(run, whole)), Some(EXPECTATIONS));
+        }
+        if let Some(baseline) = &self.baseline {
+            let (new, mended) = baseline.hold(run);
+            (troubles, who) = (Some(new), Some(BASELINE));
+            notes = mended;
+        }
+        let mut waived = Vec::new();
+        if let Some((waivers, today)) = &self.waivers {
+            let (left, held) = waivers.hold(run, troubles, *today);
+            (troubles, waived) = (Some(left), held);
+        }
+        run.excuse(troubles.as_deref().unwrap_or_default(), &waived, who);
+        (troubles, notes)
+    }
+}
+
+fn read_waivers(path: &Path) -> Result<Waivers, Refused> {
+    let name = path.display();
+    let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    Waivers::read(&text)
+        .map_err(|error| Refused::wrong(format!("{name}: {}", error.trim_end()), hint))
+}
+
+#[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
+fn today() -> Day {
+    let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
+}
+
+fn read(path: &Path) -> Result<Expectations, Refused> {
+    let name = path.display();
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        Refused::wrong(
+            format!("{name}: {error}"),
+            "`gaugeblock certify --write-expectations FILE` writes such a file",
+        )
+    })?;
+    Expectations::read(&text).map_err(|error| {
+        Refused::wrong(
+            format!("{name}: {}", error.trim_end()),
+            "`gaugeblock certify --write-expectations FILE` writes such a file",
+        )
+    })
+}

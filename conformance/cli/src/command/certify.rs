@@ -1,0 +1,311 @@
+//! `gaugeblock certify`.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::{Args, ValueEnum};
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::exec::Limits;
+use gaugeblock_compare::Capabilities;
+use gaugeblock_report::cost::{self, Cost};
+use gaugeblock_report::stored::JournalCase;
+use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
+use gaugeblock_runner::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in};
+use gaugeblock_runner::expectations::Expectations;
+use gaugeblock_runner::fingerprint::traits;
+use gaugeblock_runner::journal::{self, Journal};
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::{Suite, options_of};
+
+use super::against::Against;
+use super::{controller, place};
+use crate::arguments::Format;
+use crate::refused::Refused;
+use crate::streams::{write_out, write_out_in_colours};
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock certify
+      certify the production interpreter: about a second
+  gaugeblock certify --controller rs274
+      certify LinuxCNC's stand-alone interpreter against its own manual
+  gaugeblock certify --controller rs274 --expectations conformance/expectations/rs274-2.9.toml
+      fail only on divergences that are new or changed
+  gaugeblock certify --controller rs274 --edition rs274-2.9-observed --report out
+      certify it against its recorded behaviour; write out/report.html and the other report files
+  gaugeblock certify --controller rs274 --baseline main/report.json --waivers waivers.toml --report now
+      in a pull request: fail only on what is new or changed and not waived
+  gaugeblock certify --controller linuxcnc --shard 3/8 --report shard-3
+      run one of eight shards; after an interruption, repeat the call with --resume
+  gaugeblock certify --controller rs274 --profile modal-save --profile subroutines
+      fail unless every rule of these profiles passes
+  gaugeblock certify --controller linuxcnc --only outputs --only inputs
+      certify the whole LinuxCNC controller, with a simulated machine, on two chapters
+  gaugeblock certify --controller \"exec:python3 adapter.py\" --profile modal-save
+      certify a controller through an adapter (`gaugeblock adapter --help`)
+  gaugeblock certify --controller rs274 --restrict-to offline:campaign
+      judge rs274 only on what these answer sheets report, so that both verdicts can be compared
+
+Exit status: 0 at least one case was judged, and every judged case passes, is known or is waived; 1 a divergence, a stale
+expectation, or a claimed profile that is not passed; 2 wrong call or input; 3 a case could not be judged, or every selected
+case is unsupported.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// Compare only the observables that this other controller also reports
+    #[arg(long, value_name = "CONTROLLER")]
+    restrict_to: Option<String>,
+    /// Edition of the documents [default: the controller's own]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// Run only rules whose id begins with this, such as `saved-state` or `feed.zero`; may be repeated
+    #[arg(long, value_name = "PREFIX")]
+    only: Vec<String>,
+    /// Claim this profile: its unsupported and unjudged rules fail too; may be repeated
+    #[arg(long, value_name = "PROFILE")]
+    profile: Vec<String>,
+    #[command(flatten)]
+    against: Against,
+    /// Write the divergences as a file for --expectations; read it before you use it
+    #[arg(long, value_name = "FILE")]
+    write_expectations: Option<PathBuf>,
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder; keep a journal
+    /// there while the run lasts
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// Resume an interrupted run from the journal in --report
+    #[arg(long, requires = "report")]
+    resume: bool,
+    /// Run part I of N, counted from 1; all parts together run every case once (`gaugeblock report merge`)
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: Shard,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Percentage of cases that run a second time, to detect nondeterminism
+    #[arg(long, value_name = "PERCENT", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=100))]
+    repeat_percent: u8,
+    /// Minimise the program of each divergence that no quirk explains, with at most ATTEMPTS runs each [without a
+    /// value: 300]
+    #[arg(long, value_name = "ATTEMPTS", num_args = 0..=1, default_value_t = 0, default_missing_value = "300", hide_default_value = true)]
+    shrink: u32,
+    /// Whether to detect the option of each choice and quirk for the report [default: always with --report, unless the
+    /// controller runs in real time]
+    #[arg(long, value_name = "WHEN", value_enum)]
+    fingerprint: Option<When>,
+    /// Run every program a second time without instrumentation, to check that it changes nothing [default: a sample]
+    #[arg(long)]
+    check_observation: bool,
+    /// Time limit of an adapter's answer, seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..))]
+    time_limit: u64,
+    /// Number of cases that run at once [default: number of processors + 1]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
+    /// Print known divergences and the number of masked observables too
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+/// Whether the fingerprint is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum When {
+    /// Take it
+    Always,
+    /// Do not take it
+    Never,
+}
+
+pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    if let Some(edition) = &arguments.edition {
+        crate::documents::edition(suite, edition)?;
+    }
+    known_profiles(&arguments.profile, suite)?;
+    let known = arguments.against.read()?;
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+    }
+    let time = Duration::from_secs(arguments.time_limit);
+    let limits = Limits { time, start: time, ..Limits::default() };
+    let mut controller =
+        controller::controller_within(&arguments.controller, limits, suite.defaults())?;
+    if let Some(like) = &arguments.restrict_to {
+        controller = controller::narrowed(controller, like)?;
+    }
+    let own = controller::own_edition(controller.as_ref());
+    let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::observed(controller.as_ref(), suite)?;
+    controller::belongs(controller.as_ref(), suite, edition)?;
+    controller::declared_options(controller.as_ref(), suite)?;
+    controller::honours(controller.as_ref(), &suite.options(edition))?;
+    controller::speaks(controller.as_ref(), edition)?;
+    if arguments.check_observation {
+        controller.check_observation();
+    }
+    let jobs = crate::arguments::jobs(arguments.jobs.or(controller.best_jobs()));
+    let plan = Plan { suite, edition, only: &arguments.only, jobs };
+    let shard = arguments.shard;
+    let laws = controller.has_laws_of_motion();
+    let is_unknown =
+        |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
+    if let Some(only) = arguments.only.iter().find(is_unknown) {
+        return Err(Refused::wrong(
+            format!("invalid `--only {only}`: no rule has an id that begins with it"),
+            "`gaugeblock rules` lists the ids",
+        ));
+    }
+    if cases(plan, laws, Shard::WHOLE).is_empty() {
+        return Err(Refused::wrong(
+            "no case is selected",
+            "`gaugeblock rules` lists the rules; remove --only, or choose another edition",
+        ));
+    }
+    let twice = arguments.repeat_percent;
+    let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
+    let newer = known.fits(&header, suite)?;
+    let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
+    if is_fingerprinted(arguments, controller.as_ref()) {
+        let options = options_of(suite, edition, &controller.options());
+        let environment = edition.environment.as_deref();
+        run.fingerprint = Some(traits(suite, &options, environment, controller.as_ref()));
+    }
+    let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
+    let (troubles, mended) = known.hold(&mut run, whole);
+    let mut notes = controller.notes();
+    notes.extend(newer);
+    notes.extend(mended);
+    // Only a whole run can pass a profile.
+    let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
+    let profiles = profiles::profiles(suite, &run, claimed);
+    if let Some(file) = &arguments.write_expectations {
+        write_expectations(file, &run, controller.capabilities())?;
+    }
+    let report = Report { run: &run, header, notes, profiles, troubles };
+    if let Some(folder) = &arguments.report {
+        write_report(folder, &report)?;
+        // The report has all that the journal had.
+        let _gone = std::fs::remove_file(folder.join(journal::FILE));
+    }
+    print(&report, arguments.format, arguments.verbose);
+    Ok(report.exit_status())
+}
+
+/// A fingerprint takes minutes on a controller in real time, and a second at most on others.
+fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
+    match arguments.fingerprint {
+        Some(when) => when == When::Always,
+        None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
+    }
+}
+
+/// Refuses an unknown profile.
+pub(crate) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
+    match profiles.iter().find(|id| suite.profile(id).is_none()) {
+        None => Ok(()),
+        Some(unknown) => {
+            let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
+            Err(Refused::wrong(
+                format!("unknown profile `{unknown}`"),
+                format!("expected one of: {}", known.join(", ")),
+            ))
+        }
+    }
+}
+
+pub(crate) fn print(report: &Report<'_>, format: Format, verbose: bool) {
+    match format {
+        Format::Text => write_out_in_colours(&terminal::terminal(report, verbose)),
+        Format::Json => write_out(&format!("{:#}\n", json::json(report))),
+    }
+}
+
+/// Runs the open cases of a plan. With a report folder, each finished case is written to its journal.
+fn run_with_journal<'a>(
+    arguments: &Arguments,
+    plan: Plan<'a>,
+    controller: &dyn Adapter,
+    header: &Header,
+) -> Result<Run<'a>, Refused> {
+    let shard = header.shard;
+    let (mut journal, done) = match &arguments.report {
+        Some(folder) => {
+            let (journal, done) = begun(folder, header, arguments.resume, plan.suite)?;
+            (Some(journal), done)
+        }
+        None => (None, Vec::new()),
+    };
+    let bar = progress(cases(plan, header.laws, shard).len());
+    bar.inc(u64::try_from(done.len()).unwrap_or_default());
+    let mut trouble = None;
+    let mut each = |result: &CaseResult<'_>| {
+        bar.inc(1);
+        if let Some(Err(why)) =
+            journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
+        {
+            trouble.get_or_insert(why);
+        }
+    };
+    let twice = Twice(header.twice);
+    let course = Course { shard, done, twice, shrink: arguments.shrink, each: &mut each };
+    let run = certify_in(plan, controller, course);
+    bar.finish_and_clear();
+    match trouble {
+        Some(why) => Err(Refused::unfinished(format!("the journal: {why}"), "is the disk full?")),
+        None => Ok(run),
+    }
+}
+
+/// The journal of a run in a folder, and what was run before.
+fn begun<'a>(
+    folder: &Path,
+    header: &Header,
+    resume: bool,
+    suite: &'a Suite,
+) -> Result<(Journal, Vec<CaseResult<'a>>), Refused> {
+    let mut done = Vec::new();
+    let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
+    let journal = journal.map_err(|why| {
+        Refused::wrong(why, "--resume continues an interrupted run; or choose another folder")
+    })?;
+    let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
+    let done = done.map_err(|why| Refused::wrong(why, "the journal belongs to another suite"))?;
+    Ok((journal, done))
+}
+
+/// A bar on a terminal, nothing in a pipe.
+pub(crate) fn progress(cases: usize) -> indicatif::ProgressBar {
+    let cases = u64::try_from(cases).unwrap_or(u64::MAX);
+    let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
+    let bar = indicatif::ProgressBar::new(cases);
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Result<(), Refused> {
+    let text = Expectations::of(run, &shows.name, &shows.version).to_text().map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    place::write_whole(file, &text)
+}
+
+pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
+    let xml = junit::junit(report).map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    let page = html::html(report).map_err(|error| {
+        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
+    place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
+    place::write_whole(&folder.join("report.html"), &page)?;
+    place::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
+    place::write_whole(&folder.join("junit.xml"), &xml)?;
+    place::write_whole(&folder.join("report.txt"), &text)?;
+    place::write_whole(&folder.join("summary.md"), markdown::markdown(report))
+}

@@ -1,0 +1,58 @@
+//! `gaugeblock adapter check`.
+
+use clap::Args;
+use gaugeblock_adapter::exec::Limits;
+use gaugeblock_runner::check::{Came, checks};
+use gaugeblock_suite::Suite;
+
+use super::controller;
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock adapter check \"python3 adapter.py\"
+  gaugeblock adapter check ./adapter
+  gaugeblock adapter check tcp:127.0.0.1:4100
+
+Exit status: 0 no errors; 1 errors; 2 wrong call; 3 the adapter cannot be started or does not answer.")]
+pub(crate) struct Arguments {
+    /// Shell command that starts the adapter, or tcp:HOST:PORT
+    #[arg(value_name = "COMMAND")]
+    command: String,
+}
+
+pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let named = &arguments.command;
+    let named = match named.split_once(':') {
+        Some(("exec" | "tcp", _)) => named.clone(),
+        _ => format!("exec:{named}"),
+    };
+    let adapter = controller::behind(&named, Limits::default())
+        .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
+    let begun = gaugeblock_adapter::clock::now();
+    let found = checks(&adapter, suite, &|| begun.elapsed().as_secs_f64());
+    let mut wrong = 0;
+    let mut text = String::new();
+    for check in &found {
+        let (mark, says) = match &check.came {
+            Came::Fine(says) => ("ok", says),
+            Came::Wrong(says) => {
+                wrong += 1;
+                ("ERROR", says)
+            }
+            Came::LeftOut(says) => ("skipped", says),
+        };
+        let mut lines = says.lines();
+        let first = lines.next().unwrap_or_default();
+        text.push_str(&format!("{mark:8}  {:19}  {first}\n", check.what));
+        lines.for_each(|line| text.push_str(&format!("{:31}{line}\n", "")));
+    }
+    text.push_str(&match wrong {
+        0 => format!("\nno errors; next: gaugeblock certify --controller {named:?}\n"),
+        1 => "\n1 error; `gaugeblock adapter protocol` describes the protocol\n".to_owned(),
+        _ => format!("\n{wrong} errors; `gaugeblock adapter protocol` describes the protocol\n"),
+    });
+    write_out(&text);
+    Ok(u8::from(wrong > 0))
+}

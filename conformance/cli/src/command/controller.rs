@@ -1,0 +1,284 @@
+//! Finds a controller by its name on the command line.
+
+use std::path::Path;
+
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::{Adapter, ControllerError};
+use gaugeblock_controllers::Narrowed;
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
+use gaugeblock_linuxcnc::LinuxCnc;
+use gaugeblock_linuxcnc::Rs274;
+use gaugeblock_offline::Offline;
+use gaugeblock_suite::{Edition, Suite};
+use gaugeblock_vocabulary::{Language, Options, Scenario};
+
+use crate::refused::Refused;
+
+/// The names of controllers, for the long help.
+pub(crate) const NAMES: &str = "The controller:
+  reference      the executable specification
+  production     the production interpreter of this project
+  rs274          LinuxCNC's stand-alone interpreter; rs274:PATH names its binary
+  linuxcnc       the whole LinuxCNC controller with a simulated machine
+  exec:COMMAND   a controller behind an adapter (`gaugeblock adapter --help`)
+  tcp:HOST:PORT  a controller whose adapter listens there
+  offline:DIR    answer sheets of a control (`gaugeblock offline --help`)";
+
+/// The forms of a controller's name.
+const FORMS: [&str; 7] = [
+    "reference",
+    "production",
+    "rs274",
+    "linuxcnc",
+    "exec:COMMAND",
+    "tcp:HOST:PORT",
+    "offline:DIR",
+];
+
+/// The controller of a name.
+pub(crate) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
+    controller_within(name, Limits::default(), Options::default())
+}
+
+/// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these
+/// defaults.
+pub(crate) fn controller_within(
+    name: &str,
+    limits: Limits,
+    defaults: Options,
+) -> Result<Box<dyn Adapter>, Refused> {
+    if let Some(behind) = behind(name, limits) {
+        return Ok(Box::new(behind?.assuming(defaults)));
+    }
+    match name.split_once(':') {
+        None if name == "reference" => Ok(Box::new(Reference::default())),
+        None if name == "production" => Ok(Box::new(Production::default())),
+        None if name == "rs274" => rs274(None),
+        Some(("rs274", path)) => rs274(Some(Path::new(path))),
+        None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
+        Some(("faulty", fault)) => faulty(fault),
+        Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
+        None if Path::new(name).is_file() => Err(Refused::wrong(
+            format!("unknown controller `{name}`"),
+            format!(
+                "to run this file as an adapter write \"exec:./{name}\" or \"exec:python3 {name}\""
+            ),
+        )),
+        _ => Err(Refused::wrong(format!("unknown controller `{name}`"), expected(name))),
+    }
+}
+
+/// The name that was probably meant, or all forms of a name.
+fn expected(name: &str) -> String {
+    let near = FORMS.iter().find(|form| {
+        let form = form.split(':').next().unwrap_or_default();
+        strsim::damerau_levenshtein(form, name.split(':').next().unwrap_or_default()) <= 2
+    });
+    match near {
+        Some(form) => format!("did you mean `{form}`?"),
+        None => format!("expected one of: {}", FORMS.join(", ")),
+    }
+}
+
+#[cfg(feature = "faulty")]
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
+    use gaugeblock_controllers::faulty::{Faulty, named};
+    let fault = named(fault).ok_or_else(|| {
+        Refused::wrong(
+            format!("unknown planted fault `{fault}`"),
+            "`gaugeblock suite faults` lists them",
+        )
+    })?;
+    match Faulty::new(fault) {
+        Some(faulty) => Ok(Box::new(faulty)),
+        None => Err(Refused::wrong(
+            "only one planted fault can be active",
+            "compare it with another controller",
+        )),
+    }
+}
+
+#[cfg(not(feature = "faulty"))]
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
+    Err(Refused::wrong(
+        format!("this build has no planted fault `{fault}`"),
+        "build with planted faults: cargo build --release --features faulty",
+    ))
+}
+
+fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
+    match Rs274::find(path) {
+        Ok(found) => Ok(Box::new(found)),
+        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "install it (Debian: apt-get install linuxcnc-uspace), or give the path of its binary: rs274:PATH",
+        )),
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "this edition documents version 2.9; results of another version would be compared with the wrong manual",
+        )),
+        Err(error @ ControllerError::Broken(_)) => {
+            Err(Refused::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
+        }
+    }
+}
+
+/// A controller behind an adapter, where this names one.
+pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, Refused>> {
+    match name.split_once(':')? {
+        ("exec", command) => Some(exec(command, limits)),
+        ("tcp", address) => Some(tcp(address, limits)),
+        _ => None,
+    }
+}
+
+/// A controller behind a command.
+pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
+    if command.trim().is_empty() {
+        return Err(Refused::wrong(
+            "missing command after `exec:`",
+            "for example exec:./my-adapter or \"exec:python3 adapter.py\"",
+        ));
+    }
+    Exec::start(command, limits).map_err(|error| {
+        Refused::unfinished(
+            format!("exec:{command}: {error}"),
+            "`gaugeblock adapter check` finds errors of an adapter; `gaugeblock adapter protocol` prints the protocol",
+        )
+    })
+}
+
+/// A controller whose adapter listens at an address.
+fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
+    let port = address.rsplit_once(':').and_then(|(_, port)| port.parse::<u16>().ok());
+    if port.is_none() {
+        return Err(Refused::wrong(
+            format!("invalid controller `tcp:{address}`: expected tcp:HOST:PORT"),
+            "for example tcp:127.0.0.1:4100",
+        ));
+    }
+    Exec::connect(address, limits).map_err(|error| {
+        Refused::unfinished(
+            format!("tcp:{address}: {error}"),
+            "start the adapter first, for example: gaugeblock serve --controller production --tcp HOST:PORT",
+        )
+    })
+}
+
+/// A control whose answer sheets are in a folder.
+fn offline(folder: &Path) -> Result<Offline, Refused> {
+    Offline::open(folder).map_err(super::offline::not_a_campaign)
+}
+
+/// LinuxCNC's whole controller.
+pub(crate) fn linuxcnc() -> Result<LinuxCnc, Refused> {
+    match LinuxCnc::find() {
+        Ok(found) => Ok(found),
+        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "install it (Debian: apt-get install linuxcnc-uspace)",
+        )),
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+            error.to_string(),
+            "this edition documents version 2.9; results of another version would be compared with the wrong manual",
+        )),
+        Err(error @ ControllerError::Broken(_)) => Err(Refused::unfinished(
+            error.to_string(),
+            "it needs process, mount, network and IPC namespaces: run as root, or allow user namespaces",
+        )),
+    }
+}
+
+/// A controller that shows no more than the named one, and runs no more than that one can.
+pub(crate) fn narrowed(
+    controller: Box<dyn Adapter>,
+    like: &str,
+) -> Result<Box<dyn Adapter>, Refused> {
+    Ok(Box::new(Narrowed::new(controller, self::controller(like)?)))
+}
+
+/// Refuses what was asked by another suite or edition than the one that it would be held to.
+pub(crate) fn belongs(
+    controller: &dyn Adapter,
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(), Refused> {
+    let Some((digest, asked)) = controller.belongs_to() else { return Ok(()) };
+    let name = &controller.capabilities().name;
+    if asked != edition.id {
+        return Err(Refused::wrong(
+            format!("{name}: the answers were collected for edition {asked}, not {}", edition.id),
+            "remove --edition, or export again for the other edition",
+        ));
+    }
+    if digest != suite.digest {
+        return Err(Refused::wrong(
+            format!(
+                "{name}: the answers were exported from another suite (digest {digest}, this suite {})",
+                suite.digest
+            ),
+            "use the gaugeblock (and --suite) that exported them, or export again",
+        ));
+    }
+    Ok(())
+}
+
+/// Refuses an edition that a controller cannot be held to, before anything runs.
+pub(crate) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(), Refused> {
+    controller.honours(options).map_err(|why| {
+        let name = &controller.capabilities().name;
+        Refused::wrong(
+            format!("{name} does not support this edition: {why}"),
+            "an edition that ends in -observed describes one real controller; choose an edition of documents",
+        )
+    })
+}
+
+/// Refuses options that a controller declares and that are none.
+pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+    let declared = controller.options();
+    let unknown = declared.0.iter().find(|(id, option)| {
+        let mut choices = suite.choices.iter().filter(|choice| choice.id == **id);
+        !choices.any(|choice| choice.options.iter().any(|known| known.name == **option))
+    });
+    match unknown {
+        None => Ok(()),
+        Some((id, option)) => Err(Refused::unfinished(
+            format!(
+                "{} declares an unknown option `{option}` for choice `{id}`",
+                controller.capabilities().name
+            ),
+            "`gaugeblock choices` lists them",
+        )),
+    }
+}
+
+/// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is
+/// no certificate.
+pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), Refused> {
+    if edition.language == Language::Rs274 {
+        return Ok(());
+    }
+    let mut scenario = Scenario::default();
+    scenario.program.language = edition.language;
+    controller.supports(&scenario).map_err(|why| {
+        let name = &controller.capabilities().name;
+        Refused::unfinished(
+            format!("unsupported: {name} does not run edition {}: {why}", edition.id),
+            "no program was run; `--controller reference` supports this language",
+        )
+    })
+}
+
+/// The edition that a controller is held to where none is named.
+pub(crate) fn own_edition(controller: &dyn Adapter) -> &str {
+    controller.own_edition().unwrap_or(gaugeblock_suite::DEFAULT_EDITION)
+}
+
+/// Refuses a controller whose departures are said to be those of an edition that the suite does not have.
+pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+    controller
+        .observed_edition()
+        .map_or(Ok(()), |id| crate::documents::edition(suite, id).map(|_| ()))
+}

@@ -1,0 +1,88 @@
+//! `gaugeblock suite faults`: which planted faults the suite catches, and by which cases.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use gaugeblock_controllers::faulty::Faulty;
+use gaugeblock_interpreter::faults::Fault;
+use gaugeblock_runner::certify::{CaseResult, Plan, certify};
+use gaugeblock_suite::Suite;
+use serde_json::json;
+
+use super::certify::progress;
+use crate::arguments::Format;
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+/// The editions that notice what is wrong with post-processors and with custom macros.
+const OWN: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];
+
+/// A planted fault, and the cases that notice it.
+struct Caught<'a> {
+    fault: Fault,
+    cases: usize,
+    rules: BTreeSet<&'a str>,
+}
+
+/// Certifies production once with each fault. Fails where one is not noticed.
+pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, Refused> {
+    let edition = crate::documents::edition(suite, edition)?;
+    let own = |fault: Fault| OWN.iter().find(|(names, _)| fault.name().starts_with(names));
+    let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);
+    let plan = Plan { suite, edition, only: &[], jobs };
+    let bar = progress(Fault::ALL.len());
+    let caught: Vec<_> = Fault::ALL
+        .iter()
+        .filter_map(|fault| {
+            let edition = match own(*fault) {
+                Some((_, own)) => crate::documents::edition(suite, own).ok()?,
+                None => edition,
+            };
+            let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
+            let departs = |case: &&CaseResult<'_>| case.verdict.departure().is_some();
+            let failing: Vec<_> = run.cases.iter().filter(departs).collect();
+            let rules = failing.iter().map(|case| case.rule.id.as_str()).collect();
+            bar.inc(1);
+            Some(Caught { fault: *fault, cases: failing.len(), rules })
+        })
+        .collect();
+    bar.finish_and_clear();
+    let missed = caught.iter().filter(|caught| caught.cases == 0).count();
+    write_out(&match format {
+        Format::Json => format!("{:#}\n", document(&caught)),
+        Format::Text => text(&caught, missed),
+    });
+    Ok(u8::from(missed > 0))
+}
+
+fn document(caught: &[Caught<'_>]) -> serde_json::Value {
+    let faults: Vec<_> = caught
+        .iter()
+        .map(|caught| {
+            json!({
+                "fault": caught.fault.name(), "about": caught.fault.about(), "cases": caught.cases,
+                "rules": caught.rules,
+            })
+        })
+        .collect();
+    json!({ "gaugeblock": "faults", "schema": gaugeblock_vocabulary::schema::VERSION, "faults": faults })
+}
+
+fn text(caught: &[Caught<'_>], missed: usize) -> String {
+    let mut text = String::new();
+    for Caught { fault, cases, rules } in caught {
+        let by = match (cases, rules.first()) {
+            (0, _) | (_, None) => "NOT CAUGHT".to_owned(),
+            (cases, Some(rule)) if rules.len() == 1 => format!("{cases:>4} cases, only {rule}"),
+            (cases, Some(_)) => format!("{cases:>4} cases of {} rules", rules.len()),
+        };
+        let _infallible = writeln!(text, "{:<36} {by:<44} {}", fault.name(), fault.about());
+    }
+    let _infallible = writeln!(
+        text,
+        "\n{} planted faults, {} caught, {missed} not",
+        caught.len(),
+        caught.len() - missed
+    );
+    text
+}

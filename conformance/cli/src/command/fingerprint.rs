@@ -1,0 +1,75 @@
+//! `gaugeblock fingerprint`.
+
+use std::fmt::Write as _;
+
+use clap::Args;
+use gaugeblock_runner::fingerprint::{Shown, fingerprint as take, nearest};
+use gaugeblock_suite::Suite;
+use serde_json::json;
+
+use super::controller;
+use crate::arguments::Format;
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock fingerprint --controller rs274
+  gaugeblock fingerprint --controller reference --edition m70-draft
+  gaugeblock fingerprint --controller rs274 --format json
+
+Exit status: 0 every option was detected; 2 wrong call; 3 some could not be detected.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// Edition whose options are passed to a controller that accepts options [default: the controller's own]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let controller = controller::controller(&arguments.controller)?;
+    let own = controller::own_edition(controller.as_ref());
+    let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    controller::observed(controller.as_ref(), suite)?;
+    let options = suite.options(edition);
+    controller::honours(controller.as_ref(), &options)?;
+    controller::speaks(controller.as_ref(), edition)?;
+    let shown = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
+    let nearest = nearest(suite, &shown);
+    let known = shown.iter().filter(|(_, shown)| matches!(shown, Shown::Option(_))).count();
+    match arguments.format {
+        Format::Json => {
+            let options: serde_json::Map<_, _> =
+                shown.iter().map(|(choice, shown)| (choice.id.clone(), json!(shown))).collect();
+            let editions: Vec<_> = nearest
+                .iter()
+                .map(|(id, agree)| json!({ "edition": id, "agree": agree }))
+                .collect();
+            let document = json!({
+                "gaugeblock": "fingerprint", "controller": controller.capabilities().name,
+                "version": controller.capabilities().version, "options": options, "shown": known, "nearest": editions,
+            });
+            write_out(&format!("{document:#}\n"));
+        }
+        Format::Text => {
+            let mut text = String::new();
+            for (choice, shown) in &shown {
+                let _infallible = writeln!(text, "{:<40} {shown}", choice.id);
+            }
+            if let Some((id, agree)) = nearest.first() {
+                let _infallible =
+                    writeln!(text, "\nnearest edition: {id} ({agree} of {known} detected options)");
+            }
+            write_out(&text);
+        }
+    }
+    let unknown = shown.iter().any(|(_, shown)| matches!(shown, Shown::Nothing(_)));
+    Ok(if unknown { 3 } else { 0 })
+}

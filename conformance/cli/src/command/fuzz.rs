@@ -1,0 +1,404 @@
+//! `gaugeblock fuzz`.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use clap::Args;
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::clock::now;
+use gaugeblock_fuzz::generate::splice::Seeds;
+use gaugeblock_fuzz::generate::{GeneratorConfig, Setups};
+use gaugeblock_runner::fuzz::coverage_pass::is_long;
+use gaugeblock_runner::fuzz::groups::{Finding, Groups, merged, shrunk};
+use gaugeblock_runner::fuzz::journal::{Header, NotJudged};
+use gaugeblock_runner::fuzz::statistics::Statistics;
+use gaugeblock_runner::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
+use gaugeblock_runner::journal::Journal;
+use gaugeblock_suite::{Choice, Edition, Suite};
+use gaugeblock_vocabulary::{Language, Options};
+
+use super::fuzz_cases::{outcomes, rarely_reached, seeds};
+use super::{controller, fuzz_report, place};
+use crate::arguments::Format;
+use crate::refused::Refused;
+use crate::streams::{write_error, write_out};
+
+/// How many programs that could not be judged are told of, the first ones.
+const NOT_JUDGED: usize = 10;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock fuzz
+      compare production with the reference model for a minute
+  gaugeblock fuzz --controller rs274 --edition rs274-2.9-observed --programs 30000
+      find behaviour of LinuxCNC's interpreter that no quirk explains
+  gaugeblock fuzz --options random --seconds 36000 --report nightly
+      try every option of the documents, with a journal; after an interruption, repeat the call with --resume
+  gaugeblock fuzz --edition gpp2 --programs 300000
+      generate programs of a post-processor
+  gaugeblock fuzz --edition nct-99m --programs 300000 --verbose
+      generate custom macros; print how often each rule was reached
+  gaugeblock fuzz --controller rs274 --known nightly/report.json --report tonight
+      report only divergences that are not in an earlier report
+  gaugeblock fuzz --shard 3/8 --seed 20 --programs 1000000 --report shard-3
+      run one of eight shards
+  gaugeblock fuzz --only io. --programs 10000
+      generate only statements of one kind
+  gaugeblock fingerprint --controller rs274 --format json > options.json
+  gaugeblock fuzz --controller rs274 --options from:options.json
+      compare under the options that the controller has, so that known differences do not hide new ones
+
+Exit status: 0 no divergence; 1 divergences; 2 wrong call or input; 3 a program could not be judged, or none was.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
+    controller: String,
+    /// The controller to compare it with
+    #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
+    against: String,
+    /// Edition of the documents [default: the controller's own]
+    #[arg(long, value_name = "EDITION")]
+    edition: Option<String>,
+    /// Options of choices: `edition`, `random` (new options every eight programs), or `from:FILE` (the output of
+    /// `gaugeblock fingerprint --format json`)
+    #[arg(long, value_name = "HOW", default_value = "edition")]
+    options: String,
+    /// Random seed
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Run part I of N, counted from 1; all parts together run every program once
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: Shard,
+    /// Number of programs of all shards together [default: until --seconds have passed]
+    #[arg(long, value_name = "N")]
+    programs: Option<u64>,
+    /// Duration, seconds [default: 60, or unlimited with --programs]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
+    seconds: Option<u64>,
+    /// Number of programs that run at once [default: number of processors, or what suits the controller]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
+    /// Generate only statements whose name begins with this, such as `io.` or `saved`; may be repeated
+    #[arg(long, value_name = "PREFIX")]
+    only: Vec<String>,
+    /// Percentage of programs with a deliberate error
+    #[arg(long, value_name = "PERCENT", default_value_t = GeneratorConfig::default().mutated_programs, value_parser = clap::value_parser!(u32).range(0..=100))]
+    error_rate: u32,
+    /// Percentage of programs that are spliced from cases of the suite [default: 10 to 32, enough to reach each outcome
+    /// of each rule about 20 times]
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u32).range(0..=100))]
+    spliced: Option<u32>,
+    /// Write the journal, the report and each minimised program into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// Resume an interrupted run from the journal in --report
+    #[arg(long, requires = "report")]
+    resume: bool,
+    /// Report.json of an earlier run; its divergences are known, and only new ones are reported
+    #[arg(long, value_name = "FILE")]
+    known: Option<PathBuf>,
+    /// Attempts to minimise each divergence; 0 keeps the generated programs
+    #[arg(long, value_name = "N", default_value_t = 2000)]
+    shrink: u32,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Print how often each rule, code and fault was reached
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let iut = controller::controller(&arguments.controller)?;
+    let own = controller::own_edition(iut.as_ref());
+    let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    let (options, random) = options(arguments, suite, edition)?;
+    let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+    }
+    let against = controller::controller(&arguments.against)?;
+    for controller in [&iut, &against] {
+        controller::speaks(controller.as_ref(), edition)?;
+    }
+    controller::honours(iut.as_ref(), &options)?;
+    controller::honours(against.as_ref(), &options)?;
+    let options = without_defaults(options, suite);
+    let mut plan = Plan {
+        iut: iut.as_ref(),
+        against: against.as_ref(),
+        config: GeneratorConfig {
+            language: edition.language,
+            old_words: options.is("gpp.old-words", "accepted"),
+            ..config(arguments, edition)?
+        },
+        seed: arguments.seed,
+        spliced: 0,
+        seeds: Seeds { all: seeds(suite, edition, &options), ..Seeds::default() },
+        random: if random {
+            Random::all(of_language(suite, edition), &options)
+        } else {
+            Vec::new()
+        },
+        options,
+        environment: edition.environment.clone(),
+    };
+    if arguments.only.is_empty() && arguments.spliced != Some(0) {
+        let share = plan.coverage_pass(outcomes(suite, edition), arguments.programs);
+        plan.spliced = arguments.spliced.unwrap_or(share);
+    }
+    let header = header(arguments, &plan, edition);
+    let mut so_far = SoFar::default();
+    let journal = match &arguments.report {
+        Some(folder) => {
+            let journal = Journal::open(folder, &header, arguments.resume, &mut |chunk| {
+                so_far.add(chunk);
+            });
+            Some(journal.map_err(|why| {
+                Refused::wrong(
+                    why,
+                    "--resume continues the same call; another run needs another folder",
+                )
+            })?)
+        }
+        None => None,
+    };
+    let begun = now();
+    generate(arguments, &plan, journal, &mut so_far)?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let findings = shrink_all(&plan, so_far.groups.findings(), arguments.shrink);
+    let (findings, known): (Vec<Finding>, Vec<Finding>) =
+        findings.into_iter().partition(|finding| !known.iter().any(|known| known.is_as(finding)));
+    let (rare, not_shown) = rarely_reached(suite, edition, &plan, &so_far.statistics);
+    let report = fuzz_report::Report {
+        header: &header,
+        statistics: &so_far.statistics,
+        findings: &findings,
+        known: &known,
+        rare: &rare,
+        not_shown: &not_shown,
+        not_judged: &so_far.not_judged,
+        seconds,
+    };
+    if let Some(folder) = &arguments.report {
+        report.write(folder)?;
+    }
+    match arguments.format {
+        Format::Text => write_out(&report.text(arguments.verbose)),
+        Format::Json => write_out(&format!("{:#}\n", report.json())),
+    }
+    Ok(report.exit_status())
+}
+
+/// What was done so far, in this call and the ones before.
+#[derive(Default)]
+struct SoFar {
+    done: BTreeSet<u64>,
+    statistics: Statistics,
+    groups: Groups,
+    not_judged: BTreeMap<u64, NotJudged>,
+}
+
+impl SoFar {
+    fn add(&mut self, chunk: gaugeblock_runner::fuzz::journal::Chunk) {
+        if self.done.insert(chunk.chunk) {
+            self.statistics.add(&chunk.statistics);
+            chunk.found.into_iter().for_each(|finding| self.groups.add(finding));
+            self.not_judged.extend(chunk.not_judged.into_iter().map(|kept| (kept.number, kept)));
+            while self.not_judged.len() > NOT_JUDGED {
+                self.not_judged.pop_last();
+            }
+        }
+    }
+}
+
+fn generate(
+    arguments: &Arguments,
+    plan: &Plan<'_>,
+    mut journal: Option<Journal>,
+    so_far: &mut SoFar,
+) -> Result<(), Refused> {
+    let seconds = match (arguments.seconds, arguments.programs) {
+        (None, None) => Some(60),
+        (seconds, _) => seconds,
+    };
+    let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let best = plan.iut.best_jobs().or(plan.against.best_jobs());
+    let bar = indicatif::ProgressBar::new_spinner();
+    let (end, stop) =
+        (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
+    let mut trouble = None;
+    let done = so_far.done.clone();
+    let extent = Extent {
+        shard: arguments.shard,
+        programs: arguments.programs.unwrap_or(u64::MAX),
+        jobs: arguments.jobs.or(best).unwrap_or(processors),
+        done: &done,
+        stop: &stop,
+    };
+    run(plan, &extent, &mut |mut chunk| {
+        if let Some(journal) = &mut journal {
+            chunk.statistics.settle();
+            trouble = journal.done(&chunk).err().or(trouble.take());
+        }
+        so_far.add(chunk);
+        let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
+        bar.set_message(format!("{programs} programs, {groups} kinds of divergences"));
+        bar.tick();
+        trouble.is_none() && end.is_none_or(|end| now() < end)
+    });
+    bar.finish_and_clear();
+    so_far.statistics.settle();
+    match trouble {
+        Some(why) => Err(Refused::unfinished(
+            format!("the journal: {why}"),
+            "free space on the disk, then repeat the call with --resume",
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Divergences beyond this number stay as they were generated.
+const SHRUNK_AT_MOST: usize = 150;
+
+fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec<Finding> {
+    if attempts == 0 {
+        return merged(findings);
+    }
+    // What was met most often first: it has the best chance to be seen whole.
+    findings.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
+    let bar = indicatif::ProgressBar::new(
+        u64::try_from(findings.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
+    );
+    bar.set_message("shrinking");
+    for finding in findings.iter_mut().take(SHRUNK_AT_MOST) {
+        *finding = shrunk(plan, finding, attempts);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    merged(findings)
+}
+
+fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, Refused> {
+    if edition.language != Language::Rs274 && !arguments.only.is_empty() {
+        let message = format!("--only is not available for {}", edition.language);
+        return Err(Refused::wrong(message, "remove --only"));
+    }
+    let stand_alone = |name: &str| name.starts_with("rs274");
+    let setups = if stand_alone(&arguments.controller) || stand_alone(&arguments.against) {
+        Setups::StandAlone
+    } else {
+        Setups::Operated
+    };
+    let rows = || gaugeblock_fuzz::generate::TABLE.iter().copied().flatten();
+    for only in &arguments.only {
+        if !rows().any(|row| row.name.starts_with(only.as_str())) {
+            let known: Vec<&str> = rows().map(|row| row.name).collect();
+            return Err(Refused::wrong(
+                format!("invalid `--only {only}`: no statement of the generator begins with it"),
+                format!("expected one of: {}", known.join(", ")),
+            ));
+        }
+    }
+    Ok(GeneratorConfig {
+        mutated_programs: arguments.error_rate,
+        only: arguments.only.clone(),
+        setups,
+        ..GeneratorConfig::default()
+    })
+}
+
+/// The options that apply, and whether each program changes some of them.
+fn options(
+    arguments: &Arguments,
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(Options, bool), Refused> {
+    let mut options = suite.options(edition);
+    match arguments.options.as_str() {
+        "edition" => Ok((options, false)),
+        "random" => Ok((options, true)),
+        how => match how.strip_prefix("from:") {
+            Some(file) => {
+                shown(Path::new(file), suite, &mut options)?;
+                Ok((options, false))
+            }
+            None => Err(Refused::wrong(
+                format!("invalid `--options {how}`"),
+                "expected edition, random or from:FILE",
+            )),
+        },
+    }
+}
+
+/// The choices in an edition's language.
+fn of_language<'a>(suite: &'a Suite, edition: &Edition) -> Vec<&'a Choice> {
+    suite.choices.iter().filter(|choice| choice.language == edition.language).collect()
+}
+
+/// Options without those that hold where nothing is listed.
+fn without_defaults(mut options: Options, suite: &Suite) -> Options {
+    for choice in &suite.choices {
+        if options.get(&choice.id).is_some_and(|option| choice.is_default(option)) {
+            options.0.remove(&choice.id);
+        }
+    }
+    options
+}
+
+/// Takes over the options that a fingerprint determined.
+fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
+    let name = file.display();
+    let hint = "`gaugeblock fingerprint --controller CONTROLLER --format json` writes such a file";
+    let text = place::text(file, "fingerprint (--options from:FILE)")?;
+    let document: serde_json::Value = serde_json::from_str(&text)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    let shown = document["options"]
+        .as_object()
+        .ok_or_else(|| Refused::wrong(format!("{name}: it has no member `options`"), hint))?;
+    for (id, shown) in shown {
+        if let Some(option) = shown["option"].as_str() {
+            let choice = suite.choices.iter().find(|choice| choice.id == *id);
+            let known =
+                choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
+            if !known {
+                return Err(Refused::wrong(
+                    format!("{name}: unknown option `{option}` for choice `{id}`"),
+                    "run `gaugeblock fingerprint` again with this version",
+                ));
+            }
+            options.0.insert(id.clone(), option.to_owned());
+        }
+    }
+    Ok(())
+}
+
+fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
+    let named = |side: &dyn Adapter| {
+        format!("{} {}", side.capabilities().name, side.capabilities().version)
+    };
+    if arguments.controller == arguments.against {
+        write_error("note: the controller is compared with itself");
+    }
+    Header {
+        journal: 0,
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        iut: named(plan.iut),
+        against: named(plan.against),
+        options: format!("{}, {}", edition.id, arguments.options),
+        config: format!(
+            "wrong {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
+            arguments.error_rate,
+            plan.spliced,
+            if is_long(arguments.programs) { "long" } else { "short" },
+            arguments.only
+        ),
+        seed: arguments.seed,
+        shard: arguments.shard.to_string(),
+    }
+}

@@ -1,0 +1,320 @@
+//! The report of `gaugeblock fuzz`: text, JSON and files.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use gaugeblock_report::inert;
+use gaugeblock_runner::fuzz::groups::Finding;
+use gaugeblock_runner::fuzz::journal::{Header, NotJudged};
+use gaugeblock_runner::fuzz::shown::NotShown;
+use gaugeblock_runner::fuzz::statistics::{Counts, ENOUGH, Statistics};
+use gaugeblock_vocabulary::Scenario;
+use serde_json::json;
+
+use super::place;
+use crate::refused::Refused;
+
+/// How many divergences are shown with their programs.
+const SHOWN: usize = 40;
+
+/// A finished run.
+#[derive(Debug)]
+pub(crate) struct Report<'a> {
+    pub(crate) header: &'a Header,
+    pub(crate) statistics: &'a Statistics,
+    pub(crate) findings: &'a [Finding],
+    /// What an earlier report told already.
+    pub(crate) known: &'a [Finding],
+    /// Outcomes of the suite's rules that few programs or none reached, and how many.
+    pub(crate) rare: &'a [(String, u64)],
+    /// Those that none reached, and no case does that can be compared here, and why.
+    pub(crate) not_shown: &'a NotShown,
+    /// The first programs of which nothing can be said.
+    pub(crate) not_judged: &'a BTreeMap<u64, NotJudged>,
+    pub(crate) seconds: f64,
+}
+
+impl Report<'_> {
+    /// 0 nothing, 1 divergences, 3 not everything was judged, or nothing was compared.
+    pub(crate) fn exit_status(&self) -> u8 {
+        if !self.findings.is_empty() {
+            1
+        } else if !self.statistics.not_judged.is_empty() || self.statistics.compared == 0 {
+            3
+        } else {
+            0
+        }
+    }
+
+    pub(crate) fn json(&self) -> serde_json::Value {
+        let findings: Vec<_> = self.findings.iter().map(|finding| {
+            json!({
+                "signature": finding.signature, "shape": finding.shape, "rules": finding.rules, "options": finding.options, "count": finding.count, "number": finding.number,
+                "divergence": finding.divergence, "shrunk": finding.shrunk, "scenario": finding.scenario,
+            })
+        }).collect();
+        json!({
+            "gaugeblock": "fuzz", "version": 0, "run": self.header, "statistics": self.statistics,
+            "divergences": findings, "known": self.known.len(), "rarely_reached": self.rare,
+            "not_shown": self.not_shown,
+            "not_judged": self.not_judged.values().collect::<Vec<_>>(),
+        })
+    }
+
+    pub(crate) fn text(&self, verbose: bool) -> String {
+        let mut text = String::new();
+        let Header { iut, against, options, seed, shard, .. } = self.header;
+        let _infallible =
+            writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
+        for (place, finding) in self.findings.iter().take(SHOWN).enumerate() {
+            let _infallible = writeln!(text, "{}", describe(place + 1, finding));
+        }
+        if self.findings.len() > SHOWN {
+            let _infallible = writeln!(text, "… and {} more kinds\n", self.findings.len() - SHOWN);
+        }
+        let s = self.statistics;
+        let rate =
+            if self.seconds > 0.0 { thousands(s.programs) / self.seconds * 1000.0 } else { 0.0 };
+        let _infallible = writeln!(
+            text,
+            "{} programs in {:.1} s ({rate:.0} a second); {} compared, {} of them accepted; {} of blocks compared",
+            s.programs,
+            self.seconds,
+            percent(s.compared, s.programs),
+            percent(s.accepted, s.compared),
+            percent(s.blocks_compared, s.blocks),
+        );
+        let _infallible = writeln!(
+            text,
+            "{} blocks a program; {} rule outcomes, {} codes, {} kinds of faults reached; {} fragile ({})",
+            s.blocks_compared.checked_div(s.compared).unwrap_or_default(),
+            s.rules.len(),
+            s.codes.len(),
+            s.faults.len(),
+            s.fragile,
+            percent(s.fragile, s.compared),
+        );
+        for (what, counts) in [
+            ("unsupported", &s.unsupported),
+            ("left open by the documents", &s.unspecified),
+            ("not judged", &s.not_judged),
+        ] {
+            list(&mut text, what, counts, if verbose { usize::MAX } else { 6 });
+        }
+        self.first_not_judged(&mut text);
+        self.rarely_reached(&mut text, if verbose { usize::MAX } else { 10 });
+        self.not_shown(&mut text, verbose);
+        if verbose {
+            for (what, counts) in
+                [("ends", &s.ends), ("faults", &s.faults), ("codes", &s.codes), ("rules", &s.rules)]
+            {
+                list(&mut text, what, counts, usize::MAX);
+            }
+        }
+        let _infallible = writeln!(text, "{}", self.verdict());
+        text
+    }
+
+    /// Which programs to look at.
+    fn first_not_judged(&self, text: &mut String) {
+        if !self.not_judged.is_empty() {
+            let numbers: Vec<_> = self.not_judged.keys().map(u64::to_string).collect();
+            let (numbers, what) = (numbers.join(", "), "`--report DIR` writes each into a folder");
+            let _infallible = writeln!(text, "            of the programs {numbers}; {what}");
+        }
+    }
+
+    /// What the run says little of.
+    fn rarely_reached(&self, text: &mut String, most: usize) {
+        if self.rare.is_empty() {
+            return;
+        }
+        let _infallible = writeln!(
+            text,
+            "{} outcomes of the suite's rules were reached by fewer than {ENOUGH} programs:",
+            self.rare.len()
+        );
+        for (name, programs) in self.rare.iter().take(most) {
+            let _infallible = writeln!(text, "  {programs:>8}  {name}");
+        }
+        if self.rare.len() > most {
+            let _infallible = writeln!(text, "            … {} more", self.rare.len() - most);
+        }
+    }
+
+    /// What no run of these two says anything of, by what stands in the way.
+    fn not_shown(&self, text: &mut String, verbose: bool) {
+        if self.not_shown.is_empty() {
+            return;
+        }
+        let _infallible = writeln!(
+            text,
+            "{} outcomes were reached by none, nor by a case that could be compared here:",
+            self.not_shown.len()
+        );
+        let mut by_reason: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for (name, why) in self.not_shown {
+            by_reason.entry(why).or_default().push(name);
+        }
+        let mut by_reason: Vec<_> = by_reason.into_iter().collect();
+        by_reason.sort_by_key(|(_, names)| Reverse(names.len()));
+        for (why, names) in by_reason {
+            let _infallible = writeln!(text, "  {:>8}  {why}", names.len());
+            for name in names.iter().filter(|_| verbose) {
+                let _infallible = writeln!(text, "            {name}");
+            }
+        }
+    }
+
+    /// In words.
+    fn verdict(&self) -> String {
+        let known = match self.known.len() {
+            0 => String::new(),
+            count => format!(" ({count} kinds are known)"),
+        };
+        self.what_is_new() + &known
+    }
+
+    fn what_is_new(&self) -> String {
+        let Statistics { diverging, compared, not_judged, .. } = self.statistics;
+        match (self.findings.len(), compared) {
+            (0, 0) => "nothing was compared".to_owned(),
+            (0, _) if !not_judged.is_empty() => {
+                "no divergence, but not everything was judged".to_owned()
+            }
+            (0, _) => "no divergence".to_owned(),
+            (kinds, _) => format!("{diverging} programs diverge, in {kinds} kinds"),
+        }
+    }
+
+    /// Writes report.json, report.txt and a folder for each divergence.
+    pub(crate) fn write(&self, folder: &Path) -> Result<(), Refused> {
+        place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
+        place::write_whole(&folder.join("report.txt"), inert(&self.text(true)).as_bytes())?;
+        for (at, finding) in self.findings.iter().enumerate() {
+            let name: String = finding
+                .signature
+                .to_string()
+                .chars()
+                .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+                .take(60)
+                .collect();
+            let folder = folder.join(format!("{:03}-{name}", at + 1));
+            write_program(&folder, &finding.scenario)?;
+            let told = describe(at + 1, finding);
+            place::write_whole(&folder.join("divergence.txt"), inert(&told).as_bytes())?;
+        }
+        for NotJudged { number, why, scenario } in self.not_judged.values() {
+            let folder = folder.join(format!("not-judged-{number}"));
+            write_program(&folder, scenario)?;
+            let told = inert(why) + "\n";
+            place::write_whole(&folder.join("why.txt"), told.as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes a program, its files and the scenario into a folder of their own.
+fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
+    place::folder(folder)?;
+    place::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
+    let files = scenario.program.files.iter();
+    for (name, text) in files.filter(|(name, _)| !name.contains(['/', '\\'])) {
+        place::write_whole(&folder.join(name), text)?;
+    }
+    let text = scenario.to_text().map_err(|error| {
+        Refused::unfinished(error.message, "this is a bug in gaugeblock; please report it")
+    })?;
+    place::write_whole(&folder.join("scenario.toml"), &text)
+}
+
+/// The divergences that an earlier report tells.
+pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, Refused> {
+    let (name, hint) = (path.display(), "`gaugeblock fuzz --report DIR` writes report.json");
+    let text = place::text(path, "earlier report (--known)")?;
+    let wrong = |error: serde_json::Error| Refused::wrong(format!("{name}: {error}"), hint);
+    let mut document: serde_json::Value = serde_json::from_str(&text).map_err(wrong)?;
+    let divergences = document.get_mut("divergences").map(serde_json::Value::take);
+    serde_json::from_value(divergences.unwrap_or_default()).map_err(wrong)
+}
+
+/// A divergence with its smallest program, and in how many programs it was found.
+pub(crate) fn describe(place: usize, finding: &Finding) -> String {
+    let programs = if finding.count == 1 { "program" } else { "programs" };
+    let Finding { signature, count, number, .. } = finding;
+    format!(
+        "{place}. {signature} ({count} {programs}, the smallest from {number})\n{}",
+        body(finding)
+    )
+}
+
+/// The rules of a divergence, its smallest program and what differs there.
+pub(crate) fn body(finding: &Finding) -> String {
+    let mut text = String::new();
+    if !finding.rules.is_empty() && finding.rules.len() <= 8 {
+        let _infallible = writeln!(text, "  rules: {}", finding.rules.join(", "));
+    }
+    let program = &finding.scenario.program;
+    for (at, line) in program.language.lines(&program.main).enumerate() {
+        let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
+    }
+    for (name, file) in &program.files {
+        let _infallible = writeln!(text, "  {name}");
+        for (at, line) in program.language.lines(file).enumerate() {
+            let _infallible = writeln!(text, "  {:>4} | {line}", at + 1);
+        }
+    }
+    for difference in unusual(finding).iter().chain(&finding.options) {
+        let _infallible = writeln!(text, "  with {difference}");
+    }
+    let _infallible = writeln!(text, "  {}", finding.divergence);
+    text
+}
+
+/// What of machine and environment is not the default.
+fn unusual(finding: &Finding) -> Vec<String> {
+    let plain = Scenario::default();
+    let of = |scenario: &Scenario| {
+        let mut shown = scenario.clone();
+        shown.program = plain.program.clone();
+        shown.options = plain.options.clone();
+        shown.budget = plain.budget;
+        let text = shown.to_text().unwrap_or_default();
+        text.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let (usual, lines) = (of(&plain), of(&finding.scenario));
+    let mut all: Vec<String> = lines
+        .into_iter()
+        .filter(|line| !usual.contains(line) && !line.is_empty() && !line.starts_with(']'))
+        .collect();
+    if finding.scenario.program.block_delete {
+        all.push("block delete".to_owned());
+    }
+    all
+}
+
+fn list(text: &mut String, what: &str, counts: &Counts, most: usize) {
+    let mut all: Vec<_> = counts.iter().collect();
+    all.sort_by(|a, b| b.1.cmp(a.1).then_with(|| a.0.cmp(b.0)));
+    if !all.is_empty() {
+        let _infallible = writeln!(text, "{what}:");
+    }
+    for (name, count) in all.iter().take(most) {
+        let _infallible = writeln!(text, "  {count:>8}  {name}");
+    }
+    if all.len() > most {
+        let _infallible = writeln!(text, "            … {} more", all.len() - most);
+    }
+}
+
+fn thousands(count: u64) -> f64 {
+    f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX))
+        + f64::from(u32::try_from(count % 1000).unwrap_or_default()) / 1000.0
+}
+
+fn percent(part: u64, whole: u64) -> String {
+    let tenths = part.saturating_mul(1000).checked_div(whole).unwrap_or_default();
+    format!("{}.{} %", tenths / 10, tenths % 10)
+}

@@ -1,0 +1,63 @@
+//! `gaugeblock suite matrix`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use gaugeblock_controllers::Reference;
+use gaugeblock_report::Header;
+use gaugeblock_report::Report;
+use gaugeblock_report::matrix::{Judged, Matrix};
+use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::Suite;
+use gaugeblock_suite::ledger::Ledger;
+
+use super::place;
+use crate::arguments::Format;
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+/// Prints, per document and section, its rules and their verdicts in the model and in each report.
+pub(crate) fn matrix(
+    suite: &Suite,
+    ledgers: &[Ledger],
+    reports: &[PathBuf],
+    format: Format,
+) -> Result<u8, Refused> {
+    let judged: Vec<Judged> =
+        reports.iter().map(|path| read(path.as_path())).collect::<Result<_, Refused>>()?;
+    let model = model(suite, ledgers);
+    let matrix = Matrix::new(ledgers, &model, &judged);
+    match format {
+        Format::Text => write_out(&matrix.text()),
+        Format::Json => write_out(&format!("{:#}\n", matrix.json())),
+    }
+    Ok(0)
+}
+
+fn read(path: &Path) -> Result<Judged, Refused> {
+    let text = place::text(path, "report (--report)")?;
+    Judged::read(&text).map_err(|error| {
+        Refused::wrong(
+            format!("{}: {error}", path.display()),
+            "`gaugeblock certify --controller CONTROLLER --report DIR` writes DIR/report.json",
+        )
+    })
+}
+
+/// The model's verdicts for the edition of each document.
+fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
+    let controller = Reference::default();
+    let mut model = BTreeMap::new();
+    for ledger in ledgers {
+        let Some(edition) = suite.edition(&ledger.edition) else { continue };
+        model.entry(edition.id.clone()).or_insert_with(|| {
+            let plan = Plan { suite, edition, only: &[], jobs: crate::arguments::jobs(None) };
+            let run = certify(plan, &controller, &|| {});
+            let header = Header::of(plan, &controller, Shard::WHOLE);
+            let (notes, profiles) = (Vec::new(), Vec::new());
+            Judged::of(&Report { run: &run, header, notes, profiles, troubles: None })
+        });
+    }
+    model
+}

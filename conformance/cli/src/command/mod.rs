@@ -1,0 +1,30 @@
+//! The commands, each in its file.
+
+pub(crate) mod adapter;
+pub(crate) mod against;
+pub(crate) mod certify;
+pub(crate) mod check;
+pub(crate) mod compare;
+pub(crate) mod controller;
+pub(crate) mod explain;
+#[cfg(feature = "faulty")]
+pub(crate) mod faults;
+pub(crate) mod fingerprint;
+pub(crate) mod fuzz;
+pub(crate) mod fuzz_cases;
+pub(crate) mod fuzz_report;
+pub(crate) mod matrix;
+pub(crate) mod motion_check;
+pub(crate) mod motion_fuzz;
+pub(crate) mod offline;
+pub(crate) mod pictures;
+pub(crate) mod place;
+pub(crate) mod plan;
+pub(crate) mod report;
+pub(crate) mod rs274;
+pub(crate) mod rules;
+pub(crate) mod run;
+pub(crate) mod schema;
+pub(crate) mod serve;
+pub(crate) mod shrink;
+pub(crate) mod suite;

@@ -1,0 +1,144 @@
+//! `gaugeblock motion check`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use gaugeblock_motion::Summary;
+use gaugeblock_reference::motion::laws::Verdict;
+use gaugeblock_suite::Suite;
+use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::motion::Samples;
+
+use super::pictures::Drawing;
+use super::{place, plan, run};
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock motion check part.csv --program part.ngc --machine mill.toml
+  gaugeblock motion check part.bin --program part.ngc --machine mill.toml --script hold.toml
+  gaugeblock motion check part.csv --program part.ngc --machine mill.toml --svg part.svg
+
+Samples are a table. Its first line gives the servo period in seconds, its second line names the columns:
+  # gaugeblock samples 0 period=0.001 resolution=0
+  x,y,z,line
+  0,0,0,1
+The compact form that `gaugeblock plan --samples part.bin` writes is accepted too. A column that is missing is not
+checked.
+
+Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
+call or input, or no sample; 3 no motion rule could be checked. The output names the rules that could not be checked.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Recorded samples
+    #[arg(value_name = "SAMPLES")]
+    samples: PathBuf,
+    /// The program that was run
+    #[arg(long, value_name = "FILE")]
+    program: PathBuf,
+    /// TOML file with the limits of the machine's axes (`gaugeblock plan --help`)
+    #[arg(long, value_name = "FILE")]
+    machine: PathBuf,
+    /// TOML file with the operator's actions by servo cycle
+    #[arg(long, value_name = "FILE")]
+    script: Option<PathBuf>,
+    /// Draw path, speed and accelerations
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
+    how: run::How,
+}
+
+pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let mut inputs = arguments.how.inputs(&arguments.program);
+    inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
+    inputs.extend(arguments.script.clone());
+    place::spare(&inputs, &[("--svg", arguments.svg.as_deref())])?;
+    let limits = plan::limits(&arguments.machine)?;
+    let samples = read(&arguments.samples)?;
+    let script = plan::script(arguments.script.as_deref())?;
+    let scenario = arguments.how.scenario(suite, &arguments.program)?;
+    let path = plan::path(&scenario, &arguments.program, Position::default())?;
+    let summary = Summary::of(&samples, &path, &limits, &script);
+    if let Some(file) = &arguments.svg {
+        let title = [
+            format!("{}: {}", arguments.samples.display(), arguments.program.display()),
+            summary.headline(),
+        ];
+        let (samples, path, limits, script) = (&samples, &path, &limits, &script);
+        Drawing { title, samples, path, limits, script, told: None }.write(file)?;
+    }
+    write_out(&plan::told(&summary, &arguments.program));
+    Ok(exit_status(&summary))
+}
+
+/// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
+/// could be checked does not pass.
+pub(crate) fn exit_status(summary: &Summary) -> u8 {
+    let mut laws = summary.judgement.0.iter();
+    if !summary.holds() {
+        1
+    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })) {
+        0
+    } else {
+        3
+    }
+}
+
+fn read(file: &Path) -> Result<Samples, Refused> {
+    let name = file.display();
+    let bytes = std::fs::read(file).map_err(|error| {
+        Refused::wrong(format!("{name}: {error}"), "check the path of the samples")
+    })?;
+    let samples = match std::str::from_utf8(&bytes) {
+        Ok(text) if text.starts_with('#') => Samples::from_csv(text),
+        Ok(_) | Err(_) => Samples::from_bytes(&bytes),
+    };
+    let samples = samples.map_err(|error| {
+        Refused::wrong(
+            format!("{name}: {error}"),
+            "`gaugeblock motion check --help` shows the form",
+        )
+    })?;
+    if samples.is_empty() {
+        return Err(Refused::wrong(
+            format!("{name}: no sample after the header"),
+            "record one sample per servo cycle; `gaugeblock motion check --help` shows the form",
+        ));
+    }
+    Ok(samples)
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_reference::motion::laws::{Judgement, Law, Violation};
+
+    use super::*;
+
+    #[test]
+    fn a_rule_that_is_not_checked_neither_fails_nor_passes() {
+        let held = Verdict::Satisfied { share: None };
+        let broken = Verdict::Violated(vec![Violation {
+            law: Law::Feed,
+            cycle: 0,
+            cycles: 1,
+            axis: None,
+            measured: 2.0,
+            allowed: 1.0,
+            words: "too fast".to_owned(),
+        }]);
+        let open = Verdict::NotJudged("x moves and is not recorded".to_owned());
+        for (verdicts, status) in [
+            (vec![held.clone(), open.clone()], 0),
+            (vec![held, broken], 1),
+            (vec![open.clone(), Verdict::NotApplicable], 3),
+            (vec![open], 3),
+        ] {
+            let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
+            let summary = Summary { time: 0.0, least: Ok(0.0), kinds: Vec::new(), judgement };
+            assert_eq!(exit_status(&summary), status, "{summary}");
+        }
+    }
+}

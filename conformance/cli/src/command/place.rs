@@ -1,0 +1,110 @@
+//! Reading programs and writing results: every trouble names its place.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind, Write as _};
+use std::os::unix::fs::MetadataExt as _;
+use std::path::{Path, PathBuf};
+
+use gaugeblock_vocabulary::TextError;
+
+use crate::refused::Refused;
+
+/// The text of a program.
+pub(crate) fn program(path: &Path) -> Result<String, Refused> {
+    text(path, "program")
+}
+
+/// The text of a file; `role` says what it is in this call, as in `script (--script)`.
+pub(crate) fn text(path: &Path, role: &str) -> Result<String, Refused> {
+    let name = path.display();
+    if path.is_dir() {
+        return Err(Refused::wrong(
+            format!("{name} is a directory"),
+            format!("name the {role} itself, not its folder"),
+        ));
+    }
+    let bytes = std::fs::read(path).map_err(|error| {
+        Refused::wrong(format!("{name}: {error}"), format!("check the path of the {role}"))
+    })?;
+    let binary = || format!("the {role} is plain text; was this a binary file?");
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+        Refused::wrong(
+            format!("{name}: line {line}: this is no text (byte {at} is not UTF-8)"),
+            binary(),
+        )
+    })?;
+    match text.find('\0') {
+        Some(at) => {
+            let line = text[..at].lines().count().max(1);
+            Err(Refused::wrong(
+                format!("{name}: line {line}: this is no text (byte {at} is zero)"),
+                binary(),
+            ))
+        }
+        None => Ok(text),
+    }
+}
+
+/// What a file says that has a form; `hint` tells who shows the form.
+pub(crate) fn form<T>(
+    path: &Path,
+    role: &str,
+    hint: &str,
+    read: impl FnOnce(&str) -> Result<T, TextError>,
+) -> Result<T, Refused> {
+    read(&text(path, role)?).map_err(|error| {
+        Refused::wrong(format!("{}: {}", path.display(), error.to_string().trim_end()), hint)
+    })
+}
+
+/// Refuses to write over a file that is read. Outputs are given by the option that names them.
+pub(crate) fn spare(inputs: &[PathBuf], outputs: &[(&str, Option<&Path>)]) -> Result<(), Refused> {
+    // Whatever the names: links lead to one file, too. One that is not there yet is no other's.
+    let file = |path: &Path| path.metadata().ok().map(|found| (found.dev(), found.ino()));
+    for (option, output) in outputs {
+        let Some(output) = output else { continue };
+        let written = file(output);
+        if written.is_some() && inputs.iter().any(|input| file(input) == written) {
+            return Err(Refused::wrong(
+                format!("{}: {option} would write over a file that is read", output.display()),
+                format!("name another file with {option}"),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Writes a file whole or not at all: it is made beside its place, and nothing is left there where that fails.
+pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Refused> {
+    let refused = |error: Error| {
+        let message = format!("{}: {error}", path.display());
+        let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded, ErrorKind::FileTooLarge];
+        if full.contains(&error.kind()) {
+            Refused::unfinished(message, "free the disk, or write elsewhere")
+        } else {
+            Refused::wrong(message, "check that the folder exists and can be written")
+        }
+    };
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(".partial");
+    let mut file = File::create(&partial).map_err(refused)?;
+    let written = file.write_all(content.as_ref()).and_then(|()| std::fs::rename(&partial, path));
+    written.map_err(|error| {
+        let _gone = std::fs::remove_file(&partial);
+        refused(error)
+    })
+}
+
+/// Makes a folder for results and checks that it can be written, before anything runs.
+pub(crate) fn folder(path: &Path) -> Result<(), Refused> {
+    let name = path.display();
+    let refused = |error: Error| {
+        Refused::wrong(format!("{name}: {error}"), "--report takes a folder that can be written")
+    };
+    std::fs::create_dir_all(path).map_err(refused)?;
+    let probe = path.join(".gaugeblock-partial");
+    std::fs::write(&probe, "").map_err(refused)?;
+    std::fs::remove_file(&probe).map_err(refused)
+}

@@ -1,0 +1,265 @@
+//! `gaugeblock plan`.
+
+use std::path::{Path, PathBuf};
+
+use gaugeblock_adapter::{Adapter, NotMoved};
+use gaugeblock_controllers::Production;
+use gaugeblock_controllers::Reference;
+use gaugeblock_motion::Summary;
+use gaugeblock_suite::Suite;
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::scenario::Program;
+use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
+
+use clap::Args;
+use gaugeblock_controllers::drive::{Circumstances, plan_under};
+
+use super::controller::linuxcnc;
+use super::pictures::Drawing;
+use super::{motion_check, place, run};
+use crate::refused::Refused;
+use crate::streams::{write_error_in_colours, write_out};
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock plan part.ngc --machine mill.toml
+  gaugeblock plan part.ngc --machine mill.toml --svg part.svg
+  gaugeblock plan part.ngc --machine mill.toml --samples part.csv
+  gaugeblock plan part.ngc --machine mill.toml --feed-interval 20
+  gaugeblock plan part.ngc --machine mill.toml --script hold.toml
+  gaugeblock plan part.ngc --machine mill.toml --controller linuxcnc --samples recorded.csv
+
+A machine file has the limits of the axes in millimetres, degrees and seconds:
+  period = 0.001
+  [axes]
+  x = { velocity = 250, acceleration = 2000 }
+  y = { velocity = 250, acceleration = 2000 }
+  z = { velocity = 100, acceleration = 1000 }
+
+A script lists the actions of the operator and the machine's inputs in order, each with its servo cycle:
+  events = [
+    { cycle = 300, action = { hold = true } },
+    { cycle = 500, action = { hold = false } },
+    { cycle = 700, action = { feed_override = 0.5 } },
+    { cycle = 900, action = \"abort\" },
+  ]
+Other actions: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
+
+Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
+call or input; 3 the program cannot be planned, or no motion rule could be checked.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The program
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// TOML file with the limits of the machine's axes
+    #[arg(long, value_name = "FILE")]
+    machine: PathBuf,
+    #[command(flatten)]
+    how: run::How,
+    /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated machine
+    #[arg(long, short, value_name = "CONTROLLER", default_value = "production")]
+    controller: String,
+    /// Feed the planner one segment per CYCLES servo cycles [default: as fast as it takes them]
+    #[arg(long, value_name = "CYCLES", value_parser = clap::value_parser!(u32).range(1..))]
+    feed_interval: Option<u32>,
+    /// TOML file with the operator's actions by servo cycle
+    #[arg(long, value_name = "FILE")]
+    script: Option<PathBuf>,
+    /// Start position: X,Y,Z,A,B,C,U,V,W in millimetres and degrees [default: the origin]
+    #[arg(long, value_name = "NUMBERS", value_delimiter = ',', allow_hyphen_values = true, value_parser = coordinate)]
+    start: Vec<f64>,
+    /// Write one sample per servo cycle: a table, or the compact form if the name ends in .bin
+    #[arg(long, value_name = "FILE")]
+    samples: Option<PathBuf>,
+    /// Draw path, speed and accelerations
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+}
+
+pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+    let outputs =
+        [("--samples", arguments.samples.as_deref()), ("--svg", arguments.svg.as_deref())];
+    place::spare(&inputs(arguments), &outputs)?;
+    let limits = limits(&arguments.machine)?;
+    let scenario = arguments.how.scenario(suite, &arguments.file)?;
+    let circumstances = Circumstances {
+        start: start(&arguments.start)?,
+        every: arguments.feed_interval,
+        script: script(arguments.script.as_deref())?,
+    };
+    let path = path(&scenario, &arguments.file, circumstances.start)?;
+    let moved = match arguments.controller.as_str() {
+        "production" => planned(&scenario, &limits, &circumstances, &arguments.file)?,
+        "linuxcnc" => recorded(&scenario, &limits, arguments)?,
+        other => {
+            return Err(Refused::wrong(
+                format!("invalid `--controller {other}`: it reports no servo samples"),
+                "expected production or linuxcnc; `gaugeblock motion check` accepts samples of any controller",
+            ));
+        }
+    };
+    let summary = Summary::of(&moved.samples, &path, &limits, &circumstances.script);
+    if let Some(file) = &arguments.samples {
+        write_samples(file, &moved.samples)?;
+    }
+    if let Some(file) = &arguments.svg {
+        let machine = arguments.machine.display();
+        let who = match arguments.controller.as_str() {
+            "production" => String::new(),
+            other => format!(", {other}"),
+        };
+        let title = [format!("{} on {machine}{who}", arguments.file.display()), summary.headline()];
+        let told = moved.told.as_ref().map(|(speed, asked)| (speed.as_slice(), asked.as_slice()));
+        let script = &circumstances.script;
+        let (samples, path, limits) = (&moved.samples, &path, &limits);
+        Drawing { title, samples, path, limits, script, told }.write(file)?;
+    }
+    write_out(&told(&summary, &arguments.file));
+    Ok(motion_check::exit_status(&summary))
+}
+
+/// The files that a call reads.
+fn inputs(arguments: &Arguments) -> Vec<PathBuf> {
+    let Arguments { file, machine, script, how, .. } = arguments;
+    let named = how.inputs(file).into_iter().chain([machine.clone()]).chain(script.clone());
+    named.chain(run::paths_beside(file)).collect()
+}
+
+/// A number of --start.
+fn coordinate(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| "not a finite number".to_owned())
+}
+
+/// Where the machine stands before; axes that are not given stand at zero.
+fn start(given: &[f64]) -> Result<Position, Refused> {
+    let mut start = [0.0; 9];
+    match start.get_mut(..given.len()) {
+        Some(places) => places.copy_from_slice(given),
+        None => {
+            return Err(Refused::wrong(
+                format!("invalid `--start`: {} numbers for nine axes", given.len()),
+                "expected X,Y,Z,A,B,C,U,V,W; missing numbers at the end are zero",
+            ));
+        }
+    }
+    Ok(Position::from(start))
+}
+
+/// What the laws say, with the name of the program file where the vocabulary calls it the main program.
+pub(crate) fn told(summary: &Summary, file: &Path) -> String {
+    let main = format!("{}:", Program::MAIN);
+    summary.to_string().replace(&main, &format!("{}:", file.display()))
+}
+
+/// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.
+struct Moved {
+    samples: Samples,
+    told: Option<(Vec<f64>, Vec<f64>)>,
+}
+
+fn planned(
+    scenario: &Scenario,
+    limits: &MotionLimits,
+    circumstances: &Circumstances,
+    file: &Path,
+) -> Result<Moved, Refused> {
+    let outcome = ended(&Production::default(), scenario, file)?;
+    let planned = plan_under(&outcome, limits, circumstances).map_err(|stopped| {
+        let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
+        Refused::unfinished(
+            format!("{}: {place}{}", file.display(), stopped.why),
+            "the part before this block can be planned",
+        )
+    })?;
+    Ok(Moved { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
+}
+
+/// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
+fn recorded(
+    scenario: &Scenario,
+    limits: &MotionLimits,
+    arguments: &Arguments,
+) -> Result<Moved, Refused> {
+    if arguments.feed_interval.is_some()
+        || arguments.script.is_some()
+        || !arguments.start.is_empty()
+    {
+        return Err(Refused::wrong(
+            "--feed-interval, --script and --start do not apply to linuxcnc",
+            "remove them: linuxcnc is recorded at its own pace and from its origin",
+        ));
+    }
+    let refused = |error: NotMoved| match error {
+        NotMoved::Unsupported(why) => {
+            Refused::wrong(why, "`gaugeblock plan --help` describes the supported programs")
+        }
+        NotMoved::Failed(why) => {
+            Refused::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
+        }
+    };
+    let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
+    Ok(Moved { samples, told: None })
+}
+
+/// What a machine's axes can do.
+pub(crate) fn limits(file: &Path) -> Result<MotionLimits, Refused> {
+    let hint = "`gaugeblock plan --help` shows a machine file";
+    place::form(file, "machine file (--machine)", hint, MotionLimits::from_text)
+}
+
+/// What the operator does; nothing without a file.
+pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, Refused> {
+    let Some(file) = file else { return Ok(MotionScript::default()) };
+    let hint = "`gaugeblock plan --help` shows a script";
+    place::form(file, "script (--script)", hint, MotionScript::from_text)
+}
+
+/// The outcome of a program that comes to its end.
+fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<Outcome, Refused> {
+    let refused = |why: String| Refused::unfinished(why, "`gaugeblock run` shows what it does");
+    controller.supports(scenario).map_err(refused)?;
+    let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
+    match &outcome.end {
+        End::ProgramEnd | End::PercentEnd => Ok(outcome),
+        End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::Fault(_)
+        | End::BudgetExhausted { .. }
+        | End::Unsupported { .. }
+        | End::Unspecified { .. } => {
+            let why = match run::point_at(&outcome, scenario, file) {
+                Some(pointer) => {
+                    write_error_in_colours(&pointer);
+                    outcome.end.name().to_owned()
+                }
+                None => run::cause(&outcome, file),
+            };
+            Err(Refused::wrong(
+                format!("{} does not reach its end: {why}", file.display()),
+                "only a program that reaches its end can be planned",
+            ))
+        }
+    }
+}
+
+/// The path that a program asks for, as the model reads it.
+pub(crate) fn path(
+    scenario: &Scenario,
+    file: &Path,
+    start: Position,
+) -> Result<ProgrammedPath, Refused> {
+    let outcome = ended(&Reference::default(), scenario, file)?;
+    Ok(gaugeblock_reference::motion::path::programmed(&outcome, start))
+}
+
+fn write_samples(file: &Path, samples: &Samples) -> Result<(), Refused> {
+    if file.extension().is_some_and(|extension| extension == "bin") {
+        place::write_whole(file, samples.to_bytes())
+    } else {
+        place::write_whole(file, samples.to_csv())
+    }
+}

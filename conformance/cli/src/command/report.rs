@@ -1,0 +1,117 @@
+//! `gaugeblock report`.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use gaugeblock_report::cost::{self, Cost};
+use gaugeblock_report::merge::{Stored, in_order, merged};
+use gaugeblock_report::{Report, profiles};
+use gaugeblock_runner::certify::{Plan, Run, cases, void};
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::Suite;
+
+use super::against::Against;
+use super::{certify, place};
+use crate::arguments::Format;
+use crate::refused::Refused;
+
+/// Merge the reports of shards
+#[derive(Debug, Subcommand)]
+pub(crate) enum Reports {
+    /// Merge the reports of all shards of one run
+    #[command(after_help = "Examples:
+  gaugeblock report merge shard-1 shard-2 shard-3 --report whole
+  gaugeblock report merge shard-*/report.json --format json
+
+Missing or repeated shards are errors, and so are reports of different controllers, versions, editions, options, suites or
+calls. The exit status is that of the whole run.")]
+    Merge(Merge),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Merge {
+    /// Folders of --report, or their report.json
+    #[arg(value_name = "REPORT", required = true)]
+    reports: Vec<PathBuf>,
+    #[command(flatten)]
+    against: Against,
+    /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder
+    #[arg(long, value_name = "DIR")]
+    report: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Print known divergences and the number of masked observables too
+    #[arg(long, short)]
+    verbose: bool,
+}
+
+pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, Refused> {
+    match command {
+        Reports::Merge(arguments) => merge(arguments, suite),
+    }
+}
+
+fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
+    let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
+    let wrong = |why: String| Refused::wrong(why, "name the report of each shard of one run once");
+    let whole = merged(&parts).map_err(wrong)?;
+    let header = &whole.header;
+    if header.suite != suite.digest {
+        return Err(Refused::wrong(
+            "the reports belong to another suite",
+            "merge them with the gaugeblock that wrote them, or name their suite with --suite",
+        ));
+    }
+    let edition = crate::documents::edition(suite, &header.edition)?;
+    let known = arguments.against.read()?;
+    let newer = known.fits(header, suite)?;
+    let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
+    let all = cases(plan, header.laws, Shard::WHOLE);
+    let mut cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
+    cost_of(&arguments.reports)?.tell(&mut cases);
+    let fingerprint = whole.fingerprint.clone();
+    let mut run = Run { edition, cases, void: void(plan), fingerprint };
+    let (troubles, mended) = known.hold(&mut run, header.only.is_empty());
+    let profiles = profiles::profiles(suite, &run, &whole.claimed());
+    let report = Report {
+        run: &run,
+        header: header.clone(),
+        notes: [whole.notes.clone(), newer.into_iter().collect(), mended].concat(),
+        profiles,
+        troubles,
+    };
+    if let Some(folder) = &arguments.report {
+        place::folder(folder)?;
+        certify::write_report(folder, &report)?;
+    }
+    certify::print(&report, arguments.format, arguments.verbose);
+    Ok(report.exit_status())
+}
+
+/// What the parts cost, as far as they tell it.
+fn cost_of(reports: &[PathBuf]) -> Result<Cost, Refused> {
+    let mut all = Cost::default();
+    for path in reports {
+        let folder = if path.is_dir() { Some(path.as_path()) } else { path.parent() };
+        let file = folder.unwrap_or(Path::new(".")).join(cost::FILE);
+        let Ok(text) = std::fs::read_to_string(&file) else { continue };
+        let cost = Cost::read(&text).map_err(|error| {
+            Refused::wrong(format!("{}: {error}", file.display()), "remove the file")
+        })?;
+        all = all.and(cost);
+    }
+    Ok(all)
+}
+
+pub(crate) fn stored(path: &Path) -> Result<(String, Stored), Refused> {
+    let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
+    let name = path.display().to_string();
+    let hint = "`gaugeblock certify --shard I/N --report DIR` writes such a report";
+    let text = std::fs::read_to_string(&path)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    let stored =
+        Stored::read(&text).map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    Ok((name, stored))
+}

@@ -1,0 +1,16 @@
+//! `gaugeblock rs274`.
+
+use crate::refused::Refused;
+
+pub(crate) use gaugeblock_rs274::Arguments;
+
+/// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1.
+pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, Refused> {
+    let refused = |message| Refused {
+        status: 1,
+        message,
+        hint: Some("`gaugeblock rs274 --help` lists the options".to_owned()),
+    };
+    let editions = gaugeblock_embedded_suite::page("editions.toml").map_err(refused)?;
+    gaugeblock_rs274::rs274(arguments, &editions).map_err(refused)
+}

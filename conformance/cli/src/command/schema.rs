@@ -1,0 +1,34 @@
+//! `gaugeblock schema`.
+
+use clap::{Args, ValueEnum};
+
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum What {
+    /// Input of a run
+    Scenario,
+    /// Observations of a run
+    Outcome,
+    /// The report.json of `certify --report`
+    Report,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  gaugeblock schema outcome > outcome.schema.json")]
+pub(crate) struct Arguments {
+    /// The document
+    #[arg(value_enum)]
+    what: What,
+}
+
+pub(crate) fn schema(arguments: &Arguments) -> Result<u8, Refused> {
+    let schema = match arguments.what {
+        What::Scenario => gaugeblock_vocabulary::schema::scenario(),
+        What::Outcome => gaugeblock_vocabulary::schema::outcome(),
+        What::Report => gaugeblock_report::json::schema(),
+    };
+    write_out(&format!("{:#}\n", schema.as_value()));
+    Ok(0)
+}

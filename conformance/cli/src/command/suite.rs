@@ -1,0 +1,247 @@
+//! `gaugeblock suite`: maintains the suite.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use gaugeblock_runner::catalogue;
+use gaugeblock_suite::ledger::{self, Ledger};
+use gaugeblock_suite::{Rule, Suite, files};
+use toml_edit::{DocumentMut, Item};
+
+use super::matrix::matrix;
+use super::place;
+use super::rules::selected;
+use crate::arguments::Format;
+use crate::documents::read_suite;
+use crate::refused::Refused;
+use crate::streams::write_out;
+
+const EXAMPLES: &str = "Examples:
+  gaugeblock suite check
+      every outcome reached, every golden current, every sentence of every document classified
+  gaugeblock suite check --document linuxcnc-2.8=m-code.txt
+      compare the sentence ledger with this copy of the document
+  gaugeblock --suite conformance/suite suite bless saved-state
+      write the model's outcomes as goldens of a chapter; read them before you commit them
+  gaugeblock suite matrix --report out/report.json
+      per document and section: sentences, rules, and the verdicts of the model and of a controller
+  gaugeblock suite faults
+      which planted faults of the production interpreter the suite catches (build with --features faulty)";
+
+/// Maintain the suite: check its pages, bless goldens, list what became of each document
+#[derive(Debug, Subcommand)]
+#[command(after_help = EXAMPLES)]
+pub(crate) enum Maintenance {
+    /// Check every page, golden and sentence ledger
+    Check(CheckArguments),
+    /// Write the model's outcomes as goldens into the pages of --suite
+    Bless(BlessArguments),
+    /// Print, per document and section, its sentences, its rules and their verdicts
+    Matrix(MatrixArguments),
+    /// Certify the production interpreter with each planted fault (build with --features faulty)
+    Faults(FaultArguments),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// Compare the sentence ledger of document ID with this file; may be repeated
+    #[arg(long, value_name = "ID=FILE")]
+    document: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BlessArguments {
+    /// Bless only rules whose id begins with this; may be repeated
+    #[arg(value_name = "PREFIX")]
+    prefix: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MatrixArguments {
+    /// Add the verdicts of this report as a column; may be repeated
+    #[arg(long, value_name = "REPORT.json")]
+    report: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FaultArguments {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Runs a maintenance command on the suite in `folder`, or on the built-in suite.
+pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, Refused> {
+    let suite = read_suite(folder)?;
+    match command {
+        Maintenance::Check(arguments) => check(&suite, folder, &arguments.document),
+        Maintenance::Bless(arguments) => {
+            let folder = folder.ok_or_else(|| {
+                Refused::wrong(
+                    "`suite bless` needs the folder whose pages it writes",
+                    "name it: gaugeblock --suite conformance/suite suite bless",
+                )
+            })?;
+            bless(&suite, folder, &arguments.prefix)
+        }
+        Maintenance::Matrix(arguments) => {
+            let (ledgers, faults) = ledgers(&suite, folder)?;
+            if let Some(fault) = faults.into_iter().next() {
+                return Err(Refused::wrong(fault, "`gaugeblock suite check` lists all errors"));
+            }
+            matrix(&suite, &ledgers, &arguments.report, arguments.format)
+        }
+        Maintenance::Faults(arguments) => faults(&suite, arguments.format),
+    }
+}
+
+#[cfg(feature = "faulty")]
+fn faults(suite: &Suite, format: Format) -> Result<u8, Refused> {
+    super::faults::faults(suite, "linuxcnc-2.9", format)
+}
+
+#[cfg(not(feature = "faulty"))]
+fn faults(_suite: &Suite, _format: Format) -> Result<u8, Refused> {
+    Err(Refused::wrong(
+        "this build has no planted faults",
+        "build with them: cargo build --release --features faulty",
+    ))
+}
+
+fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, Refused> {
+    let mut faults = catalogue::faults(suite);
+    let (ledgers, wrong) = ledgers(suite, folder)?;
+    faults.extend(wrong);
+    for named in documents {
+        faults.extend(check_document(&ledgers, named)?);
+    }
+    let mut text = String::new();
+    for fault in &faults {
+        let _infallible = writeln!(text, "{fault}");
+    }
+    let cases: usize = suite.rules.iter().map(|rule| rule.case_names().count()).sum();
+    let _infallible = writeln!(
+        text,
+        "{} rules, {cases} cases, {} documents: {}",
+        suite.rules.len(),
+        ledgers.len(),
+        match faults.len() {
+            0 => "no errors".to_owned(),
+            1 => "1 error".to_owned(),
+            count => format!("{count} errors"),
+        }
+    );
+    write_out(&text);
+    Ok(u8::from(!faults.is_empty()))
+}
+
+/// The sentence ledgers, and the errors of those that cannot be read or name pages that the suite does not have.
+fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
+    let files = match folder {
+        Some(folder) => files::of_folder(folder).map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
+        None => gaugeblock_embedded_suite::files().map_err(|error| {
+            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+        })?,
+    };
+    let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
+    for (path, text) in files.iter().filter(|(path, _)| path.starts_with("documents/")) {
+        match Ledger::parse(text) {
+            Ok(ledger) => {
+                let absent = ledger::absent(text, suite).into_iter();
+                faults.extend(absent.map(|(line, fault)| format!("{path}:{line}: {fault}")));
+                ledgers.push(ledger);
+            }
+            Err(error) => faults.push(format!("{path}: {error}")),
+        }
+    }
+    Ok((ledgers, faults))
+}
+
+fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refused> {
+    let (id, file) = named.split_once('=').ok_or_else(|| {
+        Refused::wrong(
+            format!("invalid `--document {named}`: expected ID=FILE"),
+            "for example --document linuxcnc-2.8=m-code.txt",
+        )
+    })?;
+    let ledger = ledgers.iter().find(|ledger| ledger.document == id).ok_or_else(|| {
+        let known: Vec<_> = ledgers.iter().map(|ledger| ledger.document.as_str()).collect();
+        Refused::wrong(
+            format!("unknown document `{id}`"),
+            format!("expected one of: {}", known.join(", ")),
+        )
+    })?;
+    let text = place::text(&PathBuf::from(file), "document (--document)")?;
+    Ok(match ledger::check(&text, ledger) {
+        Ok(()) => Vec::new(),
+        Err(mismatches) => mismatches.iter().map(|mismatch| format!("{id}: {mismatch}")).collect(),
+    })
+}
+
+fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, Refused> {
+    let mut changed = 0;
+    let rules = selected(suite, prefixes);
+    // A model that does not know the suite's options has no outcome to bless.
+    for rule in &rules {
+        if let Some(what) =
+            rule.cases.first().and_then(|case| catalogue::undetermined(suite, rule, case))
+        {
+            return Err(Refused::wrong(
+                format!("{}: the model has no outcome to bless: {what}", rule.id),
+                "build `gaugeblock` from the same commit as the pages",
+            ));
+        }
+    }
+    for rule in rules {
+        let path = folder.join(&suite.paths[&rule.id]);
+        let text = place::text(&path, "page")?;
+        let blessed = with_goldens(suite, rule, &text).map_err(|error| {
+            Refused::wrong(format!("{}: {error}", path.display()), "correct the page")
+        })?;
+        if blessed != text {
+            place::write_whole(&path, &blessed)?;
+            changed += 1;
+        }
+    }
+    write_out(&format!("{changed} pages changed: read them before you commit them\n"));
+    Ok(0)
+}
+
+/// The page with current goldens: of its first case, and of each case that has one.
+fn with_goldens(suite: &Suite, rule: &Rule, page: &str) -> Result<String, String> {
+    let mut document: DocumentMut =
+        page.parse().map_err(|error: toml_edit::TomlError| error.to_string())?;
+    if rule.cases.is_empty() {
+        return Ok(page.to_owned());
+    }
+    let cases = document
+        .get_mut("case")
+        .and_then(Item::as_array_of_tables_mut)
+        .ok_or("its cases are not written as [[case]]")?;
+    for (place, (table, case)) in cases.iter_mut().zip(&rule.cases).enumerate() {
+        if place > 0 && case.golden.is_none() {
+            continue;
+        }
+        let Some(golden) = catalogue::golden(suite, rule, case) else { continue };
+        if case.golden.as_ref() == Some(&golden) {
+            continue;
+        }
+        let literal = !golden.contains("'''")
+            && !golden.chars().any(|c| c.is_control() && c != '\n' && c != '\t');
+        let value = if literal {
+            format!("'''\n{golden}'''")
+                .parse::<toml_edit::Value>()
+                .map_err(|error| error.to_string())?
+        } else {
+            toml_edit::Value::from(golden)
+        };
+        table.insert("golden", toml_edit::value(value));
+    }
+    Ok(document.to_string())
+}

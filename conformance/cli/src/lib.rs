@@ -1,0 +1,10 @@
+//! The command `gaugeblock`: its arguments, its messages, and its progress on a terminal.
+
+mod arguments;
+mod call;
+mod command;
+mod documents;
+mod refused;
+mod streams;
+
+pub use call::{main, understands};

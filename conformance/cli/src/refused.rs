@@ -1,0 +1,24 @@
+//! Why a command ends without a result.
+
+/// Why a command ends without a result: message, hint and exit status.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Refused {
+    /// 2: the call or its input is wrong. 3: the command could not finish.
+    pub(crate) status: u8,
+    /// What is wrong, with its place.
+    pub(crate) message: String,
+    /// What to do.
+    pub(crate) hint: Option<String>,
+}
+
+impl Refused {
+    /// The call or its input is wrong.
+    pub(crate) fn wrong(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { status: 2, message: message.into(), hint: Some(hint.into()) }
+    }
+
+    /// It could not finish.
+    pub(crate) fn unfinished(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { status: 3, message: message.into(), hint: Some(hint.into()) }
+    }
+}

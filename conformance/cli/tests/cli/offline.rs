@@ -1,0 +1,267 @@
+//! The way there and back on paper: what is exported tells nothing of what is expected, what comes back gets the
+//! verdicts that the same controller gets directly, and what does not come back is no pass.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use gaugeblock_linuxcnc::Rs274;
+use gaugeblock_offline::Manifest;
+use gaugeblock_suite::Suite;
+use serde_json::Value;
+
+use crate::command::gaugeblock;
+
+/// A profile with programs that are refused, show messages, set variables and move.
+const PROFILE: &str = "modal-save";
+/// Its chapter.
+const CHAPTER: &str = "saved-state";
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Runs the command, which ends with this status, and tells what it said on both streams.
+#[track_caller]
+fn ends_with(status: i32, arguments: &[&str]) -> String {
+    let output = gaugeblock(arguments);
+    let said = text(&output.stdout) + &text(&output.stderr);
+    assert_eq!(output.status.code(), Some(status), "{said}");
+    said
+}
+
+/// A campaign that was exported for this test.
+fn campaign(name: &str, profile: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("offline").join(name);
+    let _none_yet = fs::remove_dir_all(&folder);
+    let out = format!("{}/", path(&folder));
+    let asked = ["--edition", "linuxcnc-2.9", "--profile", profile, "--out", &out];
+    ends_with(0, &[&["offline", "export"], asked.as_slice()].concat());
+    folder
+}
+
+fn path(folder: &Path) -> &str {
+    folder.to_str().expect("UTF-8")
+}
+
+fn controller(folder: &Path) -> String {
+    format!("offline:{}", path(folder))
+}
+
+fn manifest(folder: &Path) -> Manifest {
+    Manifest::read(folder).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Changes a file of the first program.
+fn change(folder: &Path, file: &str, old: &str, new: &str) {
+    let file = folder.join("0001").join(file);
+    let before = fs::read_to_string(&file).expect("a file of the campaign");
+    assert!(before.contains(old), "{old:?} is not in {before}");
+    fs::write(&file, before.replacen(old, new, 1)).expect("it can be written");
+}
+
+/// Says what the control is.
+fn name_control(folder: &Path) {
+    let control = "name = \"a mill\"\nversion = \"3\"\nresolution = 0.001\n";
+    fs::write(folder.join("control.toml"), control).expect("it can be written");
+}
+
+/// What came of each case: the verdict, what was found, and why it was not judged, by rule and case.
+fn verdicts(arguments: &[&str]) -> BTreeMap<(String, String), (String, Value)> {
+    let output =
+        gaugeblock(&[&["certify", "--format", "json", "--controller"], arguments].concat());
+    let report: Value = serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|error| panic!("{error}: {}", text(&output.stderr)));
+    let cases = report["cases"].as_array().expect("cases").iter();
+    let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let told = cases.map(|case| {
+        let why = &case["why"];
+        let why = if why["found"].is_null() { &why["reason"] } else { &why["found"] };
+        ((word(&case["rule"]), word(&case["case"])), (word(&case["verdict"]), why.clone()))
+    });
+    told.collect()
+}
+
+fn count(verdicts: &BTreeMap<(String, String), (String, Value)>, word: &str) -> usize {
+    verdicts.values().filter(|(verdict, _)| verdict == word).count()
+}
+
+/// Fills a campaign in from a controller, and holds what comes back to what the controller gets directly, shown no
+/// more.
+fn there_and_back(folder: &Path, name: &str, more: &[&str], (chapter, least): (&str, usize)) {
+    ends_with(0, &[&["offline", "answer", path(folder), "--controller", name], more].concat());
+    let paper = controller(folder);
+    let back = verdicts(&[&paper, "--only", chapter]);
+    let direct = verdicts(&[name, "--restrict-to", &paper, "--only", chapter]);
+    let other = back.iter().find(|(case, verdict)| direct.get(*case) != Some(verdict));
+    assert_eq!(other, None, "directly: {:?}", other.and_then(|(case, _)| direct.get(case)));
+    assert_eq!(back.len(), direct.len());
+    let asked: usize = manifest(folder).programs.iter().map(|asked| asked.cases).sum();
+    let judged =
+        count(&back, "pass") + count(&back, "charged elsewhere") + count(&back, "diverges");
+    assert!(judged >= least, "{judged} of {asked} judged");
+}
+
+#[test]
+fn production_gets_the_same_verdicts_on_paper() {
+    let of_blocks = campaign("production-blocks", PROFILE);
+    there_and_back(&campaign("production", PROFILE), "production", &[], (CHAPTER, 40));
+    there_and_back(&of_blocks, "production", &["--blocks"], (CHAPTER, 20));
+    there_and_back(&campaign("production-moves", "motion"), "production", &[], ("trajectory", 10));
+}
+
+#[test]
+fn rs274_gets_the_same_verdicts_on_paper() {
+    if let Err(error) = Rs274::find(None) {
+        eprintln!("left out: rs274 on paper ({error})");
+        return;
+    }
+    let folder = campaign("rs274", PROFILE);
+    there_and_back(&folder, "rs274", &[], (CHAPTER, 40));
+    let back = verdicts(&[&controller(&folder), "--only", CHAPTER]);
+    assert!(count(&back, "diverges") > 0, "none of its departures shows on paper");
+}
+
+#[test]
+fn nothing_that_is_expected_is_exported() {
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
+    let folder = campaign("blind", PROFILE);
+    let mut names: Vec<&str> = Vec::new();
+    for rule in suite.rules.iter().filter(|rule| rule.profile == PROFILE) {
+        names.extend([rule.id.as_str(), rule.sentence.as_str()]);
+        let long = rule.case_names().filter(|name| name.len() > 12 && name.contains(' '));
+        names.extend(long);
+        names.extend(rule.cases.iter().flat_map(|case| &case.assertions).map(String::as_str));
+    }
+    names.retain(|name| *name != "accepted" && *name != "refused");
+    names.sort_unstable();
+    names.dedup();
+    let whole = fs::read_to_string(folder.join("manifest.json")).expect("the manifest")
+        + &fs::read_to_string(folder.join("README.md")).expect("the page");
+    let blind = |page: &str, place: &str| {
+        let told = names.iter().find(|name| page.contains(**name));
+        assert_eq!(told, None, "in {place}");
+    };
+    blind(&whole, "the campaign's own pages");
+    for asked in manifest(&folder).programs {
+        let read = |file: &str| {
+            fs::read_to_string(folder.join(&asked.folder).join(file)).expect("a file of it")
+        };
+        blind(&(read("operator.md") + &read("answer.toml") + &read("blocks.csv")), &asked.folder);
+    }
+}
+
+#[test]
+fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
+    let folder = campaign("partial", PROFILE);
+    let paper = controller(&folder);
+    ends_with(2, &["certify", "--controller", &paper]);
+    name_control(&folder);
+    let asked = manifest(&folder).programs;
+    let none = verdicts(&[&paper, "--only", CHAPTER]);
+    assert_eq!((count(&none, "pass"), count(&none, "diverges")), (0, 0));
+    let cases: usize = asked.iter().map(|asked| asked.cases).sum();
+    // A case of another profile may have a program of this one.
+    let open = count(&none, "not run");
+    assert!(open >= cases, "{open} of {cases}");
+    let said = ends_with(3, &["certify", "--controller", &paper]);
+    assert!(said.contains("0 of "), "{said}");
+    // How it ended says nothing of what this rule demands.
+    change(&folder, "answer.toml", "ended = \"\"", "ended = \"program end\"");
+    let one = verdicts(&[&paper, "--only", CHAPTER]);
+    assert_eq!((count(&one, "pass"), count(&one, "diverges")), (0, 0), "{one:?}");
+    assert_eq!(count(&one, "not run"), open - asked[0].cases);
+    // With its variable it is judged; a wrong one departs.
+    change(&folder, "answer.toml", "\"#31\" = \"\"", "\"#31\" = \"0.0004\"");
+    let judged = verdicts(&[&paper, "--only", CHAPTER]);
+    assert_eq!((count(&judged, "pass") + count(&judged, "diverges")), asked[0].cases);
+    change(&folder, "answer.toml", "\"#31\" = \"0.0004\"", "\"#31\" = 77");
+    assert_eq!(count(&verdicts(&[&paper, "--only", CHAPTER]), "diverges"), asked[0].cases);
+}
+
+#[test]
+fn what_cannot_be_read_is_not_judged_and_is_told_with_its_place() {
+    for (name, old, new, words) in [
+        ("form", "ended = \"\"", "ended = program end", "0001/answer.toml): line 12"),
+        ("word", "ended = \"\"", "ended = \"fine\"", "\"fine\" is none of: program end, "),
+        ("comma", "x = \"\"", "x = \"1,5\"", "[position] x: \"1,5\" is no number (write a point"),
+        ("half", "x = \"\"", "x = 1", "[position] y is empty"),
+        ("mode", "units = \"\"", "units = \"cm\"", "[modes] units: \"cm\" is not understood"),
+        ("key", "ended = \"\"", "endet = \"alarm\"", "unknown field `endet`"),
+        ("line", "line = \"\"", "line = \"four\"", "[alarm] line: \"four\" is no number of a line"),
+    ] {
+        let folder = campaign(&format!("unreadable-{name}"), PROFILE);
+        name_control(&folder);
+        change(&folder, "answer.toml", old, new);
+        if !new.contains("end") {
+            change(&folder, "answer.toml", "ended = \"\"", "ended = \"alarm\"");
+        }
+        let said =
+            ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
+        assert!(said.contains(words), "{name}: {words} is not in\n{said}");
+    }
+}
+
+#[test]
+fn a_program_that_was_changed_is_not_judged() {
+    let folder = campaign("changed", PROFILE);
+    ends_with(0, &["offline", "answer", path(&folder), "--controller", "production"]);
+    change(&folder, "main.ngc", "m2", "m30");
+    let said = ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
+    assert!(said.contains("0001/main.ngc): it is not the program that was asked for"), "{said}");
+}
+
+#[test]
+fn sheets_of_another_suite_or_edition_are_refused() {
+    let folder = campaign("other", PROFILE);
+    name_control(&folder);
+    let paper = controller(&folder);
+    let said = ends_with(2, &["certify", "--controller", &paper, "--edition", "linuxcnc-2.8"]);
+    assert!(said.contains("was asked by linuxcnc-2.9") && said.contains("hint:"), "{said}");
+    let file = folder.join("manifest.json");
+    let before = fs::read_to_string(&file).expect("the manifest");
+    let suite = manifest(&folder).suite;
+    fs::write(&file, before.replace(&suite, &"0".repeat(64))).expect("it can be written");
+    for call in [
+        vec!["certify", "--controller", &paper],
+        vec!["offline", "answer", path(&folder), "--controller", "production"],
+    ] {
+        let said = ends_with(2, &call);
+        assert!(said.contains("another suite") && said.contains("hint:"), "{said}");
+    }
+    fs::write(&file, before.replace("\"0001\"", "\"../0001\"")).expect("it can be written");
+    assert!(
+        ends_with(2, &["certify", "--controller", &paper]).contains("is no folder of a program")
+    );
+    fs::remove_file(&file).expect("it can be removed");
+    assert!(ends_with(2, &["certify", "--controller", &paper]).contains("manifest.json"));
+}
+
+#[test]
+fn nothing_is_overwritten_and_nothing_half_written() {
+    let folder = campaign("kept", PROFILE);
+    let export = |more: &[&str]| ends_with(2, &[&["offline", "export"], more].concat());
+    let said = export(&["--out", path(&folder)]);
+    assert!(said.contains("it is not empty") && said.contains("hint:"), "{said}");
+    let new = folder.join("new");
+    for (more, words) in [
+        (["--profile", "no-such"], "there is no profile `no-such`"),
+        (["--edition", "no-such"], "there is no edition `no-such`"),
+        (["--edition", "nct-99m"], "another language"),
+    ] {
+        let said = export(&[&["--out", path(&new)], more.as_slice()].concat());
+        assert!(said.contains(words) && said.contains("hint:"), "{said}");
+        assert!(!new.exists());
+    }
+    // A sheet that is filled in stays as it is.
+    change(&folder, "answer.toml", "not_possible = \"\"", "not_possible = \"no such machine\"");
+    let said = ends_with(0, &["offline", "answer", path(&folder), "--controller", "production"]);
+    assert!(said.contains("1 were filled in before"), "{said}");
+    let sheet = fs::read_to_string(folder.join("0001/answer.toml")).expect("the sheet");
+    assert!(sheet.contains("no such machine"), "{sheet}");
+    let told = verdicts(&[&controller(&folder), "--only", CHAPTER]);
+    assert!(
+        told.values().any(|(verdict, why)| verdict == "unsupported" && why == "no such machine")
+    );
+}

@@ -1,0 +1,309 @@
+//! The adapter protocol: the page and the schemas hold, and whatever an adapter does, the run is whole and nothing is
+//! left behind.
+
+use std::process::Command;
+use std::time::Duration;
+
+use gaugeblock_adapter::exec::{Exec, Limits};
+use gaugeblock_adapter::protocol::{Answer, Request};
+use gaugeblock_runner::certify::{Twice, Verdict};
+use gaugeblock_suite::Suite;
+
+use crate::command::gaugeblock;
+use crate::template::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
+
+const PAGE: &str = include_str!("../../../adapter/PROTOCOL.md");
+const TEMPLATE_C: &str = include_str!("../../../adapter/templates/template.c");
+
+#[test]
+fn the_examples_of_the_page_are_requests_and_answers() {
+    let blocks = PAGE.split("```json\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let mut read = 0;
+    for line in blocks.flat_map(str::lines) {
+        let value: serde_json::Value = serde_json::from_str(line).expect(line);
+        if value["op"] == "something-new" {
+            assert!(serde_json::from_str::<Request>(line).is_err());
+        } else if value.get("op").is_some() {
+            let request: Request = serde_json::from_str(line).expect(line);
+            let written = serde_json::to_string(&request).expect(line);
+            assert_eq!(serde_json::from_str::<Request>(&written).expect(&written), request);
+        } else {
+            let answer: Answer = serde_json::from_str(line).expect(line);
+            let written = serde_json::to_string(&answer).expect(line);
+            assert_eq!(serde_json::from_str::<Answer>(&written).expect(&written), answer);
+        }
+        read += 1;
+    }
+    assert!(read >= 25, "{read} examples");
+}
+
+/// Version 1 is frozen: what stands in it stays, and what comes is optional. Where the vocabulary has grown by
+/// something optional, `gaugeblock adapter schema` prints what is to be committed.
+#[test]
+fn the_schemas_are_those_of_version_1() {
+    for (what, frozen) in [
+        ("request", include_str!("../../../adapter/schema/request.json")),
+        ("answer", include_str!("../../../adapter/schema/answer.json")),
+    ] {
+        let output = gaugeblock(&["adapter", "schema", what]);
+        let schema = text(&output.stdout);
+        let other = schema.lines().zip(frozen.lines()).find(|(now, before)| now != before);
+        assert_eq!((schema.len(), other), (frozen.len(), None), "{what}");
+    }
+}
+
+#[test]
+fn the_templates_are_short_and_nothing_is_wrong_with_them() {
+    for template in [TEMPLATE, TEMPLATE_C] {
+        assert!(template.lines().count() <= 60, "{}", template.lines().count());
+    }
+    let source = file("adapter.c", TEMPLATE_C);
+    let binary = source.strip_suffix(".c").expect("its name").to_owned();
+    let built =
+        Command::new("cc").args(["-std=c99", "-Wall", "-Werror", "-o", &binary, &source]).status();
+    assert!(built.expect("a C compiler").success());
+    for command in [changed("template.py", &[]), binary] {
+        let output = gaugeblock(&["adapter", "check", &command]);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{}{}",
+            text(&output.stdout),
+            text(&output.stderr)
+        );
+    }
+}
+
+/// What an adapter does on one program, and the verdict of its case with its reason; it passes where nothing is said.
+fn misbehaviours(text: &'static str) -> Vec<(&'static str, &'static str, &'static str)> {
+    let entries = text.split("\n\n").skip(1);
+    let entry = |text: &'static str| {
+        let (name, rest) = text.split_once('\n').unwrap_or((text, ""));
+        let (does, expected) = rest.split_once("  > ").unwrap_or((rest, ""));
+        (name.trim(), does, expected.trim())
+    };
+    entries.map(entry).collect()
+}
+
+fn verdicts_of(
+    command: &str,
+    suite: &Suite,
+    twice: Twice,
+    seconds: u64,
+) -> ((Verdict, bool), Vec<Verdict>) {
+    let limits = Limits { time: Duration::from_secs(seconds), ..limits() };
+    let controller =
+        Exec::start(command, limits).unwrap_or_else(|error| panic!("{command}: {error}"));
+    verdicts_on(&controller, suite, twice)
+}
+
+/// Whether a verdict is the one that is expected: its word, and what its reason says.
+fn is_right((verdict, alone): &(Verdict, bool), expected: &str) -> bool {
+    let expected = if expected.is_empty() { "pass" } else { expected };
+    let (word, reason) = expected.split_once(": ").unwrap_or((expected, ""));
+    let (word, is_alone) = word.strip_suffix(", alone").map_or((word, false), |word| (word, true));
+    let why = verdict.why().unwrap_or_default();
+    let is_inert = !why.contains(char::is_control);
+    verdict.word() == word && *alone == is_alone && why.contains(reason) && is_inert
+}
+
+/// Runs the behaviours of a list: each gets its verdict, and the others theirs.
+fn each_gets_its_verdict(list: &'static str, twice: Twice) {
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
+    let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite, twice, 20);
+    assert_eq!(plain, (Verdict::Pass, false));
+    assert!(usual.iter().filter(|verdict| **verdict == Verdict::Pass).count() >= 3);
+    let mut wrong = Vec::new();
+    for (name, does, expected) in misbehaviours(list) {
+        let when =
+            "    if request['op'] == 'run' and 'g101' in request['scenario']['program']['main']:\n";
+        let does = if does.trim().is_empty() { "  pass" } else { does };
+        let does = does.replace("\n  ", "\n        ");
+        let meddled = format!("{LOOP}{when}      {does}\n");
+        // Only what hangs is waited for in vain.
+        let hangs = does.contains("no end after") || expected.contains("no end after");
+        let seconds = if hangs { 2 } else { 20 };
+        let file = format!("{}-{}.py", name.replace(' ', "-"), twice.0);
+        let (found, others) =
+            verdicts_of(&changed(&file, &[(LOOP, &meddled)]), &suite, twice, seconds);
+        if !is_right(&found, expected) || others != usual {
+            let same = others == usual;
+            wrong.push(format!(
+                "{name}: {found:?}, not {expected}; the others are the same: {same}"
+            ));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let left = Command::new("pgrep").args(["-f", "sleep 4321"]).output().expect("pgrep");
+    assert_eq!(text(&left.stdout), "", "processes are left behind");
+}
+
+#[test]
+fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
+    let list = include_str!("misbehaviours.txt");
+    assert!(misbehaviours(list).len() > 50, "{}", misbehaviours(list).len());
+    each_gets_its_verdict(list, Twice(0));
+}
+
+#[test]
+fn a_controller_that_answers_otherwise_the_second_time_is_told_from_one_that_does_not() {
+    each_gets_its_verdict(include_str!("asked_twice.txt"), Twice(100));
+}
+
+#[test]
+fn a_controller_that_crashes_is_no_pass() {
+    let meddled = format!("{LOOP}    request['op'] == 'run' and sys.exit(3)\n");
+    let controller = format!("exec:{}", changed("crashes.py", &[(LOOP, &meddled)]));
+    let output = gaugeblock(&[
+        "certify",
+        "--controller",
+        &controller,
+        "--only",
+        "modal-groups.g-code-out-of-range",
+    ]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
+    let said = text(&output.stdout);
+    assert!(said.contains("crashed (exit status 3, asked to `run`)"), "{said}");
+    assert!(said.contains("crash modal-groups.g-code-out-of-range / g101"), "{said}");
+}
+
+#[test]
+fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
+    for (name, changes, words) in [
+        ("no-start.py", vec![("import json\n", "raise SystemExit(7)\n")], "exit status 7"),
+        (
+            "silent.py",
+            vec![(LOOP, "import time\ntime.sleep(60)\nfor request in []:\n")],
+            "no end after 1 s",
+        ),
+        ("old.py", vec![("\"protocol\": 1,", "\"protocol\": 2,")], "version 2"),
+        ("lacking.py", vec![("\"resolution\": 0.0, ", "")], "resolution"),
+        (
+            "slip.py",
+            vec![("\"motion\", \"position\"", "\"motion\", \"positon\"")],
+            "\"positon\", which is no word of the vocabulary: did you mean \"position\"?",
+        ),
+        (
+            "options.py",
+            vec![(
+                "\"clock\": \"virtual\"",
+                "\"clock\": \"virtual\", \"options\": {\"no.such\": \"thing\"}",
+            )],
+            "no.such",
+        ),
+        (
+            "edition.py",
+            vec![("\"clock\": \"virtual\"", "\"clock\": \"virtual\", \"edition\": \"linuxcnc-9\"")],
+            "linuxcnc-9",
+        ),
+    ] {
+        let controller = format!("exec:{}", changed(name, &changes));
+        // Whoever answers may take as long as a busy machine lets it.
+        let limit = if name == "silent.py" { "1" } else { "60" };
+        let output = gaugeblock(&["certify", "--controller", &controller, "--time-limit", limit]);
+        let message = text(&output.stderr);
+        let status = if name == "edition.py" { 2 } else { 3 };
+        assert_eq!(output.status.code(), Some(status), "{name}: {message}");
+        assert!(message.contains(words) && message.contains("hint:"), "{name}: {message}");
+        assert!(output.stdout.is_empty(), "{name}");
+    }
+}
+
+/// Whatever it is: a name, an alarm, a reason, what it wrote before it died.
+#[test]
+fn nothing_that_a_controller_says_moves_a_cursor() {
+    const EVIL: &str = "a\\rb\\x1b[2J\\x9b2Jc";
+    let program = file("evil.ngc", "g999\nm2\n");
+    let dies =
+        format!("import json\nsys = __import__('sys')\nsys.stderr.write('{EVIL}')\nsys.exit(3)\n");
+    let mut shown = 0;
+    for (name, old, new) in [
+        ("evil-version.py", "\"version\": \"0.1\"", format!("\"version\": \"{EVIL}\"")),
+        ("evil-alarm.py", "no such code: ", EVIL.to_owned()),
+        (
+            "evil-reason.py",
+            "if letter == \"g\" and number > 99.9:",
+            format!("if number > 99: raise Unsupported('{EVIL}')\n            if False:"),
+        ),
+        ("evil-end.py", "import json\n", dies),
+    ] {
+        let command = changed(name, &[(old, new.as_str())]);
+        let controller = format!("exec:{command}");
+        let only = "modal-groups.g-code-out-of-range";
+        for call in [
+            vec!["adapter", "check", &command],
+            vec!["certify", "--controller", &controller, "-v", "--only", only],
+            vec!["run", &program, "--controller", &controller],
+            vec!["compare", &program, "--controller", &controller],
+        ] {
+            let output = gaugeblock(&call);
+            for said in [text(&output.stdout), text(&output.stderr)] {
+                let plain = anstream::adapter::strip_str(&said).to_string();
+                assert!(
+                    !said.contains("\u{1b}[2J") && !plain.contains(['\r', '\u{1b}', '\u{9b}']),
+                    "{name}, {call:?}: {said:?}"
+                );
+                shown += usize::from(plain.contains("\\u000d"));
+            }
+        }
+    }
+    assert!(shown > 3, "it is written out");
+}
+
+#[test]
+fn a_check_tells_what_is_wrong_with_an_adapter() {
+    const ALARM: &str = "\"end\": {\"end\": \"fault\", \"block\": block, \"message\": f\"no such code: G{number:g}\"}";
+    let fault = "if letter == \"g\" and number > 99.9:";
+    for (name, changes, words) in [
+        (
+            "refuses-all.py",
+            vec![(fault, "if True:")],
+            "a broken adapter rather than a broken controller",
+        ),
+        (
+            "accepts-all.py",
+            vec![(ALARM, "\"end\": {\"end\": \"program_end\"}")],
+            "an alarm has to be told as a fault",
+        ),
+        (
+            "refused-step.py",
+            vec![(
+                fault,
+                "if letter == \"g\" and number > 99.9 and not steps.append({\"block\": block, \"events\": []}):",
+            )],
+            "a refused block has done nothing",
+        ),
+        (
+            "unknown.py",
+            vec![("{\"refused\": \"unknown operation\"}", "{\"done\": {}}")],
+            "must be answered with `refused`",
+        ),
+        (
+            "slip-in-effect.py",
+            vec![("(\"feed\", \"straight_feed\")", "(\"feed\", \"straight_fed\")")],
+            "`straight_fed` (did you mean `straight_feed`?)",
+        ),
+        (
+            "never-told.py",
+            vec![("\"fields\": [", "\"fields\": [\"feed_rate\", ")],
+            "`feed_rate` is declared",
+        ),
+        (
+            "leaks.py",
+            vec![
+                (
+                    "steps, motion, feed, point = [],",
+                    "global kept\n    kept = globals().get(\"kept\", 0) + 1\n    steps, motion, feed, point = [],",
+                ),
+                ("\"x\": 0.0", "\"x\": 0.0, \"y\": 0.0 * kept, \"a\": 1.0 * (kept > 2)"),
+            ],
+            "gives another outcome",
+        ),
+    ] {
+        let output = gaugeblock(&["adapter", "check", &changed(name, &changes)]);
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(1), "{name}: {said}{}", text(&output.stderr));
+        assert!(said.contains(words), "{name}: {said}");
+    }
+}

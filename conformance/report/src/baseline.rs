@@ -1,0 +1,67 @@
+//! A run against an earlier report: what is new, what has changed, and what is mended.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_runner::certify::{Run, Verdict};
+use gaugeblock_runner::expectations::Trouble;
+
+use super::Header;
+use super::merge::Stored;
+use super::stored::StoredVerdict;
+
+impl Stored {
+    /// What a report has to be of so that a run can be held against it: the same controller, and the same edition.
+    /// Another version of the controller is what a baseline is for, and worth a note.
+    ///
+    /// # Errors
+    /// It is of another controller or edition, with both names.
+    pub fn fits(&self, now: &Header) -> Result<Option<String>, String> {
+        let Header { controller, version, edition, .. } = &self.header;
+        if (controller, edition) != (&now.controller, &now.edition) {
+            return Err(format!(
+                "this baseline is of {controller} held to {edition}, not of {} held to {}",
+                now.controller, now.edition
+            ));
+        }
+        let now = &now.version;
+        Ok((version != now)
+            .then(|| format!("the baseline is of version {version}, this is version {now}")))
+    }
+
+    /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which
+    /// nothing is known any more; and a sentence for each divergence that is mended, or that is not judged any more.
+    pub fn hold(&self, run: &Run<'_>) -> (Vec<Trouble>, Vec<String>) {
+        let before: BTreeMap<(&str, &str), &StoredVerdict> = self
+            .cases
+            .iter()
+            .map(|case| ((case.rule.as_str(), case.case.as_str()), &case.verdict))
+            .collect();
+        let (mut troubles, mut told) = (Vec::new(), Vec::new());
+        for result in &run.cases {
+            let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
+            let before = before.get(&(result.rule.id.as_str(), result.name));
+            let known = before.and_then(|before| before.departure());
+            match (result.verdict.departure(), known) {
+                (Some(departure), None) => {
+                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                }
+                (Some(departure), Some(before)) if departure.line() == before.found => {}
+                (Some(departure), Some(before)) => {
+                    let (listed, found) = (before.found.clone(), departure.line());
+                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                }
+                (None, before) if result.verdict == Verdict::Pass => told.extend(
+                    before.map(|before| format!("mended: {rule} / {case}: was {}", before.found)),
+                ),
+                (None, _) if before.is_some_and(|before| before.is_pass()) => {
+                    let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
+                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                }
+                (None, before) => told.extend(before.map(|before| {
+                    format!("not judged any more: {rule} / {case}: was {}", before.found)
+                })),
+            }
+        }
+        (troubles, told)
+    }
+}

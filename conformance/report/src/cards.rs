@@ -1,0 +1,103 @@
+//! A card for each divergence on the page: what was demanded, what happened, and where the two part.
+
+use gaugeblock_compare::StateDifference;
+use gaugeblock_runner::certify::{CaseResult, Departure};
+use serde::Serialize;
+
+use super::Report;
+use super::causes::{explained, groups};
+use super::sides::{Side, sides};
+use super::terminal::without_guard;
+
+/// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
+const MOST: usize = 1 << 20;
+
+/// What the page shows of a divergence.
+#[derive(Debug, Serialize)]
+pub(super) struct Card<'a> {
+    rule: &'a str,
+    case: &'a str,
+    word: &'static str,
+    class: String,
+    /// Who knows of it, or answers for it.
+    excuse: Option<&'a str>,
+    sentence: &'a str,
+    sources: String,
+    assertion: Option<(&'a str, &'a str)>,
+    divergence: Option<&'a str>,
+    explanation: Option<String>,
+    repeated: bool,
+    program: &'a str,
+    shrunk: Option<&'a str>,
+    state: Option<&'a StateDifference>,
+    sides: Vec<Side<'a>>,
+    /// Whether the traces are left out, since the page would be too large.
+    short: bool,
+    /// A picture of the motion, made of nothing but numbers.
+    picture: Option<String>,
+}
+
+/// A verdict's word as the page's style sheet names it.
+pub(super) fn class(word: &str) -> String {
+    word.replace(' ', "-")
+}
+
+/// Cards of what differs alike.
+#[derive(Debug, Serialize)]
+pub(super) struct Kind<'a> {
+    what: String,
+    size: String,
+    class: String,
+    /// The one with the smallest program first.
+    cases: Vec<Card<'a>>,
+}
+
+/// What differs, alike departures together, the worst first.
+pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
+    let mut left = MOST;
+    let mut card = |(result, departure): (&'a CaseResult<'_>, &'a Departure)| {
+        let mut card = card(&report.header.controller, result, departure);
+        let traces = departure.traces.as_ref();
+        let size = traces.map_or(0, |traces| traces.expected.len() + traces.found.len());
+        match left.checked_sub(size + result.program.len()) {
+            Some(rest) => {
+                left = rest;
+                card.sides = traces.map(|traces| sides(traces, &result.masked)).unwrap_or_default();
+            }
+            None => card.short = true,
+        }
+        card
+    };
+    let groups = groups(report).into_iter().map(|group| {
+        let size = group.size();
+        let cases: Vec<_> = group.cases.into_iter().map(&mut card).collect();
+        let class = cases.first().map(|card| card.class.clone()).unwrap_or_default();
+        Kind { what: group.what, size, class, cases }
+    });
+    groups.collect()
+}
+
+fn card<'a>(controller: &str, result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
+    let sources = result.rule.sources.iter().map(ToString::to_string);
+    let assertion = departure.assertion.as_ref();
+    let word = result.verdict.word();
+    Card {
+        rule: &result.rule.id,
+        case: result.name,
+        word,
+        class: class(word),
+        excuse: result.verdict.excuse(),
+        sentence: &result.rule.sentence,
+        sources: sources.collect::<Vec<_>>().join("; "),
+        assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
+        divergence: departure.divergence.as_deref(),
+        explanation: explained(controller, departure).map(|explained| explained.says),
+        repeated: result.repeated,
+        program: result.program,
+        shrunk: departure.shrunk.as_deref(),
+        state: departure.state.as_ref(),
+        sides: Vec::new(),
+        short: false,
+        picture: result.sketch.as_ref().map(gaugeblock_motion::Sketch::svg),
+    }
+}

@@ -1,0 +1,233 @@
+//! Departures by what they most likely come from: one mistake of a controller shows in many cases, and of many rules.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_compare::Divergence;
+use gaugeblock_runner::certify::{CaseResult, Departure, Traces};
+use gaugeblock_runner::fuzz::signature::Signature;
+
+use super::Report;
+use super::sides::{field, tokens};
+
+/// Cases that depart alike.
+#[derive(Clone, Debug)]
+pub struct Group<'a, 'r> {
+    /// What differs, without lines and numbers; or what explains it.
+    pub what: String,
+    /// Whether somebody knows of them, or answers for them.
+    pub is_known: bool,
+    /// How many rules they belong to.
+    pub rules: usize,
+    /// The cases and what they do otherwise, the smallest program first.
+    pub cases: Vec<(&'r CaseResult<'a>, &'r Departure)>,
+}
+
+/// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that
+/// what breaks most rules.
+pub fn groups<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
+    let mut alike: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for result in &report.run.cases {
+        let Some(departure) = result.verdict.own_departure() else { continue };
+        let explained = explained(&report.header.controller, departure);
+        let is_known = result.verdict.excuse().is_some();
+        let key = match &explained {
+            Some(Explained { is_its_own: true, says }) => (is_known, true, says.clone()),
+            Some(_) | None => (is_known, false, what(departure)),
+        };
+        alike.entry(key).or_default().push((result, departure));
+    }
+    let mut all = Vec::new();
+    for ((is_known, is_explained, what), mut cases) in alike {
+        cases.sort_by_key(|(result, departure)| program(result, departure).len());
+        let rules: BTreeSet<_> = cases.iter().map(|(result, _)| &result.rule.id).collect();
+        all.push((is_explained, Group { what, is_known, rules: rules.len(), cases }));
+    }
+    all.sort_by_key(|(is_explained, group)| {
+        (group.is_known, *is_explained, Reverse(group.rules), Reverse(group.cases.len()))
+    });
+    all.into_iter().map(|(_, group)| group).collect()
+}
+
+/// The smallest program that shows a departure.
+pub fn program<'r>(result: &CaseResult<'r>, departure: &'r Departure) -> &'r str {
+    departure.shrunk.as_deref().unwrap_or(result.program)
+}
+
+impl Group<'_, '_> {
+    /// Its size in words.
+    pub fn size(&self) -> String {
+        let counted = |count: usize, what: &str| match count {
+            1 => format!("1 {what}"),
+            _ => format!("{count} {what}s"),
+        };
+        format!("{} of {}", counted(self.cases.len(), "case"), counted(self.rules, "rule"))
+    }
+}
+
+/// What is known of a departure beyond the documents.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Explained {
+    /// Whether it explains what this controller does. A quirk of another one does not: it may be chance that they do
+    /// alike.
+    pub is_its_own: bool,
+    /// In words.
+    pub says: String,
+}
+
+/// What explains a departure, or who does likewise.
+pub fn explained(controller: &str, departure: &Departure) -> Option<Explained> {
+    if departure.explanation.is_empty() {
+        return None;
+    }
+    let names = departure.explanation.join(" and ");
+    let of_linuxcnc = |name: &String| name.starts_with("rs274.") || name.starts_with("linuxcnc.");
+    let is_its_own = matches!(controller, "rs274" | "linuxcnc")
+        || !departure.explanation.iter().any(of_linuxcnc);
+    let says = if is_its_own {
+        format!("explained by {names}")
+    } else {
+        format!("LinuxCNC does this, too: {names}")
+    };
+    Some(Explained { is_its_own, says })
+}
+
+/// What differs, without what is accidental.
+fn what(departure: &Departure) -> String {
+    // What a block does that should have been refused, or what is missing behind one that should not, comes of that
+    // alone.
+    if let Some(told) = departure.traces.as_ref().and_then(refusal) {
+        return told;
+    }
+    if let Some(divergence) = departure.divergence.as_deref().and_then(parts) {
+        let Signature { field, expected, found } = Signature::of(&divergence);
+        return match (expected.as_str(), found.as_str()) {
+            ("", "") => format!("{field}: another course"),
+            ("a value", "a value") => format!("{field}: another value"),
+            (one, other) if one == other => match arguments(&divergence).join(" and ") {
+                which if which.is_empty() => format!("{field}: another {one}"),
+                which => format!("{field}: {one} with another {which}"),
+            },
+            _ => format!("{field}: expected {expected}, found {found}"),
+        };
+    }
+    // What a person asserted, whatever its numbers are.
+    let said = departure.assertion.as_ref().map_or("", |(said, _)| said.as_str());
+    let words = super::terminal::without_guard(said).split_whitespace();
+    let is_word = |word: &&str| word.starts_with(|c: char| c.is_alphabetic() || c == '=');
+    let words: Vec<_> = words.filter(is_word).collect();
+    format!("asserted: {}", words.join(" "))
+}
+
+/// Where one side refuses and the other does not.
+fn refusal(traces: &Traces) -> Option<String> {
+    let (expected, found) = (end(&traces.expected)?, end(&traces.found)?);
+    match (expected.strip_prefix("fault"), found.strip_prefix("fault")) {
+        (Some(fault), None) => {
+            let kind = fault.split_whitespace().find_map(|word| word.strip_prefix("kind="));
+            Some(format!("not refused: {}", kind.unwrap_or("whatever it is")))
+        }
+        (None, Some(fault)) => {
+            let said = fault.split_once("message=").map_or("", |(_, message)| message);
+            Some(format!("refused, and should not be: {}", without_numbers(said)))
+        }
+        _ => None,
+    }
+}
+
+/// A text without its numbers, such as those of lines; those of codes, behind a letter, stay.
+fn without_numbers(text: &str) -> String {
+    let mut of_a_code = false;
+    let is_kept = |c: &char| {
+        of_a_code = c.is_alphabetic() || of_a_code && c.is_ascii_digit();
+        of_a_code || !c.is_ascii_digit()
+    };
+    text.chars().filter(is_kept).collect()
+}
+
+/// Names of the arguments in which an effect is another one.
+fn arguments(divergence: &Divergence) -> Vec<&str> {
+    let fields = |text| -> BTreeMap<_, _> { tokens(text).filter_map(field).collect() };
+    let (expected, found) = (fields(&divergence.expected), fields(&divergence.found));
+    let names: BTreeSet<_> = expected.keys().chain(found.keys()).copied().collect();
+    names.into_iter().filter(|name| expected.get(name) != found.get(name)).collect()
+}
+
+/// How a trace ends, where it is not cut before.
+fn end(trace: &str) -> Option<&str> {
+    trace.lines().rev().find_map(|line| line.strip_prefix("end "))
+}
+
+/// A divergence out of the line that it is told in.
+fn parts(line: &str) -> Option<Divergence> {
+    let (place, rest) = line.split_once(": expected ")?;
+    let (expected, found) = rest.split_once(", found ")?;
+    let field = place.rsplit_once(": ").map_or(place, |(_, field)| field);
+    let (field, expected, found) = (field.to_owned(), expected.to_owned(), found.to_owned());
+    Some(Divergence { block: None, field, expected, found })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn departure(divergence: &str, explanation: &[&str]) -> Departure {
+        let explanation = explanation.iter().map(|name| (*name).to_owned()).collect();
+        Departure { divergence: Some(divergence.to_owned()), explanation, ..Departure::default() }
+    }
+
+    #[test]
+    fn what_is_accidental_makes_no_other_cause() {
+        for (divergence, expected) in [
+            ("main.ngc:4: feed_rate: expected 12.3, found 0", "feed_rate: another value"),
+            ("motion: expected traverse, found none", "motion: expected traverse, found none"),
+            (
+                "main.ngc:3: effect: expected straight_feed end=(x5 y-2), found straight_feed end=(x5)",
+                "effect: straight_feed with another end",
+            ),
+            (
+                "main.ngc:1: end: expected refused at main.ngc:1 (repeated_word), found program end",
+                "end: expected refused (repeated_word), found program end",
+            ),
+        ] {
+            assert_eq!(what(&departure(divergence, &[])), expected);
+        }
+        let assertion = Some(("when a.b=c: after 4 g5x_offset = (x1)".to_owned(), "x".to_owned()));
+        let asserted = Departure { assertion, ..Departure::default() };
+        assert_eq!(what(&asserted), "asserted: after g5x_offset =");
+    }
+
+    #[test]
+    fn what_follows_from_a_refusal_that_is_missing_is_no_other_cause() {
+        let refused = "end fault kind=repeated_word file=\"main.ngc\" line=1 message=\"x 12, G17\"\nparameters 5220=1\n";
+        let accepted = "step main.ngc:1\nend program_end\n";
+        for (expected, found, told) in [
+            (refused, accepted, "not refused: repeated_word"),
+            (accepted, refused, "refused, and should not be: \"x , G17\""),
+            (accepted, accepted, "effect: another value"),
+            (refused, "cut …", "effect: another value"),
+        ] {
+            let (expected, found) = (expected.to_owned(), found.to_owned());
+            let traces = Some(Traces { expected, found });
+            let departure = Departure { traces, ..departure("effect: expected 1, found 2", &[]) };
+            assert_eq!(what(&departure), told);
+        }
+    }
+
+    /// A quirk is the reason only of what the controller does that has it.
+    #[test]
+    fn a_quirk_of_another_controller_explains_nothing() {
+        let says = |controller: &str, explanation: &[&str]| {
+            explained(controller, &departure("a: expected 1, found 2", explanation))
+        };
+        assert_eq!(says("mill", &[]), None);
+        for (controller, explanation, is_its_own, words) in [
+            ("rs274", "rs274.nine-levels", true, "explained by rs274.nine-levels"),
+            ("mill", "rs274.nine-levels", false, "LinuxCNC does this, too: rs274.nine-levels"),
+            ("mill", "probe.where = there", true, "explained by probe.where = there"),
+        ] {
+            let says = says(controller, &[explanation]).unwrap();
+            assert_eq!((says.is_its_own, says.says.as_str()), (is_its_own, words));
+        }
+    }
+}

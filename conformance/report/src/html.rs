@@ -1,0 +1,348 @@
+//! The report as one page that needs nothing beside it: worst first, with a search, and what each divergence is.
+//!
+//! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which
+//! are made of numbers.
+
+use std::cmp::Reverse;
+use std::time::Duration;
+
+use gaugeblock_runner::certify::CaseResult;
+use minijinja::Environment;
+use minijinja::value::Serde;
+use serde::Serialize;
+
+use super::cards::{Kind, class, kinds};
+use super::json::{self, JudgedProfile};
+use super::{Counts, Report, RuleVerdict, inert};
+
+const PAGE: &str = include_str!("page.html");
+/// Pictures of motions that are as they should be, at most: the page has to stay small.
+const PICTURES: usize = 48;
+/// The slowest cases, so many of them.
+const SLOWEST: usize = 10;
+
+/// The report as HTML.
+///
+/// # Errors
+/// The template does not fit: a fault of this program.
+pub fn html(report: &Report<'_>) -> Result<String, String> {
+    let render = || {
+        let mut environment = Environment::new();
+        environment.add_template("page.html", PAGE)?;
+        environment.get_template("page.html")?.render(Serde(page(report)))
+    };
+    let page = render().map_err(|error: minijinja::Error| format!("{error:#}"))?;
+    Ok(inert(&page).into_owned())
+}
+
+/// What the page shows.
+#[derive(Debug, Serialize)]
+struct Page<'a> {
+    controller: &'a str,
+    version: &'a str,
+    edition: &'a str,
+    sentence: &'a str,
+    says: &'static str,
+    status: &'static str,
+    notes: &'a [String],
+    counts: Vec<Count>,
+    /// Whether anything is known of it.
+    judged: bool,
+    troubles: Option<Vec<String>>,
+    profiles: Vec<JudgedProfile>,
+    fingerprint: Option<Fingerprint<'a>>,
+    words: Vec<Word>,
+    kinds: Vec<Kind<'a>>,
+    rules: Vec<Row<'a>>,
+    motions: Vec<Moved<'a>>,
+    not_judged: Vec<Open<'a>>,
+    unsupported: Vec<Unsupported<'a>>,
+    void: Vec<Void<'a>>,
+    cost: Option<Cost<'a>>,
+    basis: String,
+    masked: String,
+    gaugeblock_version: &'a str,
+    suite: &'a str,
+    only: &'a [String],
+    shard: String,
+    twice: u8,
+}
+
+fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
+    let header = &report.header;
+    let masked: Vec<_> = report.masked().into_keys().collect();
+    let reasons = report.unsupported().into_iter();
+    let mut unsupported: Vec<_> = reasons.map(|(why, cases)| Unsupported { why, cases }).collect();
+    unsupported.sort_by(|a, b| b.cases.cmp(&a.cases).then_with(|| a.why.cmp(b.why)));
+    let troubles = report.troubles.as_ref();
+    let void = report.run.void.iter().map(|(rule, why)| Void { rule: &rule.id, why });
+    let (status, says) = says(report);
+    Page {
+        controller: &header.controller,
+        version: &header.version,
+        edition: &header.edition,
+        sentence: &report.run.edition.sentence,
+        says,
+        status,
+        notes: &report.notes,
+        counts: counts(report),
+        judged: report.counts().judged() > 0,
+        troubles: troubles.map(|all| all.iter().map(ToString::to_string).collect()),
+        profiles: json::profiles(report),
+        fingerprint: fingerprint(report),
+        words: words(report),
+        kinds: kinds(report),
+        rules: rules(report),
+        motions: motions(report),
+        not_judged: not_judged(report),
+        unsupported,
+        void: void.collect(),
+        cost: cost(report),
+        basis: basis(report),
+        masked: if masked.is_empty() { "nothing".to_owned() } else { masked.join(", ") },
+        gaugeblock_version: &header.gaugeblock_version,
+        suite: &header.suite,
+        only: &header.only,
+        shard: header.shard.to_string(),
+        twice: header.twice,
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct Count {
+    name: &'static str,
+    count: usize,
+    class: String,
+}
+
+/// A verdict that can be filtered by.
+#[derive(Debug, Serialize)]
+struct Word {
+    word: &'static str,
+    class: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Unsupported<'a> {
+    why: &'a str,
+    cases: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Void<'a> {
+    rule: &'a str,
+    why: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct Row<'a> {
+    rule: &'a str,
+    verdict: &'static str,
+    class: String,
+    sentence: &'a str,
+    sources: String,
+    cases: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Open<'a> {
+    rule: &'a str,
+    case: &'a str,
+    word: &'static str,
+    class: String,
+    why: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct Moved<'a> {
+    rule: &'a str,
+    case: &'a str,
+    picture: String,
+}
+
+/// Each choice and quirk: what it is held to, and what it shows.
+#[derive(Debug, Serialize)]
+struct Fingerprint<'a> {
+    agrees: usize,
+    all: usize,
+    declared: usize,
+    departs: Vec<Shown<'a>>,
+    rest: Vec<Shown<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Shown<'a> {
+    choice: &'a str,
+    held_to: &'a str,
+    declared: bool,
+    shown: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Cost<'a> {
+    all: String,
+    each: String,
+    slowest: Vec<Slow<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Slow<'a> {
+    rule: &'a str,
+    case: &'a str,
+    time: String,
+}
+
+/// What the whole comes to, in a sentence, and as which kind of verdict that is shown.
+pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
+    match report.exit_status() {
+        0 if report.troubles.is_some() => {
+            ("pass", "It does what is known of it, and nothing else.")
+        }
+        0 => ("pass", "It does what the documents say, in everything that was judged."),
+        1 => ("diverges", "It departs from what it is held to."),
+        _ if report.counts().judged() == 0 => {
+            ("inconclusive", "Nothing was judged: nothing is certified.")
+        }
+        _ => ("inconclusive", "Something could not be judged: this is no certificate."),
+    }
+}
+
+fn counts(report: &Report<'_>) -> Vec<Count> {
+    let counts = report.counts();
+    let count = |name, count, word| Count { name, count, class: class(word) };
+    let mut all = vec![
+        count("cases", counts.all(), "all"),
+        count("pass", counts.pass, "pass"),
+        count("diverge", counts.diverges, "diverges"),
+    ];
+    let more = [
+        ("pass but for a quirk of other rules", counts.charged_elsewhere, "charged elsewhere"),
+        ("known", counts.known, "known"),
+        ("waived", counts.waived, "waived"),
+        ("unsupported", counts.unsupported, "unsupported"),
+    ];
+    let open = counts.unjudged().map(|(word, count)| (word, count, word));
+    let more = more.into_iter().chain(open).filter(|(_, count, _)| *count > 0);
+    all.extend(more.map(|(name, number, word)| count(name, number, word)));
+    all
+}
+
+/// The verdicts of rules, and those of cards.
+fn words(report: &Report<'_>) -> Vec<Word> {
+    let counts = report.counts();
+    let mut words = vec!["diverges"];
+    words.extend(
+        [(counts.known, "known"), (counts.waived, "waived")]
+            .iter()
+            .filter_map(|(count, word)| (*count > 0).then_some(*word)),
+    );
+    words.extend(["not judged", "unsupported", "pass"]);
+    words.into_iter().map(|word| Word { word, class: class(word) }).collect()
+}
+
+/// The worst first: of what diverges, that of which nobody knows, in most cases.
+fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
+    let mut rules = report.rules();
+    rules.sort_by_key(|result| {
+        let Counts { diverges, known, waived, .. } = result.counts;
+        let kind = match result.verdict {
+            RuleVerdict::Diverges => 0,
+            RuleVerdict::NotJudged => 1,
+            RuleVerdict::Unsupported => 2,
+            RuleVerdict::Pass => 3,
+        };
+        (kind, Reverse(diverges), Reverse(known + waived), Reverse(result.counts.not_judged()))
+    });
+    let cases = |counts: Counts| {
+        let departing = counts.diverges + counts.known + counts.waived;
+        let bad = if departing > 0 { departing } else { counts.not_judged() };
+        if bad > 0 { format!("{bad} of {}", counts.all()) } else { counts.all().to_string() }
+    };
+    let row = |result: super::RuleResult<'a>| Row {
+        rule: &result.rule.id,
+        verdict: result.verdict.word(),
+        class: class(result.verdict.word()),
+        sentence: &result.rule.sentence,
+        sources: result.rule.sources.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+        cases: cases(result.counts),
+    };
+    rules.into_iter().map(row).collect()
+}
+
+/// Pictures of what is no card.
+fn motions<'a>(report: &'a Report<'_>) -> Vec<Moved<'a>> {
+    let others = report.run.cases.iter().filter(|result| result.verdict.departure().is_none());
+    let drawn = others.filter_map(|result| {
+        let picture = result.sketch.as_ref()?.svg();
+        Some(Moved { rule: &result.rule.id, case: result.name, picture })
+    });
+    drawn.take(PICTURES).collect()
+}
+
+fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
+    let why = |result: &'a CaseResult<'_>| {
+        let why = result.verdict.open()?;
+        let word = result.verdict.word();
+        Some(Open { rule: &result.rule.id, case: result.name, word, class: class(word), why })
+    };
+    let leaked = report.leaks().into_iter().map(|(result, why)| Open {
+        rule: &result.rule.id,
+        case: result.name,
+        word: "leaked state",
+        class: class("nondeterministic"),
+        why,
+    });
+    report.run.cases.iter().filter_map(why).chain(leaked).collect()
+}
+
+fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {
+    let traits = report.run.fingerprint.as_ref()?;
+    let shown = |of: &'a gaugeblock_runner::fingerprint::Trait| Shown {
+        choice: &of.choice,
+        held_to: &of.held_to,
+        declared: of.declared,
+        shown: of.shown.to_string(),
+    };
+    let (departs, rest): (Vec<_>, Vec<_>) = traits.iter().partition(|of| of.departs());
+    Some(Fingerprint {
+        agrees: traits.iter().filter(|of| of.agrees()).count(),
+        all: traits.len(),
+        declared: traits.iter().filter(|of| of.declared).count(),
+        departs: departs.into_iter().map(shown).collect(),
+        rest: rest.into_iter().map(shown).collect(),
+    })
+}
+
+/// What it cost, where that is known.
+fn cost<'a>(report: &'a Report<'_>) -> Option<Cost<'a>> {
+    let cases = &report.run.cases;
+    let all: Duration = cases.iter().map(|result| result.cost).sum();
+    if all.is_zero() {
+        return None;
+    }
+    let mut slowest: Vec<_> = cases.iter().collect();
+    slowest.sort_by_key(|result| Reverse(result.cost));
+    let slow = |result: &&'a CaseResult<'_>| Slow {
+        rule: &result.rule.id,
+        case: result.name,
+        time: in_words(result.cost),
+    };
+    let each = all / u32::try_from(cases.len()).unwrap_or(u32::MAX).max(1);
+    let slowest = slowest.iter().take(SLOWEST).map(slow).collect();
+    Some(Cost { all: in_words(all), each: in_words(each), slowest })
+}
+
+fn in_words(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    if seconds >= 1.0 { format!("{seconds:.1} s") } else { format!("{:.2} ms", seconds * 1e3) }
+}
+
+/// How many values of each kind were compared.
+fn basis(report: &Report<'_>) -> String {
+    let mut all = gaugeblock_compare::Tally::default();
+    report.run.cases.iter().for_each(|result| all.extend(&result.compared));
+    format!(
+        "{} values were compared: assertions of people, and everything else that happens.",
+        all.total()
+    )
+}

@@ -1,0 +1,181 @@
+//! The report as one JSON document.
+
+use gaugeblock_compare::Tally;
+use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_runner::fingerprint::Trait;
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::Source;
+use gaugeblock_vocabulary::Options;
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::Serialize;
+use serde_json::Value;
+
+use super::stored::StoredCase;
+use super::{Counts, Header, Report, RuleVerdict};
+
+/// Version of the form.
+pub const VERSION: u32 = 1;
+
+/// A report: what it is of, what it comes to, and what came of each case. The same run gives the same bytes, so that
+/// what it cost is not here.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "Report")]
+pub struct Document {
+    /// `report`.
+    pub gaugeblock: &'static str,
+    /// Version of this form.
+    pub schema: u32,
+    /// Version of the tolerances by which numbers are compared.
+    pub tolerances: u32,
+    /// The controller.
+    pub controller: String,
+    /// Its version.
+    pub version: String,
+    /// What a person should know of how it was run.
+    pub notes: Vec<String>,
+    /// The edition that it was held to.
+    pub edition: String,
+    /// Options that the controller declares to read the documents by.
+    pub options: Options,
+    /// Digest of the suite.
+    pub suite: String,
+    /// Version of gaugeblock.
+    pub gaugeblock_version: String,
+    /// The rules that were asked for; all where there are none.
+    pub only: Vec<String>,
+    /// Whether it judges samples of others by laws of motion, instead of moving itself.
+    pub laws: bool,
+    /// The part of the cases, such as `3/8`.
+    pub shard: Shard,
+    /// How many cases of a hundred were run twice.
+    pub twice: u8,
+    /// What the call ended with.
+    pub exit_status: u8,
+    /// How many cases came to what.
+    pub counts: Counts,
+    /// Each profile.
+    pub profiles: Vec<JudgedProfile>,
+    /// Each rule that was run.
+    pub rules: Vec<JudgedRule>,
+    /// Rules that do not exist in the edition.
+    pub void: Vec<VoidRule>,
+    /// What the controller shows of each choice and quirk, where it was asked for.
+    pub fingerprint: Option<Vec<Trait>>,
+    /// Each case.
+    pub cases: Vec<StoredCase>,
+    /// Where it disagrees with what is known of it, if it was held against that.
+    pub expectations: Option<Vec<Trouble>>,
+}
+
+/// A profile: claimed or not, passed or not, and how many of its rules came to what.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[expect(missing_docs, reason = "the words of the verdicts")]
+pub struct JudgedProfile {
+    pub profile: String,
+    pub version: u32,
+    pub claimed: bool,
+    pub passes: bool,
+    pub rules: usize,
+    pub pass: usize,
+    pub diverges: usize,
+    pub unsupported: usize,
+    pub not_judged: usize,
+    pub not_run: usize,
+}
+
+/// What came of a rule.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct JudgedRule {
+    /// Its id.
+    pub rule: String,
+    /// What it demands.
+    pub sentence: String,
+    /// The profile that it belongs to.
+    pub profile: String,
+    /// Where that stands.
+    pub sources: Vec<Source>,
+    /// The verdict.
+    pub verdict: RuleVerdict,
+    /// How many cases it has here.
+    pub cases: usize,
+    /// What was compared.
+    pub compared: Tally,
+}
+
+/// A rule that does not exist in the edition.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct VoidRule {
+    /// Its id.
+    pub rule: String,
+    /// Why it does not.
+    pub why: String,
+}
+
+/// The schema of a report.
+pub fn schema() -> Schema {
+    let mut schema = schema_for!(Document);
+    schema.insert("$id".to_owned(), format!("urn:gaugeblock:report:{VERSION}").into());
+    schema
+}
+
+/// The report as JSON.
+pub fn json(report: &Report<'_>) -> Value {
+    serde_json::to_value(document(report)).unwrap_or_default()
+}
+
+/// The report as a document.
+pub fn document(report: &Report<'_>) -> Document {
+    let header: Header = report.header.clone();
+    let rules = report.rules().into_iter().map(|result| JudgedRule {
+        rule: result.rule.id.clone(),
+        sentence: result.rule.sentence.clone(),
+        profile: result.rule.profile.clone(),
+        sources: result.rule.sources.clone(),
+        verdict: result.verdict,
+        cases: result.counts.all(),
+        compared: result.compared,
+    });
+    let void = report.run.void.iter();
+    let void = void.map(|(rule, why)| VoidRule { rule: rule.id.clone(), why: (*why).to_owned() });
+    Document {
+        gaugeblock: "report",
+        schema: VERSION,
+        tolerances: gaugeblock_compare::tolerance::VERSION,
+        controller: header.controller,
+        version: header.version,
+        notes: report.notes.clone(),
+        edition: header.edition,
+        options: header.options,
+        suite: header.suite,
+        gaugeblock_version: header.gaugeblock_version,
+        only: header.only,
+        laws: header.laws,
+        shard: header.shard,
+        twice: header.twice,
+        exit_status: report.exit_status(),
+        counts: report.counts(),
+        profiles: profiles(report),
+        rules: rules.collect(),
+        void: void.collect(),
+        fingerprint: report.run.fingerprint.clone(),
+        cases: report.run.cases.iter().map(StoredCase::of).collect(),
+        expectations: report.troubles.clone(),
+    }
+}
+
+/// Each profile: claimed or not, passed or not, and how many rules came to what.
+pub(super) fn profiles(report: &Report<'_>) -> Vec<JudgedProfile> {
+    let judged = report.profiles.iter().map(|result| JudgedProfile {
+        profile: result.profile.id.clone(),
+        version: result.profile.version,
+        claimed: result.claimed,
+        passes: result.passes(),
+        rules: result.rules(),
+        pass: result.count(RuleVerdict::Pass),
+        diverges: result.count(RuleVerdict::Diverges),
+        unsupported: result.count(RuleVerdict::Unsupported),
+        not_judged: result.count(RuleVerdict::NotJudged),
+        not_run: result.not_run,
+    });
+    judged.collect()
+}

@@ -1,0 +1,48 @@
+//! The report as `JUnit` XML, a test suite per chapter, for continuous integration.
+
+use std::collections::BTreeMap;
+
+use gaugeblock_runner::certify::{Unjudged, Verdict};
+use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
+
+use super::{Report, inert, inert_line};
+
+/// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
+/// waived is skipped.
+///
+/// # Errors
+/// A text that XML cannot hold.
+pub fn junit(report: &Report<'_>) -> Result<String, String> {
+    let controller = inert_line(&report.header.controller);
+    let name = format!("{controller} held to {}", report.run.edition.id);
+    let mut document = quick_junit::Report::new(name);
+    let mut chapters: BTreeMap<&str, TestSuite> = BTreeMap::new();
+    for result in &report.run.cases {
+        let word = result.verdict.word();
+        let status = match &result.verdict {
+            Verdict::Pass | Verdict::ChargedElsewhere(_) => TestCaseStatus::success(),
+            Verdict::Diverges(departure) => {
+                let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                status.set_type(word).set_message(inert(&departure.line()).into_owned());
+                status.set_description(result.program.to_owned());
+                status
+            }
+            Verdict::Known(_, why) | Verdict::Waived(_, why) | Verdict::Unsupported(why) => {
+                let mut status = TestCaseStatus::skipped();
+                status.set_type(word).set_message(inert(why).into_owned());
+                status
+            }
+            Verdict::Inconclusive(why) | Verdict::NotJudged(Unjudged { why, .. }) => {
+                let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
+                status.set_type(word).set_message(inert(why).into_owned());
+                status
+            }
+        };
+        let chapter = result.rule.chapter();
+        let suite = chapters.entry(chapter).or_insert_with(|| TestSuite::new(chapter));
+        let name = format!("{} / {}", result.rule.id, result.name);
+        suite.add_test_case(TestCase::new(name, status));
+    }
+    document.add_test_suites(chapters.into_values());
+    document.to_string().map_err(|error| error.to_string())
+}

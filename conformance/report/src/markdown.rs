@@ -1,0 +1,304 @@
+//! The report as a short page of Markdown, for a pull request: the verdict first, what is new, and the smallest
+//! programs.
+//!
+//! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no
+//! mention, no HTML of its making. The page has a limit, and says what it leaves out.
+
+use gaugeblock_runner::certify::CaseResult;
+use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_vocabulary::Language;
+
+use super::causes::{self, Group, explained};
+use super::terminal::{shortened, without_guard};
+use super::{Report, RuleResult, html};
+
+/// Most bytes of the page: less than a comment on GitHub may have.
+const MOST: usize = 60_000;
+
+/// Most characters of a text that is shown.
+const SHOWN: usize = 300;
+
+/// Most items of a list.
+const ITEMS: usize = 20;
+
+/// Most lines of a program.
+const LINES: usize = 24;
+
+/// Notes that say what passes now.
+const MENDED: &str = "mended: ";
+
+/// The report in Markdown.
+pub fn markdown(report: &Report<'_>) -> String {
+    let mut page = head(report);
+    for section in [changes(report), profiles(report), rules(report), not_judged(report)] {
+        page.push_str(&section);
+    }
+    let last = [unsupported(report), notes(report), foot(report)].concat();
+    page.push_str(&divergences(report, MOST.saturating_sub(page.len() + last.len())));
+    page.push_str(&last);
+    page
+}
+
+fn head(report: &Report<'_>) -> String {
+    let header = &report.header;
+    let counts = report.counts();
+    let (_, says) = html::says(report);
+    let columns = [
+        ("cases", counts.all(), true),
+        ("pass", counts.pass, true),
+        ("diverge", counts.diverges, true),
+        ("pass but for a quirk of other rules", counts.charged_elsewhere, true),
+        ("known", counts.known, false),
+        ("waived", counts.waived, false),
+        ("unsupported", counts.unsupported, true),
+        ("not judged", counts.not_judged(), true),
+    ];
+    let columns = columns.into_iter().filter(|(_, count, always)| *always || *count > 0);
+    let (mut names, mut rule, mut numbers) = (String::new(), String::new(), String::new());
+    for (name, count, _) in columns {
+        names.push_str(&format!(" {name} |"));
+        rule.push_str(" ---: |");
+        numbers.push_str(&format!(" {count} |"));
+    }
+    format!(
+        "## {says}\n\n{} {} held to {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n",
+        code(&header.controller),
+        code(&header.version),
+        code(&header.edition),
+        plain(&report.run.edition.sentence),
+    )
+}
+
+/// What is not as it is known to be.
+fn changes(report: &Report<'_>) -> String {
+    let Some(troubles) = &report.troubles else { return String::new() };
+    let told = troubles.iter().map(|trouble| {
+        let (rule, case) = trouble.place();
+        let place = code(&format!("{rule} / {case}"));
+        match trouble {
+            Trouble::New { found, .. } => format!("**new** {place}: {}", code(found)),
+            Trouble::Changed { listed, found, .. } => {
+                format!("**changed** {place}: was {}, now {}", code(listed), code(found))
+            }
+            Trouble::Stale { why, .. } => format!("**stale** {place}: {}", code(why)),
+        }
+    });
+    let mended = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
+    let told: Vec<_> = told.chain(mended.map(|it| format!("**mended** {}", code(it)))).collect();
+    let count = |of: fn(&Trouble) -> bool| troubles.iter().filter(|trouble| of(trouble)).count();
+    let new = count(|trouble| matches!(trouble, Trouble::New { .. }));
+    let changed = count(|trouble| matches!(trouble, Trouble::Changed { .. }));
+    let stale = count(|trouble| matches!(trouble, Trouble::Stale { .. }));
+    let mended = told.len() - troubles.len();
+    let stale = if stale == 0 { String::new() } else { format!(", {stale} stale") };
+    let title = "Against what is known";
+    section(&format!("{title}: {new} new, {changed} changed{stale}, {mended} mended"), &told)
+}
+
+/// The profiles that are claimed.
+fn profiles(report: &Report<'_>) -> String {
+    let claimed = report.profiles.iter().filter(|profile| profile.claimed);
+    let told: Vec<_> = claimed
+        .map(|result| {
+            let says = if result.passes() { "passes" } else { "**fails**" };
+            format!("{says} {} {}", code(&result.profile.id), result.profile.version)
+        })
+        .collect();
+    if told.is_empty() { String::new() } else { section("Claimed profiles", &told) }
+}
+
+/// The rules of which most cases diverge.
+fn rules(report: &Report<'_>) -> String {
+    let mut rules: Vec<RuleResult<'_>> = report.rules();
+    rules.retain(|result| result.counts.diverges > 0);
+    rules.sort_by_key(|result| std::cmp::Reverse(result.counts.diverges));
+    if rules.is_empty() {
+        return String::new();
+    }
+    let count = rules.len();
+    let row = |result: &RuleResult<'_>| {
+        let RuleResult { rule, counts, .. } = result;
+        let (id, sentence) = (plain(&rule.id), plain(&rule.sentence));
+        format!("| {} of {} | {id} | {sentence} |\n", counts.diverges, counts.all())
+    };
+    let rows: String = rules.iter().take(ITEMS).map(row).collect();
+    let more = more(count);
+    format!(
+        "\n### Rules that it breaks: {count}\n\n| cases | rule | what it demands |\n| ---: | --- | --- |\n{rows}{more}"
+    )
+}
+
+/// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing
+/// explains first.
+fn divergences(report: &Report<'_>, room: usize) -> String {
+    let troubles = report.troubles.as_ref();
+    let is_known = |result: &CaseResult<'_>| {
+        let place = (result.rule.id.as_str(), result.name);
+        troubles.is_some_and(|all| !all.iter().any(|trouble| trouble.place() == place))
+    };
+    let mut all = causes::groups(report);
+    all.iter_mut().for_each(|group| group.cases.retain(|(result, _)| !is_known(result)));
+    all.retain(|group| !group.cases.is_empty());
+    if all.is_empty() {
+        return String::new();
+    }
+    let title = match troubles {
+        None => "What differs, and the smallest program of each",
+        Some(_) => "What differs and is new or has changed, and the smallest program of each",
+    };
+    let mut text = format!("\n### {title}\n\nWhat differs alike may be one mistake.\n");
+    for (shown, group) in all.iter().enumerate() {
+        let card = card(report, group);
+        // Room for the sentence that tells of the rest.
+        if text.len() + card.len() + 100 > room {
+            text.push_str(&format!("\n… and {} more: see report.html\n", all.len() - shown));
+            break;
+        }
+        text.push_str(&card);
+    }
+    text
+}
+
+/// The smallest of what differs alike, folded.
+fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
+    let Some((result, departure)) = group.cases.first() else { return String::new() };
+    let CaseResult { rule, name, .. } = result;
+    let summary = escaped(&format!("{} / {name}", rule.id));
+    let size = group.size();
+    let mut text = format!("\n<details><summary>{size}: <code>{summary}</code></summary>\n\n");
+    if group.cases.len() > 1 {
+        text.push_str(&format!("{size}: {}. The smallest:\n\n", code(&group.what)));
+    }
+    let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
+    let sources: Vec<_> = sources.collect();
+    text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
+    text.push_str(&program(causes::program(result, departure), result.rule.language));
+    text.push('\n');
+    if let Some((said, found)) = &departure.assertion {
+        let said = without_guard(said);
+        text.push_str(&format!("- expected {}\n- found {}\n", code(said), code(found)));
+    }
+    if let Some(divergence) = &departure.divergence {
+        text.push_str(&format!("- first difference {}\n", code(divergence)));
+    }
+    if let Some(explained) = explained(&report.header.controller, departure) {
+        text.push_str(&format!("- {}\n", code(&explained.says)));
+    }
+    text.push_str("\n</details>\n");
+    text
+}
+
+/// A program, fenced by more backticks than it has.
+fn program(program: &str, language: Language) -> String {
+    let short = |line: &str| shortened(&visible(line));
+    let lines: Vec<String> = language.lines(program).take(LINES).map(short).collect();
+    let left = language.lines(program).count().saturating_sub(lines.len());
+    let mut text = lines.join("\n");
+    if left > 0 {
+        text.push_str(&format!("\n… {left} more lines"));
+    }
+    let fence = "`".repeat(longest_run(&text).max(2) + 1);
+    format!("{fence}text\n{text}\n{fence}\n")
+}
+
+fn not_judged(report: &Report<'_>) -> String {
+    let told = report.run.cases.iter().filter_map(|result| {
+        let why = result.verdict.open()?;
+        let place = code(&format!("{} / {}", result.rule.id, result.name));
+        Some(format!("{place}: {}, {}", result.verdict.word(), code(why)))
+    });
+    let told: Vec<_> = told.collect();
+    if told.is_empty() {
+        return String::new();
+    }
+    section(&format!("Not judged, which is no pass: {}", told.len()), &told)
+}
+
+/// Why cases were not run, folded: the most frequent reason first.
+fn unsupported(report: &Report<'_>) -> String {
+    let mut reasons: Vec<_> = report.unsupported().into_iter().collect();
+    if reasons.is_empty() {
+        return String::new();
+    }
+    reasons.sort_by_key(|(_, cases)| std::cmp::Reverse(*cases));
+    let told: Vec<_> =
+        reasons.iter().map(|(why, cases)| format!("{cases} × {}", code(why))).collect();
+    let list = list(&told);
+    format!("\n<details><summary>What it was not asked, and why</summary>\n\n{list}\n</details>\n")
+}
+
+fn notes(report: &Report<'_>) -> String {
+    let notes = report.notes.iter().filter(|note| !note.starts_with(MENDED));
+    let told: Vec<_> = notes.map(|note| code(note)).collect();
+    if told.is_empty() { String::new() } else { section("Notes", &told) }
+}
+
+fn foot(report: &Report<'_>) -> String {
+    let header = &report.header;
+    let suite: String = header.suite.chars().take(16).collect();
+    format!("\ngaugeblock {}, suite {}\n", plain(&header.gaugeblock_version), plain(&suite))
+}
+
+fn section(title: &str, told: &[String]) -> String {
+    let list = list(told);
+    let gap = if list.is_empty() { "" } else { "\n" };
+    format!("\n### {title}\n{gap}{list}")
+}
+
+fn list(told: &[String]) -> String {
+    let items: String = told.iter().take(ITEMS).map(|item| format!("- {item}\n")).collect();
+    format!("{items}{}", more(told.len()))
+}
+
+fn more(count: usize) -> String {
+    match count.saturating_sub(ITEMS) {
+        0 => String::new(),
+        more => format!("\n… and {more} more: see report.html\n"),
+    }
+}
+
+/// A text in code: in one line, cut, and between more backticks than it has.
+fn code(text: &str) -> String {
+    let mut shown: String = visible(text).chars().take(SHOWN).collect();
+    if text.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    if shown.trim().is_empty() {
+        return "(nothing)".to_owned();
+    }
+    let fence = "`".repeat(longest_run(&shown) + 1);
+    // One space on each side is taken away again; without it the text could join the fence.
+    format!("{fence} {shown} {fence}")
+}
+
+/// Words of the suite outside of code.
+fn plain(text: &str) -> String {
+    let mut plain = String::new();
+    for c in visible(text).chars() {
+        if "\\`*_[]<>#|~&$@".contains(c) {
+            plain.push('\\');
+        }
+        plain.push(c);
+    }
+    plain
+}
+
+/// Words of the suite within HTML.
+fn escaped(text: &str) -> String {
+    let text = visible(text);
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A text without what ends a line, moves a cursor or turns the direction of reading.
+fn visible(text: &str) -> String {
+    let is_seen = |c: char| {
+        !c.is_control()
+            && !matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+    };
+    text.chars().map(|c| if is_seen(c) { c } else { ' ' }).collect()
+}
+
+/// How many backticks stand together at most.
+fn longest_run(text: &str) -> usize {
+    text.split(|c| c != '`').map(str::len).max().unwrap_or_default()
+}

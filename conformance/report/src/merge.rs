@@ -1,0 +1,200 @@
+//! One report out of those of shards: what is missing, twice there, or not of one run is refused.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_adapter::Adapter;
+use gaugeblock_runner::certify::{CaseResult, Plan, Twice};
+use gaugeblock_runner::fingerprint::Trait;
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::Suite;
+use gaugeblock_vocabulary::Options;
+use serde::{Deserialize, Serialize};
+
+use super::json::VERSION;
+use super::stored::StoredCase;
+
+/// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Header {
+    /// The controller.
+    pub controller: String,
+    /// Its version.
+    pub version: String,
+    /// The edition that it was held to.
+    pub edition: String,
+    /// Options that the controller reads the documents by.
+    pub options: Options,
+    /// Digest of the suite.
+    pub suite: String,
+    /// Version of gaugeblock.
+    pub gaugeblock_version: String,
+    /// The rules that were asked for; all where there are none.
+    pub only: Vec<String>,
+    /// Whether it judges samples of others by laws of motion, instead of moving itself.
+    pub laws: bool,
+    /// The part of the cases.
+    pub shard: Shard,
+    /// How many cases of a hundred are run twice.
+    pub twice: u8,
+}
+
+impl Header {
+    /// What a run is of.
+    pub fn of(plan: Plan<'_>, controller: &dyn Adapter, shard: Shard) -> Self {
+        let shows = controller.capabilities();
+        Self {
+            controller: shows.name.clone(),
+            version: shows.version.clone(),
+            edition: plan.edition.id.clone(),
+            options: controller.options(),
+            suite: plan.suite.digest.clone(),
+            gaugeblock_version: env!("CARGO_PKG_VERSION").to_owned(),
+            only: plan.only.to_vec(),
+            laws: controller.has_laws_of_motion(),
+            shard,
+            twice: Twice::default().0,
+        }
+    }
+}
+
+/// A report that is read again: as much of it as the rest follows from.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Stored {
+    /// What it is of.
+    #[serde(flatten)]
+    pub header: Header,
+    /// What a person should know of how it was run.
+    pub notes: Vec<String>,
+    /// Its cases.
+    pub cases: Vec<StoredCase>,
+    /// What the controller shows of each choice and quirk.
+    pub fingerprint: Option<Vec<Trait>>,
+    profiles: Vec<Claimed>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+struct Claimed {
+    profile: String,
+    claimed: bool,
+}
+
+impl Stored {
+    /// Reads a report in JSON.
+    ///
+    /// # Errors
+    /// It is not one, with its place.
+    pub fn read(text: &str) -> Result<Self, String> {
+        #[derive(Deserialize)]
+        struct Form {
+            gaugeblock: String,
+            schema: u32,
+        }
+        let wrong = |error: serde_json::Error| error.to_string();
+        let Form { gaugeblock, schema } = serde_json::from_str(text).map_err(wrong)?;
+        if gaugeblock != "report" {
+            return Err(format!("it is no report, but of gaugeblock's kind `{gaugeblock}`"));
+        }
+        if schema != VERSION {
+            return Err(format!(
+                "a report of version {schema}, and this reads version {VERSION}: make it anew"
+            ));
+        }
+        serde_json::from_str(text).map_err(wrong)
+    }
+
+    /// The profiles that were claimed.
+    pub fn claimed(&self) -> Vec<String> {
+        let claimed = self.profiles.iter().filter(|profile| profile.claimed);
+        claimed.map(|profile| profile.profile.clone()).collect()
+    }
+}
+
+/// The whole of a run that was made in parts, as far as the parts tell.
+///
+/// # Errors
+/// A part that is missing or there twice, or parts of different runs, with their names.
+pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
+    let Some((first_name, first)) = parts.first() else {
+        return Err("there is no report to merge".to_owned());
+    };
+    let of = first.header.shard.of;
+    let mut by_index: BTreeMap<u64, &str> = BTreeMap::new();
+    for (name, part) in parts {
+        let shard = part.header.shard;
+        if (Header { shard, ..first.header.clone() }) != part.header
+            || shard.of != of
+            || part.claimed() != first.claimed()
+        {
+            return Err(format!(
+                "{first_name} and {name} are not of one run: {}",
+                unlike(first, part)
+            ));
+        }
+        if let Some(other) = by_index.insert(shard.index, name) {
+            return Err(format!("{other} and {name} are both shard {shard}"));
+        }
+    }
+    let missing: Vec<_> = (1..=of).filter(|index| !by_index.contains_key(index)).collect();
+    if !missing.is_empty() {
+        let missing: Vec<_> = missing.iter().map(|index| format!("{index}/{of}")).collect();
+        return Err(format!("shards are missing: {}", missing.join(", ")));
+    }
+    let notes: BTreeSet<&String> = parts.iter().flat_map(|(_, part)| &part.notes).collect();
+    Ok(Stored {
+        header: Header { shard: Shard::WHOLE, ..first.header.clone() },
+        notes: notes.into_iter().cloned().collect(),
+        cases: parts.iter().flat_map(|(_, part)| part.cases.iter().cloned()).collect(),
+        fingerprint: parts.iter().find_map(|(_, part)| part.fingerprint.clone()),
+        profiles: first.profiles.clone(),
+    })
+}
+
+/// In what two parts differ.
+fn unlike(a: &Stored, b: &Stored) -> String {
+    let (first, second) = (&a.header, &b.header);
+    let of = |what: &str, one: &str, other: &str| {
+        (one != other).then(|| format!("{what} {one:?} and {other:?}"))
+    };
+    [
+        of("controller", &first.controller, &second.controller),
+        of("version", &first.version, &second.version),
+        of("edition", &first.edition, &second.edition),
+        of("suite", &first.suite, &second.suite),
+        of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),
+        of("--only", &first.only.join(" "), &second.only.join(" ")),
+        of("--profile", &a.claimed().join(" "), &b.claimed().join(" ")),
+        of("--repeat-percent", &first.twice.to_string(), &second.twice.to_string()),
+        of("number of shards", &first.shard.of.to_string(), &second.shard.of.to_string()),
+    ]
+    .into_iter()
+    .flatten()
+    .next()
+    .unwrap_or_else(|| "other options".to_owned())
+}
+
+/// The cases of a stored report in the order in which `all` of a run stand: each of them exactly once.
+///
+/// # Errors
+/// A case that is missing, there twice, or not of the run.
+pub fn in_order<'a>(
+    stored: &[StoredCase],
+    all: &[(&str, &str)],
+    suite: &'a Suite,
+) -> Result<Vec<CaseResult<'a>>, String> {
+    let mut results = BTreeMap::new();
+    for case in stored {
+        let key = (case.rule.as_str(), case.case.as_str());
+        if results.insert(key, case.result(suite)?).is_some() {
+            return Err(format!("{} / {} is there twice", case.rule, case.case));
+        }
+    }
+    let ordered = all.iter().map(|(rule, case)| {
+        let result = results.remove(&(*rule, *case));
+        result.ok_or_else(|| format!("{rule} / {case} is missing"))
+    });
+    let ordered = ordered.collect::<Result<Vec<_>, _>>()?;
+    match results.keys().next() {
+        Some((rule, case)) => Err(format!("{rule} / {case} is not of this run")),
+        None => Ok(ordered),
+    }
+}

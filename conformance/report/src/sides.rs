@@ -1,0 +1,281 @@
+//! What happens by the documents and on the controller, side by side: what differs is marked, and nothing else.
+//!
+//! A trace tells of the state what has changed. So a value is held against the one that is in force on the other side
+//! after the same block: to tell it again is no difference, and what the other side never tells is none either.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+
+use gaugeblock_runner::certify::Traces;
+
+/// Numbers that are no further apart than this may be the same, told with fewer digits.
+const NEAR: f64 = 6e-5;
+
+/// One of the two traces, line by line.
+#[derive(Debug, PartialEq, Serialize)]
+pub(super) struct Side<'a> {
+    name: &'static str,
+    lines: Vec<Vec<Part<'a>>>,
+}
+
+/// A part of a line.
+#[derive(Debug, PartialEq, Serialize)]
+pub(super) struct Part<'a> {
+    text: &'a str,
+    differs: bool,
+}
+
+/// Both traces. What is masked is not looked at.
+pub(super) fn sides<'a>(traces: &'a Traces, masked: &BTreeSet<String>) -> Vec<Side<'a>> {
+    let (expected, found) = (Told::of(&traces.expected), Told::of(&traces.found));
+    let side = |name, own: &Told<'a>, other: &Told<'_>| {
+        let lines = own.groups.iter().flat_map(|group| group.marked(other, masked));
+        Side { name, lines: lines.collect() }
+    };
+    let by_the_documents = side("by the documents", &expected, &found);
+    vec![by_the_documents, side("on the controller", &found, &expected)]
+}
+
+/// A trace.
+#[derive(Debug)]
+struct Told<'a> {
+    groups: Vec<Group<'a>>,
+}
+
+/// A line that stands by itself, or a block with what happens in it.
+#[derive(Debug)]
+struct Group<'a> {
+    /// What it is, and how many such there were before.
+    key: (&'a str, usize),
+    lines: Vec<&'a str>,
+    /// Values of settings and state after it; of parameters, those at the end.
+    values: BTreeMap<&'a str, &'a str>,
+}
+
+impl<'a> Told<'a> {
+    fn of(trace: &'a str) -> Self {
+        let mut groups: Vec<Group<'a>> = Vec::new();
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut values = BTreeMap::new();
+        for line in trace.trim_end().split('\n') {
+            match groups.last_mut() {
+                Some(group) if line.starts_with(' ') => group.lines.push(line),
+                _ => {
+                    let name = line.split(' ').next().unwrap_or_default();
+                    let what = if name == "block" { line } else { name };
+                    let count = counts.entry(what).or_default();
+                    groups.push(Group {
+                        key: (what, *count),
+                        lines: vec![line],
+                        values: BTreeMap::new(),
+                    });
+                    *count += 1;
+                }
+            }
+        }
+        for group in &mut groups {
+            let mut own = fields(&group.lines);
+            if group.key.0 != "parameters" {
+                values.append(&mut own);
+                own.clone_from(&values);
+            }
+            group.values = own;
+        }
+        Self { groups }
+    }
+
+    fn like(&self, group: &Group<'_>) -> Option<&Group<'a>> {
+        self.groups.iter().find(|other| other.key == group.key)
+    }
+
+    /// Everything that is done, where blocks are not told.
+    fn doings(&self, masked: &BTreeSet<String>) -> Vec<&'a str> {
+        self.groups.iter().flat_map(|group| group.doings(masked)).collect()
+    }
+}
+
+impl<'a> Group<'a> {
+    /// Effects that are shown, in order.
+    fn doings(&self, masked: &BTreeSet<String>) -> impl Iterator<Item = &'a str> {
+        self.lines.iter().copied().filter(|line| is_shown(line, masked))
+    }
+
+    fn marked(&self, other: &Told<'_>, masked: &BTreeSet<String>) -> Vec<Vec<Part<'a>>> {
+        let without_blocks = masked.contains("blocks");
+        let like = other.like(self);
+        let doings = match like {
+            _ if without_blocks => other.doings(masked),
+            Some(like) => like.doings(masked).collect(),
+            None => Vec::new(),
+        };
+        let mut number = 0;
+        let mut line = |line: &&'a str| -> Vec<Part<'a>> {
+            let whole = |differs| vec![Part { text: line, differs }];
+            if is_shown(line, masked) {
+                number += 1;
+                let differs = if without_blocks {
+                    !doings.iter().any(|doing| is_alike(line, doing))
+                } else {
+                    !doings.get(number - 1).is_some_and(|doing| is_alike(line, doing))
+                };
+                return whole(differs);
+            }
+            if let Some(like) = like.filter(|_| has_fields(line) && !without_blocks) {
+                let differs = |(name, value): (&str, &str)| {
+                    let theirs = like.values.get(name);
+                    let is_lacking = self.key.0 == "parameters" && theirs.is_none();
+                    is_lacking || theirs.is_some_and(|theirs| !is_near(value, theirs))
+                };
+                return tokens(line)
+                    .map(|text| Part { text, differs: field(text).is_some_and(differs) })
+                    .collect();
+            }
+            whole(match (like, self.key.0) {
+                (Some(like), "end") => ended(line) != ended(like.lines.first().unwrap_or(&"")),
+                (Some(like), "pin") => like.lines.first() != Some(line),
+                (None, "pin") => other.groups.iter().any(|group| group.key.0 == "pin"),
+                (None, "end") => true,
+                (None, block) => block.starts_with("block ") && !without_blocks,
+                (Some(_), _) => false,
+            })
+        };
+        self.lines.iter().map(&mut line).collect()
+    }
+}
+
+/// Whether a line tells an effect that is looked at.
+fn is_shown(line: &str, masked: &BTreeSet<String>) -> bool {
+    let name = line.strip_prefix("  do ").and_then(|rest| rest.split(' ').next());
+    name.is_some_and(|name| !masked.contains(name))
+}
+
+fn has_fields(line: &str) -> bool {
+    ["start ", "parameters ", "  set ", "  state "].iter().any(|name| line.starts_with(name))
+}
+
+/// The fields of lines, the last value of each.
+fn fields<'a>(lines: &[&'a str]) -> BTreeMap<&'a str, &'a str> {
+    let lines = lines.iter().filter(|line| has_fields(line));
+    lines.flat_map(|line| tokens(line)).filter_map(field).collect()
+}
+
+pub(super) fn field(token: &str) -> Option<(&str, &str)> {
+    token.trim_start().split_once('=')
+}
+
+/// The words of a line with the blanks before them; brackets and quotation marks hold words together.
+pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
+    let mut rest = line;
+    std::iter::from_fn(move || {
+        let (mut depth, mut quoted, mut escaped, mut begun) = (0_u32, false, false, false);
+        let end = rest.char_indices().find_map(|(at, c)| {
+            if c == ' ' && depth == 0 && !quoted && begun {
+                return Some(at);
+            }
+            begun |= c != ' ';
+            match c {
+                '"' if !escaped => quoted = !quoted,
+                '(' if !quoted => depth += 1,
+                ')' if !quoted => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            escaped = c == '\\' && !escaped;
+            None
+        });
+        let (token, left) = rest.split_at(end.unwrap_or(rest.len()));
+        rest = left;
+        (!token.is_empty()).then_some(token)
+    })
+}
+
+/// How a run ended, without what is for people.
+fn ended(line: &str) -> Vec<&str> {
+    let is_compared = |token: &&str| {
+        !["message=", "from=", "to="].iter().any(|name| token.trim_start().starts_with(name))
+    };
+    tokens(line).filter(is_compared).collect()
+}
+
+/// Whether two effects are the same up to digits.
+fn is_alike(one: &str, other: &str) -> bool {
+    let (mut words, mut others) = (tokens(one), tokens(other));
+    loop {
+        match (words.next(), others.next()) {
+            (None, None) => return true,
+            (Some(one), Some(other)) if one == other => {}
+            (Some(one), Some(other)) => match (field(one), field(other)) {
+                (Some(one), Some(other)) if one.0 == other.0 && is_near(one.1, other.1) => {}
+                _ => return false,
+            },
+            _ => return false,
+        }
+    }
+}
+
+/// Whether two values are the same up to digits. Coordinates of a position that are left out are zero.
+fn is_near(one: &str, other: &str) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= NEAR * a.abs().max(b.abs()).max(1.0);
+    if let (Ok(one), Ok(other)) = (one.parse(), other.parse()) {
+        return near(one, other);
+    }
+    let coordinates = |value: &str| -> Option<BTreeMap<char, f64>> {
+        let inner = value.strip_prefix('(')?.strip_suffix(')')?;
+        let words = inner.split(' ').filter(|word| !word.is_empty());
+        words.map(|word| Some((word.chars().next()?, word.get(1..)?.parse().ok()?))).collect()
+    };
+    match (coordinates(one), coordinates(other)) {
+        (Some(one), Some(other)) => {
+            let of = |all: &BTreeMap<char, f64>, axis| all.get(axis).copied().unwrap_or(0.0);
+            one.keys().chain(other.keys()).all(|axis| near(of(&one, axis), of(&other, axis)))
+        }
+        _ => one == other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EXPECTED: &str = "gaugeblock outcome 0\nlanguage rs274\nstart units=mm plane=xy\nblock main.ngc:1\n  do straight_traverse end=(x1 y1)\n  state motion=traverse position=(x1 y1) tool=0\nblock main.ngc:2\n  do straight_feed end=(x5 y-2)\n  do controller_mode mode=mdi\n  state motion=feed position=(x5 y-2)\nend program_end\nparameters 31=1 5220=1\n";
+
+    /// The marked parts of both sides.
+    fn marked(found: &str, masked: &[&str]) -> [Vec<String>; 2] {
+        let traces = Traces { expected: EXPECTED.to_owned(), found: found.to_owned() };
+        let masked = masked.iter().map(|name| (*name).to_owned()).collect();
+        let sides = sides(&traces, &masked);
+        let whole: Vec<String> =
+            sides[0].lines.iter().map(|line| line.iter().map(|part| part.text).collect()).collect();
+        assert_eq!(whole.join("\n") + "\n", EXPECTED, "nothing of the text is lost");
+        [0, 1].map(|side| {
+            let parts = sides[side].lines.iter().flatten().filter(|part| part.differs);
+            parts.map(|part| part.text.trim().to_owned()).collect()
+        })
+    }
+
+    #[test]
+    fn what_is_told_again_or_never_is_not_marked() {
+        let found = "gaugeblock outcome 0\nlanguage rs274\nstart\nblock main.ngc:1\n  do straight_traverse end=(x1.00001 y1)\n  state motion=traverse position=(x1 y1)\nblock main.ngc:2\n  do straight_feed end=(x5 y-2 z0)\n  state motion=feed position=(x5 y-2)\nend program_end\nparameters 31=1 5220=1\n";
+        assert_eq!(marked(found, &["controller_mode"]), [vec![], vec![]] as [Vec<String>; 2]);
+    }
+
+    #[test]
+    fn what_differs_is_marked_on_both_sides() {
+        let found = "gaugeblock outcome 0\nlanguage rs274\nstart units=mm\nblock main.ngc:1\n  do straight_traverse end=(x1 y1)\n  state motion=traverse position=(x1 y1)\nblock main.ngc:2\n  do straight_feed end=(x5 y1)\n  state motion=feed position=(x5 y1)\nend fault kind=bad_block file=\"main.ngc\" line=3 message=\"no such word\"\nparameters 5220=1\n";
+        let [expected, found] = marked(found, &["controller_mode"]);
+        assert_eq!(
+            expected,
+            ["do straight_feed end=(x5 y-2)", "position=(x5 y-2)", "end program_end", "31=1"]
+        );
+        assert_eq!(found.len(), 3, "{found:?}");
+        assert!(found[2].starts_with("end fault"), "{found:?}");
+    }
+
+    #[test]
+    fn without_blocks_only_effects_are_looked_at() {
+        let found = "gaugeblock outcome 0\nlanguage rs274\nstart\nblock main.ngc:1\n  do straight_traverse end=(x1 y1)\n  do straight_feed end=(x5 y-3)\nend program_end\nparameters 31=1 5220=1\n";
+        let [expected, found] = marked(found, &["blocks", "controller_mode"]);
+        assert_eq!(expected, ["do straight_feed end=(x5 y-2)"]);
+        assert_eq!(found, ["do straight_feed end=(x5 y-3)"]);
+    }
+}

@@ -1,0 +1,266 @@
+//! What came of a case, as it stands in a report and in a journal: written, and read again.
+
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use gaugeblock_compare::{StateDifference, Tally};
+use gaugeblock_motion::Sketch;
+use gaugeblock_suite::Suite;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use gaugeblock_runner::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
+
+/// A case and what came of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StoredCase {
+    /// Id of the rule.
+    pub rule: String,
+    /// Name of its case.
+    pub case: String,
+    /// The verdict.
+    #[serde(flatten)]
+    pub verdict: StoredVerdict,
+    /// What was compared.
+    pub compared: Tally,
+    /// What the controller does not show.
+    pub masked: BTreeSet<String>,
+    /// Whether it was judged on a new controller, since the used one departed.
+    pub repeated: bool,
+    /// How it failed where other programs had run before. It was judged alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<String>,
+    /// A small picture of its samples.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sketch: Option<Sketch>,
+}
+
+/// A case as it stands in a journal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JournalCase {
+    /// The case.
+    #[serde(flatten)]
+    pub case: StoredCase,
+    /// How long it took, milliseconds.
+    pub cost: f64,
+}
+
+/// A verdict, with why it is no pass.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "verdict", content = "why", rename_all = "lowercase")]
+pub enum StoredVerdict {
+    /// As the documents say.
+    Pass,
+    /// Otherwise.
+    Diverges(StoredDeparture),
+    /// Otherwise, by a quirk that other rules are about.
+    #[serde(rename = "charged elsewhere")]
+    ChargedElsewhere(StoredDeparture),
+    /// Otherwise, exactly as is known.
+    Known(Excused),
+    /// Otherwise, and somebody answers for it.
+    Waived(Excused),
+    /// Not run: the controller does not have this.
+    Unsupported(Reason),
+    /// The documents or the model leave it open.
+    Inconclusive(Reason),
+    /// Of two runs one did something else.
+    Nondeterministic(Reason),
+    /// The controller died of it.
+    Crash(Reason),
+    /// The controller did not end in time.
+    Timeout(Reason),
+    /// The controller could not be asked, or its answer not be read.
+    #[serde(rename = "harness error")]
+    HarnessError(Reason),
+    /// Nobody has run it.
+    #[serde(rename = "not run")]
+    NotRun(Reason),
+}
+
+/// Why there is no verdict.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Reason {
+    /// In a sentence.
+    pub reason: String,
+}
+
+/// What a controller does otherwise, and why that does not fail.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Excused {
+    /// Who knows of it, or answers for it.
+    pub reason: String,
+    /// What it does.
+    #[serde(flatten)]
+    pub departure: StoredDeparture,
+}
+
+/// What a controller does otherwise.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct StoredDeparture {
+    /// In one line, as expectations name it.
+    pub found: String,
+    /// The first assertion that does not hold, with what was found.
+    pub assertion: Option<(String, String)>,
+    /// The first difference from the model.
+    pub divergence: Option<String>,
+    /// The quirks and options that explain it.
+    pub explanation: Vec<String>,
+    /// The main program.
+    pub program: String,
+    /// What happened, side by side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traces: Option<Traces>,
+    /// In what the state differs, where it does so first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub state: Option<StateDifference>,
+    /// The smallest program that departs in the same way, where it was looked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shrunk: Option<String>,
+}
+
+impl StoredVerdict {
+    fn of(result: &CaseResult<'_>) -> Self {
+        let departure = |departure: &Departure| StoredDeparture {
+            found: departure.line(),
+            assertion: departure.assertion.clone(),
+            divergence: departure.divergence.clone(),
+            explanation: departure.explanation.clone(),
+            program: result.program.to_owned(),
+            traces: departure.traces.clone(),
+            state: departure.state.clone(),
+            shrunk: departure.shrunk.clone(),
+        };
+        let excused = |known: &Departure, reason: &String| Excused {
+            reason: reason.clone(),
+            departure: departure(known),
+        };
+        let reason = |why: &String| Reason { reason: why.clone() };
+        match &result.verdict {
+            Verdict::Pass => Self::Pass,
+            Verdict::Diverges(found) => Self::Diverges(departure(found)),
+            Verdict::ChargedElsewhere(found) => Self::ChargedElsewhere(departure(found)),
+            Verdict::Known(found, why) => Self::Known(excused(found, why)),
+            Verdict::Waived(found, why) => Self::Waived(excused(found, why)),
+            Verdict::Unsupported(why) => Self::Unsupported(reason(why)),
+            Verdict::Inconclusive(why) => Self::Inconclusive(reason(why)),
+            Verdict::NotJudged(Unjudged { cause, why }) => match cause {
+                Cause::Nondeterministic => Self::Nondeterministic(reason(why)),
+                Cause::Crash => Self::Crash(reason(why)),
+                Cause::Timeout => Self::Timeout(reason(why)),
+                Cause::HarnessError => Self::HarnessError(reason(why)),
+                Cause::NotRun => Self::NotRun(reason(why)),
+            },
+        }
+    }
+
+    /// Whether it says that the controller does what the documents say.
+    pub fn is_pass(&self) -> bool {
+        matches!(self, Self::Pass | Self::ChargedElsewhere(_))
+    }
+
+    /// What the controller does otherwise, whoever knows of it.
+    pub fn departure(&self) -> Option<&StoredDeparture> {
+        match self {
+            Self::Diverges(departure) | Self::ChargedElsewhere(departure) => Some(departure),
+            Self::Known(excused) | Self::Waived(excused) => Some(&excused.departure),
+            Self::Pass
+            | Self::Unsupported(_)
+            | Self::Inconclusive(_)
+            | Self::Nondeterministic(_)
+            | Self::Crash(_)
+            | Self::Timeout(_)
+            | Self::HarnessError(_)
+            | Self::NotRun(_) => None,
+        }
+    }
+
+    /// The verdict of the run alone: what it was held against then is not held against it now.
+    fn verdict(&self) -> Verdict {
+        let departure = |stored: &StoredDeparture| Departure {
+            assertion: stored.assertion.clone(),
+            divergence: stored.divergence.clone(),
+            explanation: stored.explanation.clone(),
+            traces: stored.traces.clone(),
+            state: stored.state.clone(),
+            shrunk: stored.shrunk.clone(),
+        };
+        let unjudged =
+            |cause, why: &Reason| Verdict::NotJudged(Unjudged { cause, why: why.reason.clone() });
+        match self {
+            Self::Pass => Verdict::Pass,
+            Self::Diverges(found) => Verdict::Diverges(departure(found)),
+            Self::ChargedElsewhere(found) => Verdict::ChargedElsewhere(departure(found)),
+            Self::Known(Excused { departure: found, .. })
+            | Self::Waived(Excused { departure: found, .. }) => Verdict::Diverges(departure(found)),
+            Self::Unsupported(why) => Verdict::Unsupported(why.reason.clone()),
+            Self::Inconclusive(why) => Verdict::Inconclusive(why.reason.clone()),
+            Self::Nondeterministic(why) => unjudged(Cause::Nondeterministic, why),
+            Self::Crash(why) => unjudged(Cause::Crash, why),
+            Self::Timeout(why) => unjudged(Cause::Timeout, why),
+            Self::HarnessError(why) => unjudged(Cause::HarnessError, why),
+            Self::NotRun(why) => unjudged(Cause::NotRun, why),
+        }
+    }
+}
+
+impl StoredCase {
+    /// A case that was run.
+    pub fn of(result: &CaseResult<'_>) -> Self {
+        Self {
+            rule: result.rule.id.clone(),
+            case: result.name.to_owned(),
+            verdict: StoredVerdict::of(result),
+            compared: result.compared.clone(),
+            masked: result.masked.clone(),
+            repeated: result.repeated,
+            before: result.before.clone(),
+            sketch: result.sketch.clone(),
+        }
+    }
+
+    /// The case of a suite, with what came of it.
+    ///
+    /// # Errors
+    /// The suite has no such case.
+    pub fn result<'a>(&self, suite: &'a Suite) -> Result<CaseResult<'a>, String> {
+        let rules = suite.rules.binary_search_by(|rule| rule.id.as_str().cmp(&self.rule));
+        let rule = rules.ok().and_then(|place| suite.rules.get(place));
+        let found = rule.and_then(|rule| {
+            let runs = rule.cases.iter().map(|case| (&case.name, &case.program));
+            let motion = rule.motion.iter().map(|case| (&case.name, &case.program));
+            let (name, program) = runs.chain(motion).find(|(name, _)| **name == self.case)?;
+            Some((rule, name, program))
+        });
+        let (rule, name, program) =
+            found.ok_or_else(|| format!("the suite has no case {} / {}", self.rule, self.case))?;
+        Ok(CaseResult {
+            rule,
+            name,
+            program,
+            verdict: self.verdict.verdict(),
+            masked: self.masked.clone(),
+            compared: self.compared.clone(),
+            repeated: self.repeated,
+            before: self.before.clone(),
+            sketch: self.sketch.clone(),
+            cost: Duration::ZERO,
+        })
+    }
+}
+
+impl JournalCase {
+    /// A case that was run.
+    pub fn of(result: &CaseResult<'_>) -> Self {
+        Self { case: StoredCase::of(result), cost: result.cost.as_secs_f64() * 1e3 }
+    }
+
+    /// The case of a suite, with what came of it and what it cost.
+    ///
+    /// # Errors
+    /// The suite has no such case.
+    pub fn result<'a>(&self, suite: &'a Suite) -> Result<CaseResult<'a>, String> {
+        let cost = Duration::try_from_secs_f64(self.cost / 1e3).unwrap_or_default();
+        Ok(CaseResult { cost, ..self.case.result(suite)? })
+    }
+}

@@ -1,0 +1,342 @@
+//! The report as a person reads it on a terminal. What a controller says is [`inert`] here.
+
+use std::fmt::Write as _;
+
+use anstyle::{AnsiColor, Style};
+use gaugeblock_runner::certify::{CaseResult, Verdict};
+use gaugeblock_vocabulary::Language;
+
+use super::causes::{explained, groups};
+use super::{Report, RuleVerdict, inert, inert_line};
+
+const BOLD: Style = Style::new().bold();
+const RED: Style = AnsiColor::Red.on_default().bold();
+const GREEN: Style = AnsiColor::Green.on_default().bold();
+const YELLOW: Style = AnsiColor::Yellow.on_default().bold();
+const DIM: Style = Style::new().dimmed();
+
+fn styled(style: Style, text: &str) -> String {
+    format!("{style}{text}{style:#}")
+}
+
+macro_rules! line {
+    ($text:expr) => { line!($text, "") };
+    ($text:expr, $($words:tt)*) => {{
+        let _infallible = writeln!($text, $($words)*);
+    }};
+}
+
+/// The report, with every divergence in full unless they are all known.
+pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
+    let mut text = String::new();
+    head(&mut text, report);
+    chapters(&mut text, report);
+    let known = report.troubles.is_some();
+    for result in report.divergences() {
+        let is_new = matches!(result.verdict, Verdict::Diverges(_));
+        if verbose || is_new && !known {
+            divergence(&mut text, report, result);
+        }
+    }
+    causes(&mut text, report, verbose);
+    not_judged(&mut text, report);
+    waived(&mut text, report);
+    troubles(&mut text, report);
+    profiles(&mut text, report);
+    unseen(&mut text, report, verbose);
+    verdict(&mut text, report);
+    text
+}
+
+fn head(text: &mut String, report: &Report<'_>) {
+    let controller = format!("{} {}", report.header.controller, report.header.version);
+    let controller = inert_line(&controller);
+    line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
+    line!(text, "{}", styled(DIM, &report.run.edition.sentence));
+    for note in &report.notes {
+        line!(text, "{} {}", styled(YELLOW, "note"), inert(note));
+    }
+    line!(text);
+}
+
+fn chapters(text: &mut String, report: &Report<'_>) {
+    let rules = report.rules();
+    line!(
+        text,
+        "{:<18}{:>6}{:>7}{:>10}{:>13}{:>12}",
+        "chapter",
+        "rules",
+        "pass",
+        "diverges",
+        "unsupported",
+        "not judged"
+    );
+    let mut chapters: Vec<&str> = rules.iter().map(|result| result.rule.chapter()).collect();
+    chapters.dedup();
+    for chapter in chapters {
+        let count = |wanted: Option<RuleVerdict>| {
+            let of_chapter = rules.iter().filter(|result| result.rule.chapter() == chapter);
+            of_chapter.filter(|result| wanted.is_none_or(|w| w == result.verdict)).count()
+        };
+        let shown = |count: usize, style: Style, width: usize| match count {
+            0 => styled(DIM, &format!("{:>width$}", "·")),
+            _ => styled(style, &format!("{count:>width$}")),
+        };
+        line!(
+            text,
+            "{chapter:<18}{:>6}{}{}{}{}",
+            count(None),
+            shown(count(Some(RuleVerdict::Pass)), GREEN, 7),
+            shown(count(Some(RuleVerdict::Diverges)), RED, 10),
+            shown(count(Some(RuleVerdict::Unsupported)), YELLOW, 13),
+            shown(count(Some(RuleVerdict::NotJudged)), YELLOW, 12)
+        );
+    }
+    line!(text);
+    if !report.run.void.is_empty() {
+        line!(text, "void in this edition:");
+        for (rule, why) in &report.run.void {
+            line!(text, "  {:<36} {}", rule.id, styled(DIM, why));
+        }
+        line!(text);
+    }
+}
+
+/// A divergence: the rule, where it stands, the program, what was expected and found.
+fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
+    let Some(departure) = result.verdict.departure() else { return };
+    let word = result.verdict.word();
+    line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
+    line!(text, "  {}", result.rule.sentence);
+    for source in &result.rule.sources {
+        line!(text, "  {}", styled(DIM, &format!("{source}")));
+    }
+    program(text, result.program, result.rule.language);
+    if let Some((assertion, found)) = &departure.assertion {
+        line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
+        line!(text, "  found     {}", styled(RED, &inert(found)));
+    }
+    if let Some(divergence) = &departure.divergence {
+        line!(text, "  first difference  {}", inert(divergence));
+    }
+    if let Some(shrunk) = &departure.shrunk {
+        line!(text, "  the smallest program that does so");
+        result
+            .rule
+            .language
+            .lines(shrunk)
+            .for_each(|line| line!(text, "         {}", inert_line(line)));
+    }
+    if let Some(explained) = explained(&report.header.controller, departure) {
+        let style = if explained.is_its_own { YELLOW } else { DIM };
+        line!(text, "  {}", styled(style, &explained.says));
+    }
+    line!(text);
+}
+
+/// What nobody knows of, alike departures together.
+fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
+    const SHOWN: usize = 12;
+    let groups: Vec<_> = groups(report).into_iter().filter(|group| !group.is_known).collect();
+    if groups.is_empty() {
+        return;
+    }
+    line!(text, "what differs, most rules first; what differs alike may be one mistake:");
+    let most = if verbose { usize::MAX } else { SHOWN };
+    for group in groups.iter().take(most) {
+        line!(text, "  {}: {}", group.size(), styled(BOLD, &inert_line(&group.what)));
+        if let Some((smallest, _)) = group.cases.first() {
+            line!(text, "      smallest: {} / {}", smallest.rule.id, smallest.name);
+        }
+    }
+    if groups.len() > most {
+        line!(text, "  … and {} more kinds (-v tells them)", groups.len() - most);
+    }
+    line!(text);
+}
+
+/// An assertion without the option under which it is made: that the run was held to it says enough.
+pub(super) fn without_guard(assertion: &str) -> &str {
+    let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
+    guarded.map_or(assertion, |(_, claim)| claim)
+}
+
+/// The lines of a program, numbered as blocks are.
+fn program(text: &mut String, program: &str, language: Language) {
+    let lines: Vec<&str> = language.lines(program).collect();
+    const SHOWN: usize = 24;
+    for (place, line) in lines.iter().take(SHOWN).enumerate() {
+        let line = shortened(&inert_line(line));
+        line!(text, "  {} {line}", styled(DIM, &format!("{:>4} |", place + 1)));
+    }
+    if lines.len() > SHOWN {
+        line!(text, "  {}", styled(DIM, &format!("     | … {} more lines", lines.len() - SHOWN)));
+    }
+}
+
+/// As much of a line as a person reads, and a sign where that is not all.
+pub(super) fn shortened(line: &str) -> String {
+    const SHOWN: usize = 100;
+    let mut shown: String = line.chars().take(SHOWN).collect();
+    if line.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    shown
+}
+
+fn not_judged(text: &mut String, report: &Report<'_>) {
+    for result in &report.run.cases {
+        let Some(why) = result.verdict.open() else { continue };
+        let word = styled(YELLOW, result.verdict.word());
+        line!(text, "{word} {} / {}: {}", result.rule.id, result.name, inert(why));
+    }
+    for (result, how) in report.leaks() {
+        let (rule, how) = (&result.rule.id, inert(how));
+        let word = styled(YELLOW, "leaked state");
+        line!(text, "{word} {rule} / {}: judged alone; after other programs {how}", result.name);
+    }
+}
+
+fn waived(text: &mut String, report: &Report<'_>) {
+    for result in &report.run.cases {
+        let Verdict::Waived(departure, why) = &result.verdict else { continue };
+        let line = inert(&departure.line()).into_owned();
+        let word = styled(YELLOW, result.verdict.word());
+        line!(text, "{word} {} / {}: {why}: {line}", result.rule.id, result.name);
+    }
+}
+
+fn troubles(text: &mut String, report: &Report<'_>) {
+    for trouble in report.troubles.iter().flatten() {
+        let trouble = trouble.to_string();
+        line!(text, "{} {}", styled(RED, "expectation"), inert(&trouble));
+    }
+}
+
+/// The profiles that it passes, and those that it claims and does not pass.
+fn profiles(text: &mut String, report: &Report<'_>) {
+    let passes = |claimed: bool| {
+        let some = report.profiles.iter().filter(move |p| p.passes() && p.claimed == claimed);
+        some.map(|p| format!("{} {}", p.profile.id, p.profile.version)).collect::<Vec<_>>()
+    };
+    let (claimed, besides) = (passes(true), passes(false));
+    if !claimed.is_empty() {
+        line!(text, "passes the claimed profiles: {}", styled(GREEN, &claimed.join(", ")));
+    }
+    if !besides.is_empty() {
+        line!(
+            text,
+            "passes these profiles, too, which the call did not claim (--profile), so that nothing rests on them: {}",
+            besides.join(", ")
+        );
+    }
+    for failed in report.profiles.iter().filter(|p| p.claimed && !p.passes()) {
+        line!(
+            text,
+            "{} {} {}: of {} rules {} pass, {} diverge, {} unsupported, {} not judged, {} not run",
+            styled(RED, "fails the claimed profile"),
+            failed.profile.id,
+            failed.profile.version,
+            failed.rules(),
+            failed.count(RuleVerdict::Pass),
+            failed.count(RuleVerdict::Diverges),
+            failed.count(RuleVerdict::Unsupported),
+            failed.count(RuleVerdict::NotJudged),
+            failed.not_run
+        );
+    }
+}
+
+fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
+    let unsupported = report.unsupported();
+    if !unsupported.is_empty() {
+        line!(text, "unsupported, by reason:");
+        for (reason, cases) in unsupported {
+            line!(text, "  {cases:>5}  {}", inert(reason));
+        }
+    }
+    let masked = report.masked();
+    if !masked.is_empty() {
+        if verbose {
+            line!(text, "not shown by this controller, or not everywhere, by number of cases:");
+            for (field, cases) in masked {
+                line!(text, "  {cases:>5}  {field}");
+            }
+        } else {
+            let names: Vec<_> = masked.keys().copied().collect();
+            line!(
+                text,
+                "not shown by this controller, or not everywhere: {} (-v counts them)",
+                names.join(", ")
+            );
+        }
+    }
+    let repeated = report.run.cases.iter().filter(|result| result.repeated);
+    let repeated: Vec<_> =
+        repeated.map(|result| format!("{} / {}", result.rule.id, result.name)).collect();
+    if !repeated.is_empty() {
+        line!(
+            text,
+            "judged on a new controller, since a used one departed (what an earlier program left there, or chance): {}",
+            repeated.join(", ")
+        );
+    }
+    line!(text);
+}
+
+fn verdict(text: &mut String, report: &Report<'_>) {
+    let counts = report.counts();
+    let compared: usize = report.run.cases.iter().map(|result| result.compared.total()).sum();
+    let mut departing = vec![
+        format!("{} pass", counts.pass),
+        format!("{} pass but for a quirk of other rules", counts.charged_elsewhere),
+        format!("{} diverge", counts.diverges),
+    ];
+    let excused = [(counts.known, "known"), (counts.waived, "waived")];
+    let excused = excused.into_iter().filter(|(count, _)| *count > 0);
+    departing.extend(excused.map(|(count, word)| format!("{count} {word}")));
+    line!(
+        text,
+        "{} cases: {}, {} unsupported, {} not judged; {compared} values compared",
+        counts.all(),
+        departing.join(", "),
+        counts.unsupported,
+        counts.not_judged()
+    );
+    let open = counts.unjudged().into_iter().filter(|(_, count)| *count > 0);
+    let open: Vec<_> = open.map(|(word, count)| format!("{count} {word}")).collect();
+    if !open.is_empty() {
+        line!(text, "not judged: {}", styled(YELLOW, &open.join(", ")));
+    }
+    let (style, words) = match (report.exit_status(), &report.troubles) {
+        (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
+        (0, None) => (GREEN, "as the documents say"),
+        (1, Some(troubles)) if !troubles.is_empty() => (RED, "departs otherwise than is known"),
+        (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
+            (RED, "departs from its documents")
+        }
+        (1, _) => (RED, "does not pass what it claims"),
+        _ if counts.judged() == 0 => (YELLOW, "nothing was judged: nothing is certified"),
+        _ if counts.not_judged() == 0 => {
+            (YELLOW, "not clean: programs leave something there that fails others")
+        }
+        _ => (YELLOW, "not finished: some cases were not judged"),
+    };
+    line!(text, "{}", styled(style, words));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_numbered_as_blocks_are() {
+        let shown = |language| {
+            let mut text = String::new();
+            program(&mut text, "g0 x1\rx2\r\nm2\n", language);
+            text.lines().count()
+        };
+        assert_eq!(shown(Language::Rs274), 3, "a carriage return alone ends a line there");
+        assert_eq!(shown(Language::Nct), 2);
+    }
+}

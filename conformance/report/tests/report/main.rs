@@ -1,0 +1,4 @@
+//! Reports of runs on controllers that were made to fail.
+
+mod referee;
+mod summary;

@@ -1,0 +1,146 @@
+//! What an adapter offers, each looked at once.
+
+use gaugeblock_adapter::exec::Exec;
+use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, When};
+use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
+
+use gaugeblock_adapter::protocol::digest::{canonical, digest};
+use gaugeblock_adapter::protocol::{OFFERS, Offer};
+
+use super::{CHANGES, Came, Check, same};
+
+/// A machine that moves a little.
+const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";
+
+/// Looks at each offer, given a plain scenario and its outcome.
+pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<Check> {
+    let offered = |(offer, ..): &&(Offer, &str, &str)| adapter.declaration().offers.contains(offer);
+    let check = |(offer, ..): &(Offer, &'static str, &str)| {
+        let (what, came) = match offer {
+            Offer::Cancel => ("offer cancel", cancel(adapter, plain, first)),
+            Offer::Digest => ("offer digest", digests(adapter, plain, first)),
+            Offer::Files => ("offer files", told_by(adapter, Offer::Files, plain)),
+            Offer::Fresh => ("offer fresh", fresh(adapter, plain, first)),
+            Offer::LiveOperator => ("offer live-operator", live(adapter, plain)),
+            Offer::Motion => ("offer motion", motion(adapter, plain)),
+            Offer::Shows => ("offer shows", shows(adapter, plain)),
+            Offer::State => ("offer state", state(adapter, plain)),
+            Offer::Stream => ("offer stream", told_by(adapter, Offer::Stream, plain)),
+        };
+        Check { what, came }
+    };
+    OFFERS.iter().filter(offered).map(check).collect()
+}
+
+fn wrong(error: &HarnessError) -> Came {
+    Came::Wrong(error.to_string())
+}
+
+/// The outcome is the same with an offer and without.
+fn told_by(adapter: &Exec, offer: Offer, scenario: &Scenario) -> Came {
+    match adapter.run_by(&[], scenario) {
+        Ok(plainly) => {
+            let otherwise = "told in this way it is another outcome";
+            same(&plainly, &adapter.run_by(&[offer], scenario), otherwise)
+        }
+        Err(error) => wrong(&error),
+    }
+}
+
+fn cancel(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+    let mut long = plain.clone();
+    if plain.program.language == Language::Rs274 {
+        long.program.main = "g4 p30\nm2\n".into();
+    }
+    match adapter.run_after_cancel(&long, plain) {
+        Ok(Some(after)) => same(first, &Ok(after), "after `cancel` there is another outcome"),
+        Ok(None) => Came::Wrong(
+            "`cancel` must be answered with `done` within 2 s, while a run goes on".to_owned(),
+        ),
+        Err(error) => wrong(&error),
+    }
+}
+
+fn digests(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+    match adapter.digest_of(plain) {
+        Ok(None) => Came::LeftOut("it answers with the outcome".to_owned()),
+        Ok(Some(told)) if told == digest(first) => Came::Fine("is that of the outcome".to_owned()),
+        Ok(Some(told)) => Came::Wrong(format!(
+            "{told:?} is not the SHA-256 of the outcome as canonical JSON: {}",
+            canonical(first)
+        )),
+        Err(error) => wrong(&error),
+    }
+}
+
+fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+    let leaks = "behind another run, without a `reset`, there is another outcome";
+    same(first, &adapter.run_behind(&changing(plain), plain), leaks)
+}
+
+/// What changes modes and parameters.
+fn changing(plain: &Scenario) -> Scenario {
+    let mut changes = plain.clone();
+    if plain.program.language == Language::Rs274 {
+        changes.program.main = CHANGES.into();
+    }
+    changes
+}
+
+fn live(adapter: &Exec, plain: &Scenario) -> Came {
+    if !adapter.declaration().features.contains("operator") {
+        return Came::Wrong("it declares no feature `operator`".to_owned());
+    }
+    let mut operated = plain.clone();
+    let block = BlockLocation::new(Program::MAIN, 2);
+    let when = When { block, execution: 1, offset: 0.0 };
+    operated.operator.push(OperatorEvent { when, action: Action::Abort });
+    told_by(adapter, Offer::LiveOperator, &operated)
+}
+
+fn motion(adapter: &Exec, plain: &Scenario) -> Came {
+    let limits = match MotionLimits::from_text(MACHINE) {
+        Ok(limits) => limits,
+        Err(error) => return Came::LeftOut(error.to_string()),
+    };
+    let script = MotionScript::default();
+    let motion = Motion { scenario: plain, limits: &limits, script: &script, every: None };
+    match adapter.moves(&motion) {
+        Ok(samples) if samples.is_empty() => Came::Wrong("a move has no sample".to_owned()),
+        Ok(samples) => {
+            Came::Fine(format!("{} samples, {:?} s apart", samples.len(), samples.period()))
+        }
+        Err(NotMoved::Unsupported(why)) => Came::LeftOut(why),
+        Err(NotMoved::Failed(why)) => Came::Wrong(why.to_string()),
+    }
+}
+
+fn shows(adapter: &Exec, plain: &Scenario) -> Came {
+    let own = adapter.capabilities();
+    match adapter.told_to_show(plain) {
+        Ok(shows) if is_within(&shows, own) => {
+            Came::Fine("is no more than what is declared".to_owned())
+        }
+        Ok(_) => Came::Wrong(
+            "it tells more, or more exactly, of a program than it declares: that is not judged"
+                .to_owned(),
+        ),
+        Err(error) => wrong(&error),
+    }
+}
+
+/// Whether no more is shown than is declared. Parameters that are declared to be hidden need not be named again.
+fn is_within(shows: &Capabilities, own: &Capabilities) -> bool {
+    let hidden_parameters = shows.hidden_parameters.clone();
+    Capabilities { hidden_parameters, ..own.and(shows) } == *shows
+}
+
+fn state(adapter: &Exec, plain: &Scenario) -> Came {
+    match adapter.reset_after(&changing(plain)) {
+        Ok(()) => Came::Fine("is the same after `reset` as at first".to_owned()),
+        Err(error) => wrong(&error),
+    }
+}

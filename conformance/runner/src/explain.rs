@@ -1,0 +1,133 @@
+//! Which quirks, or other readings of the documents, a departure comes to.
+
+use gaugeblock_adapter::Adapter;
+use gaugeblock_compare::compare;
+use gaugeblock_compare::observe::Observed;
+use gaugeblock_suite::{Case, Choice, ChoiceKind, Rule, Suite, scenario_of};
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
+
+/// An option of a choice or quirk that is not the one in force.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Other<'a> {
+    /// The choice or quirk.
+    pub(crate) choice: &'a Choice,
+    option: &'a str,
+}
+
+impl Other<'_> {
+    /// What it is called in a report: a quirk by its id, a choice with the option that was seen.
+    pub(crate) fn name(&self) -> String {
+        match self.choice.kind {
+            ChoiceKind::Quirk => self.choice.id.clone(),
+            ChoiceKind::Choice => format!("{} = {}", self.choice.id, self.option),
+        }
+    }
+}
+
+/// A run that departs from what an edition says.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Departed<'a> {
+    /// The suite.
+    pub(crate) suite: &'a Suite,
+    /// The rule.
+    pub(crate) rule: &'a Rule,
+    /// Its case.
+    pub(crate) case: &'a Case,
+    /// The case under the edition.
+    pub(crate) scenario: &'a Scenario,
+    /// What the controller did.
+    pub(crate) found: &'a Outcome,
+    /// The controller.
+    pub(crate) controller: &'a dyn Adapter,
+}
+
+impl<'a> Departed<'a> {
+    /// The other options under which the model does what the controller did; none where nothing is found.
+    ///
+    /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the
+    /// controller is known for, then one that the rule names together with another one. Nothing is explained where
+    /// the outcomes are equal and an assertion fails.
+    pub(crate) fn explanation(self) -> Vec<Other<'a>> {
+        let found = Observed::of(self.found);
+        let shows = self.controller.shows(self.scenario);
+        let explains = |tried: &[Other<'_>]| {
+            let mut scenario = self.scenario.clone();
+            for other in tried {
+                scenario.options.0.insert(other.choice.id.clone(), other.option.to_owned());
+            }
+            let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
+            compare(&expected, &found, &shows).divergence.is_none()
+        };
+        let all = self.candidates();
+        if let Some(one) = all.iter().find(|one| explains(&[**one])) {
+            return vec![*one];
+        }
+        let known = self.known();
+        if explains(&known) {
+            let mut few = fewest(known, explains);
+            few.sort_by_key(|other| !self.is_named(other));
+            return few;
+        }
+        let named = all.iter().filter(|one| self.is_named(one));
+        let pairs = named.flat_map(|one| all.iter().map(move |other| [*one, *other]));
+        let mut pairs = pairs.filter(|[one, other]| one.choice.id != other.choice.id);
+        pairs.find(|pair| explains(pair)).map(Vec::from).unwrap_or_default()
+    }
+
+    /// Whether the rule is about this.
+    pub(crate) fn is_named(&self, other: &Other<'_>) -> bool {
+        self.rule.options.contains(&other.choice.id)
+    }
+
+    /// Each other option of what the rule names, then of each quirk.
+    fn candidates(&self) -> Vec<Other<'a>> {
+        let is_named = |choice: &&Choice| self.rule.options.contains(&choice.id);
+        let choices = self.suite.choices.iter().filter(|c| c.language == self.rule.language);
+        let named = choices.clone().filter(is_named);
+        let quirks = choices.filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
+        let in_force = &self.scenario.options;
+        named.chain(quirks).flat_map(|choice| others(choice, in_force)).collect()
+    }
+
+    /// What the controller is known for beyond the edition, those that the rule names last.
+    fn known(&self) -> Vec<Other<'a>> {
+        let observed = self.controller.observed_edition().and_then(|id| self.suite.edition(id));
+        let Some(observed) = observed else { return Vec::new() };
+        let options = self.suite.options(observed);
+        let choices = self.suite.choices.iter();
+        let others = choices.flat_map(|choice| others(choice, &self.scenario.options));
+        let mut known: Vec<_> =
+            others.filter(|other| options.is(&other.choice.id, other.option)).collect();
+        known.sort_by_key(|other| self.is_named(other));
+        known
+    }
+
+    /// Whether the edition that says what the controller really does says this.
+    pub(crate) fn is_known(&self, edition: &str) -> bool {
+        let observed = self.controller.observed_edition().filter(|id| *id != edition);
+        let Some(observed) = observed.and_then(|id| self.suite.edition(id)) else { return false };
+        let scenario = scenario_of(self.case, &self.suite.options(observed), observed);
+        let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
+        let shows = self.controller.shows(self.scenario);
+        compare(&expected, &Observed::of(self.found), &shows).divergence.is_none()
+    }
+}
+
+/// Leaves out one after the other what is not needed, the last ones first.
+fn fewest<'a>(mut all: Vec<Other<'a>>, explains: impl Fn(&[Other<'_>]) -> bool) -> Vec<Other<'a>> {
+    for place in (0..all.len()).rev() {
+        let mut fewer = all.clone();
+        fewer.remove(place);
+        if explains(&fewer) {
+            all = fewer;
+        }
+    }
+    all
+}
+
+fn others<'a>(choice: &'a Choice, in_force: &Options) -> impl Iterator<Item = Other<'a>> {
+    let in_force = in_force.get(&choice.id).map(str::to_owned);
+    let options = choice.options.iter().map(|option| option.name.as_str());
+    let others = options.filter(move |name| in_force.as_deref() != Some(*name));
+    others.map(move |option| Other { choice, option })
+}

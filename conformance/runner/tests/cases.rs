@@ -1,0 +1,50 @@
+//! Each rule, under each edition, held against the model: a test per rule and edition.
+
+use gaugeblock_controllers::Reference;
+use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_suite::Suite;
+use libtest_mimic::{Arguments, Failed, Trial};
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let suite: &'static Suite =
+        match Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")) {
+            Ok(suite) => Box::leak(Box::new(suite)),
+            Err(errors) => panic!("{}", errors.join("\n")),
+        };
+    let trials = suite
+        .editions
+        .iter()
+        .flat_map(|edition| suite.rules.iter().map(move |rule| (edition, rule)))
+        .filter(|(edition, rule)| edition.language == rule.language)
+        .map(|(edition, rule)| {
+            let name = format!("{}::{}", edition.id, rule.id);
+            Trial::test(name, move || holds(suite, &edition.id, &rule.id))
+        })
+        .collect();
+    libtest_mimic::run(&arguments, trials).exit();
+}
+
+fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
+    let only = [rule.to_owned()];
+    let plan = Plan {
+        suite,
+        edition: suite.edition(edition).expect("an edition of the suite"),
+        only: &only,
+        jobs: std::num::NonZero::<usize>::MIN,
+    };
+    let run = certify(plan, &Reference::default(), &|| {});
+    let wrong: Vec<_> = run
+        .cases
+        .iter()
+        .filter(|result| result.rule.id == rule)
+        .filter_map(|result| {
+            let passes = result.verdict == Verdict::Pass;
+            // An assertion about what not even the model shows would test nothing.
+            let shown = format!("not shown: {:?}", result.masked);
+            let said = if passes { shown } else { result.verdict.to_string() };
+            (!passes || !result.masked.is_empty()).then(|| format!("{}: {said}", result.name))
+        })
+        .collect();
+    if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
+}

@@ -1,0 +1,6 @@
+//! The suite on the model and on production, and generated programs.
+
+mod fuzz;
+mod production;
+mod suite;
+mod twins;
