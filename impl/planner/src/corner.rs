@@ -1,39 +1,39 @@
 //! What becomes of the corner between two legs: a stop, nothing, or a blend of lengths taken from both.
 
-use crate::leg::{Leg, norm, norm_of};
-use crate::limits::{Limits, SMOOTH, least, squared};
+use crate::limits::{Limits, SMOOTH_BREAK_MAX_RAD, least, squared};
 use crate::math;
+use crate::nominal_segment::{NominalSegment, norm, norm_of};
 use crate::parameters::Axes;
-use crate::piece::{Law, Pace, Piece};
+use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::segment::Blend;
 
 /// The change of direction from which an exact path comes to rest, radians.
-const BREAK: f64 = 0.05;
+const EXACT_PATH_BREAK_MAX_RAD: f64 = 0.05;
 /// How often the speed at which a kink may be passed is halved in.
-const HALVINGS: u32 = 12;
+const SPEED_BISECTIONS: u32 = 12;
 /// The most that a kink may use of what an arc beside it can do: the whole of its turn is slower for it.
-const ROUND_KINK: f64 = 0.075;
+const ARC_BREAK_USE_RATIO: f64 = 0.075;
 /// The share of the acceleration that a blend may cost where it has the length to choose.
-const COST: f64 = 0.05;
+const BLEND_ACCELERATION_RATIO: f64 = 0.05;
 /// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second.
 /// It is not known when the blend is made, and may be four times as fast until the blend costs something.
-const TURNS: f64 = 10.0;
+const ASSUMED_SPINDLE_SPEED: f64 = 10.0;
 /// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
-const ROUND: f64 = 0.1;
+const BLENDED_ARC_ANGLE_MAX_RAD: f64 = 0.1;
 /// How much of a tolerance is used: rounding has the rest.
-const KEPT: f64 = 1.0 - 1e-9;
+const TOLERANCE_USE_RATIO: f64 = 1.0 - 1e-9;
 /// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to
 /// speed up and slow down in.
-const FLAT: f64 = 0.2;
-const WORTH: f64 = 4.0;
+const FLAT_BLEND_ANGLE_MAX_RAD: f64 = 0.2;
+const SPLIT_BLEND_CYCLES_MIN: f64 = 4.0;
 /// How much less the square of a speed is than another one at least, where that decides how long a blend is.
-const UNEQUAL_FEED: f64 = 0.9;
+const UNEQUAL_FEED_RATIO_MAX: f64 = 0.9;
 /// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
-const LASTING: f64 = 0.25;
+const UNEQUAL_FEED_CYCLES_MIN: f64 = 0.25;
 /// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much
 /// where a feed limits it, but chords whose ends are rounded are never quite equal, and what remains of them would
 /// crowd a cycle with pieces that are next to nothing.
-const UNEQUAL: f64 = 1.02;
+const PARABOLA_SIDE_RATIO_MAX: f64 = 1.02;
 
 /// What may be done at a corner, before the lengths of its legs are shared out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,13 +43,13 @@ pub(crate) enum Corner {
     /// The legs meet smoothly.
     Smooth,
     /// The path is exact, and its direction breaks so little that the motion need not rest.
-    Kink(Kink),
+    TangentBreak(TangentBreak),
     /// A blend may take so much of each leg, and not more than half of it if `half`.
     Blend { most: f64, half: bool },
 }
 
 /// The break of direction from one leg to the next.
-pub(crate) fn turn(before: &Leg, after: &Leg) -> Axes {
+pub(crate) fn turn(before: &NominalSegment, after: &NominalSegment) -> Axes {
     let mut turn = after.first;
     for (turn, before) in turn.iter_mut().zip(&before.last) {
         *turn -= before;
@@ -60,7 +60,11 @@ pub(crate) fn turn(before: &Leg, after: &Leg) -> Axes {
 impl Corner {
     /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
     #[inline]
-    pub(crate) fn between(before: &Leg, after: &Leg, limits: &Limits) -> Self {
+    pub(crate) fn between(
+        before: &NominalSegment,
+        after: &NominalSegment,
+        limits: &Limits,
+    ) -> Self {
         let blend = stricter(before.blend, after.blend);
         // Most often, and known without a root.
         if blend == Blend::ExactStop {
@@ -69,14 +73,14 @@ impl Corner {
         let axes = before.whole.axes.max(after.whole.axes);
         let turn = turn(before, after);
         let break_ = norm_of(&turn, axes);
-        if break_ < SMOOTH {
+        if break_ < SMOOTH_BREAK_MAX_RAD {
             return Self::Smooth;
         }
         let (tolerance, half) = match (blend, after.blend) {
             (Blend::ExactStop, _) => return Self::Stop,
-            (Blend::ExactPath, _) if break_ > BREAK => return Self::Stop,
+            (Blend::ExactPath, _) if break_ > EXACT_PATH_BREAK_MAX_RAD => return Self::Stop,
             (Blend::ExactPath, _) => {
-                return Self::Kink(Kink::between(before, after, &turn, limits));
+                return Self::TangentBreak(TangentBreak::between(before, after, &turn, limits));
             }
             // A leg is left by what it allows itself, whatever the other one does.
             (Blend::Within(one), Blend::Within(other)) => {
@@ -93,27 +97,32 @@ impl Corner {
         }
         // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
         let paces = [before.whole.pace, after.whole.pace];
-        if paces.contains(&Pace::Turn) && paces.contains(&Pace::Second) {
+        if paces.contains(&FeedBasis::PerTurn) && paces.contains(&FeedBasis::PerSecond) {
             return Self::Stop;
         }
         // A blend that is long enough to cost nothing need not be longer.
         let fastest = before.pressing().min(after.pressing());
         let fastest = match paces {
-            [Pace::Turn, Pace::Rapid] => fastest.min(squared(TURNS * before.whole.feed)),
-            [Pace::Rapid, Pace::Turn] => fastest.min(squared(TURNS * after.whole.feed)),
-            [Pace::Second, _] | [_, Pace::Second]
+            [FeedBasis::PerTurn, FeedBasis::Rapid] => {
+                fastest.min(squared(ASSUMED_SPINDLE_SPEED * before.whole.feed))
+            }
+            [FeedBasis::Rapid, FeedBasis::PerTurn] => {
+                fastest.min(squared(ASSUMED_SPINDLE_SPEED * after.whole.feed))
+            }
+            [FeedBasis::PerSecond, _] | [_, FeedBasis::PerSecond]
                 if !before.has_feed_of(after) && costs(before, after, limits) =>
             {
                 fastest.min(asked(before)).min(asked(after))
             }
             _ => fastest,
         };
-        let enough = fastest / (2.0 * COST * least(&limits.acceleration, &turn, axes));
+        let enough =
+            fastest / (2.0 * BLEND_ACCELERATION_RATIO * least(&limits.acceleration, &turn, axes));
         // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them
         // and other corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
-        let most = (4.0 * KEPT * tolerance / break_).min(enough);
+        let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_).min(enough);
         let most = most.min(round(before)).min(round(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
@@ -133,7 +142,7 @@ impl Corner {
 /// path it is given a - 4c/3 within T. With c ≤ a/2 a corner between two samples is missed by their chord no farther
 /// than by a motion that accelerates evenly: by J·h/4 ≤ a·h²/8.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Kink {
+pub(crate) struct TangentBreak {
     /// The square of the speed at which it may be passed.
     entry: f64,
     /// How much of each leg half of T takes, millimetres.
@@ -142,13 +151,18 @@ pub(crate) struct Kink {
     left: f64,
 }
 
-impl Kink {
-    fn between(before: &Leg, after: &Leg, turn: &Axes, limits: &Limits) -> Self {
+impl TangentBreak {
+    fn between(
+        before: &NominalSegment,
+        after: &NominalSegment,
+        turn: &Axes,
+        limits: &Limits,
+    ) -> Self {
         let h = limits.cycle;
         // Per axis c·|direction of the jump|, by which the speed times T is bounded.
         let jump = 0.5 * least(&limits.planned, turn, turn.len());
         let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
-        let jump = if rounds { ROUND_KINK * jump } else { jump };
+        let jump = if rounds { ARC_BREAK_USE_RATIO * jump } else { jump };
         // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
         // + rise).
         let (one, other) = (along(before), along(after));
@@ -164,75 +178,80 @@ impl Kink {
         let mut speed = math::sqrt(before.pressing().min(after.pressing()));
         if !fits(speed) {
             let mut low = 0.0;
-            for _ in 0..HALVINGS {
+            for _ in 0..SPEED_BISECTIONS {
                 let middle = 0.5 * (low + speed);
                 if fits(middle) { low = middle } else { speed = middle }
             }
             speed = low;
         }
-        let used = if rounds { ROUND_KINK * used(speed) } else { used(speed) };
+        let used = if rounds { ARC_BREAK_USE_RATIO * used(speed) } else { used(speed) };
         let near = 0.5 * h * (speed + 0.25 * rise);
         Self { entry: squared(speed), near, left: 1.0 - used * 2.0 / 3.0 }
     }
 
     /// The last part of the leg before it.
-    pub(crate) fn end(&self, leg: &Leg, given: f64) -> Piece {
+    pub(crate) fn end(&self, leg: &NominalSegment, given: f64) -> PathElement {
         self.eased(leg.whole.part(leg.whole.length - given, leg.whole.length))
     }
 
     /// The first part of the leg after it.
-    pub(crate) fn start(&self, leg: &Leg, given: f64) -> Piece {
+    pub(crate) fn start(&self, leg: &NominalSegment, given: f64) -> PathElement {
         let piece = self.eased(leg.whole.part(0.0, given));
-        Piece { entry: self.entry, begins: Some(0.0), ..piece }
+        PathElement { entry: self.entry, begins: Some(0.0), ..piece }
     }
 
-    fn eased(&self, mut piece: Piece) -> Piece {
+    fn eased(&self, mut piece: PathElement) -> PathElement {
         piece.breaks = true;
         match &mut piece.law {
-            Law::Even { acceleration } => *acceleration *= self.left,
-            Law::Round { acceleration, planned } => {
+            AccelerationModel::Constant { acceleration } => *acceleration *= self.left,
+            AccelerationModel::Arc { acceleration, planned } => {
                 *acceleration *= self.left;
                 *planned *= self.left;
                 piece.ceiling *= self.left;
                 piece.last_ceiling = piece.ceiling;
                 piece.fastest = math::sqrt(piece.ceiling);
             }
-            Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => {}
+            AccelerationModel::Blend { .. }
+            | AccelerationModel::BlendedArc { .. }
+            | AccelerationModel::Dwell(_) => {}
         }
         piece
     }
 }
 
 /// The most that a leg may be accelerated along itself.
-fn along(leg: &Leg) -> f64 {
+fn along(leg: &NominalSegment) -> f64 {
     match leg.whole.law {
-        Law::Even { acceleration } | Law::Round { acceleration, .. } => acceleration,
-        Law::Bent { .. } | Law::Shared { .. } | Law::Dwell(_) => 0.0,
+        AccelerationModel::Constant { acceleration }
+        | AccelerationModel::Arc { acceleration, .. } => acceleration,
+        AccelerationModel::Blend { .. }
+        | AccelerationModel::BlendedArc { .. }
+        | AccelerationModel::Dwell(_) => 0.0,
     }
 }
 
 /// The most of an arc that is bent for a corner.
-fn round(leg: &Leg) -> f64 {
-    leg.whole.circle.map_or(f64::INFINITY, |circle| ROUND / circle.turn)
+fn round(leg: &NominalSegment) -> f64 {
+    leg.whole.circle.map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.turn)
 }
 
 /// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it
 /// is no longer than the programmed feed needs. Where legs are short a long one saves a piece, of which too many
 /// would fit into a cycle.
 #[inline(never)]
-fn costs(before: &Leg, after: &Leg, limits: &Limits) -> bool {
+fn costs(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
     let (one, other) = (asked(before), asked(after));
     let most = math::greater(one, other);
     let short = math::lesser(before.whole.length, after.whole.length);
-    math::lesser(one, other) < UNEQUAL_FEED * most
-        && squared(short) > squared(LASTING * limits.cycle) * most
+    math::lesser(one, other) < UNEQUAL_FEED_RATIO_MAX * most
+        && squared(short) > squared(UNEQUAL_FEED_CYCLES_MIN * limits.cycle) * most
 }
 
 /// The square of the speed that a leg is asked to have while nobody overrides its feed.
-fn asked(leg: &Leg) -> f64 {
+fn asked(leg: &NominalSegment) -> f64 {
     match leg.whole.pace {
-        Pace::Second => leg.whole.ceiling.min(squared(leg.whole.feed)),
-        Pace::Rapid | Pace::Turn => leg.whole.ceiling,
+        FeedBasis::PerSecond => leg.whole.ceiling.min(squared(leg.whole.feed)),
+        FeedBasis::Rapid | FeedBasis::PerTurn => leg.whole.ceiling,
     }
 }
 
@@ -241,7 +260,7 @@ fn asked(leg: &Leg) -> f64 {
 pub(crate) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f64) -> (f64, f64) {
     let (before, after) = (most.min(before), most.min(after));
     let short = before.min(after);
-    let near = lines && before.max(after) <= UNEQUAL * short;
+    let near = lines && before.max(after) <= PARABOLA_SIDE_RATIO_MAX * short;
     if near {
         (before, after)
     } else {
@@ -253,10 +272,10 @@ pub(crate) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f
 /// The parabola between two lines that takes d of the first and e of the second.
 #[inline]
 pub(crate) fn parabola(
-    (before, after): (&Leg, &Leg),
+    (before, after): (&NominalSegment, &NominalSegment),
     (d, e): (f64, f64),
     limits: &Limits,
-    blend: &mut Piece,
+    blend: &mut PathElement,
 ) {
     let exit = e / d;
     let (mut origin, mut end, mut bend) = (before.whole.end, before.whole.end, Axes::default());
@@ -290,27 +309,34 @@ pub(crate) fn parabola(
 /// can speed up and slow down in it, and where speed is limited by another axis at its end than at its start both
 /// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
 #[inline]
-pub(crate) fn middle(blend: &Piece, limits: &Limits) -> Option<f64> {
-    let Law::Bent { even } = blend.law else { return None };
+pub(crate) fn middle(blend: &PathElement, limits: &Limits) -> Option<f64> {
+    let AccelerationModel::Blend { even } = blend.law else { return None };
     let axes = squared(blend.fastest);
     let (asked, pressed) = match blend.pace {
-        Pace::Second => (squared(blend.feed), squared(2.0 * blend.feed)),
-        Pace::Rapid | Pace::Turn => (f64::INFINITY, f64::INFINITY),
+        FeedBasis::PerSecond => (squared(blend.feed), squared(2.0 * blend.feed)),
+        FeedBasis::Rapid | FeedBasis::PerTurn => (f64::INFINITY, f64::INFINITY),
     };
-    let flat = norm_of(&blend.bend, blend.axes) * blend.length <= FLAT;
+    let flat = norm_of(&blend.bend, blend.axes) * blend.length <= FLAT_BLEND_ANGLE_MAX_RAD;
     if !flat && axes >= even.min(asked) {
         return None;
     }
     let along = least(&limits.acceleration, &blend.rate, blend.axes);
     let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
-    if blend.length < 2.0 * far || blend.length < along * squared(WORTH * limits.cycle) {
+    if blend.length < 2.0 * far
+        || blend.length < along * squared(SPLIT_BLEND_CYCLES_MIN * limits.cycle)
+    {
         return None;
     }
     Some(blend.begins.unwrap_or(0.5 * blend.length))
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.
-pub(crate) fn bent_end((leg, after): (&Leg, &Leg), turn: &Axes, d: f64, limits: &Limits) -> Piece {
+pub(crate) fn bent_end(
+    (leg, after): (&NominalSegment, &NominalSegment),
+    turn: &Axes,
+    d: f64,
+    limits: &Limits,
+) -> PathElement {
     let length = leg.whole.length;
     let mut piece = leg.whole.part(length - d, length);
     // Where the radius of an arc changes, p' is not quite 1 long at its end.
@@ -326,11 +352,11 @@ pub(crate) fn bent_end((leg, after): (&Leg, &Leg), turn: &Axes, d: f64, limits: 
 
 /// The first d of the leg after a corner, bent by the other half.
 pub(crate) fn bent_start(
-    (before, leg): (&Leg, &Leg),
+    (before, leg): (&NominalSegment, &NominalSegment),
     turn: &Axes,
     d: f64,
     limits: &Limits,
-) -> Piece {
+) -> PathElement {
     let mut piece = leg.whole.part(0.0, d);
     for (((origin, rate), bend), turn) in
         piece.origin.iter_mut().zip(&mut piece.rate).zip(&mut piece.bend).zip(turn)
@@ -346,7 +372,7 @@ pub(crate) fn bent_start(
 }
 
 /// An arc that is bent may be a little longer than it was, and its feed is along the path.
-fn finish(piece: &mut Piece, turn: &Axes, d: f64, limits: &Limits) {
+fn finish(piece: &mut PathElement, turn: &Axes, d: f64, limits: &Limits) {
     let last = turn.iter().rposition(|turn| turn.abs() > 0.0);
     piece.axes = piece.axes.max(last.map_or(0, |last| last.saturating_add(1)));
     let turned = piece.circle.map_or(0.0, |circle| circle.turn * d);
@@ -365,9 +391,9 @@ fn stricter(before: Blend, after: Blend) -> Blend {
 }
 
 /// A blend has the slower of both feeds.
-fn slower(blend: &mut Piece, other: &Piece, feed: f64) {
-    blend.rapid = blend.pace == Pace::Rapid || other.pace == Pace::Rapid;
-    if other.pace != Pace::Rapid && (blend.pace == Pace::Rapid || feed < blend.feed) {
+fn slower(blend: &mut PathElement, other: &PathElement, feed: f64) {
+    blend.rapid = blend.pace == FeedBasis::Rapid || other.pace == FeedBasis::Rapid;
+    if other.pace != FeedBasis::Rapid && (blend.pace == FeedBasis::Rapid || feed < blend.feed) {
         blend.feed = feed;
         blend.pace = other.pace;
     }

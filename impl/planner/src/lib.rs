@@ -14,7 +14,7 @@
 //! OutputParameter
 //! ```
 //!
-//! Each stage sees the one before it through [`piece::Piece`] alone, so that another profile is another `reach` and
+//! Each stage sees the one before it through [`path_element::PathElement`] alone, so that another profile is another `reach` and
 //! `step`.
 //!
 //! **Invariants.** No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts. A
@@ -39,25 +39,25 @@
 
 extern crate alloc;
 
-mod ahead;
-mod bend;
-mod brakes;
+mod arc_braking;
+mod blend_limits;
+mod blend_motion;
 mod corner;
-mod course;
-mod cruise;
+mod entry_speed;
 mod error;
-mod leg;
+mod fast_path;
 mod limits;
+mod look_ahead;
 mod math;
+mod motion;
+mod nominal_segment;
 mod parameters;
-mod piece;
+mod path_builder;
+mod path_element;
 mod planner;
-mod reach;
 mod retrace;
 mod ring;
 mod segment;
-mod step;
-mod strips;
 
 pub use error::{Error, NotQueued};
 pub use parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase};

@@ -2,25 +2,25 @@
 
 use crate::math;
 use crate::parameters::{Axes, Dynamics};
-use crate::piece::{Circle, Law, Piece};
+use crate::path_element::{AccelerationModel, Circle, PathElement};
 
-/// What is kept of each limit: a sample is rounded, and a break of direction below [`SMOOTH`] is not seen as one.
-const ACCELERATION_KEPT: f64 = 1.0 - 1e-7;
+/// What is kept of each limit: a sample is rounded, and a break of direction below [`SMOOTH_BREAK_MAX_RAD`] is not seen as one.
+const ACCELERATION_USE_RATIO: f64 = 1.0 - 1e-7;
 /// What is planned with, of that: so that a plan that rounding has missed can be come back to.
-pub(crate) const PLANNED: f64 = 1.0 - 1e-7;
-const VELOCITY_KEPT: f64 = 1.0 - 1e-9;
+pub(crate) const PLANNED_RATIO: f64 = 1.0 - 1e-7;
+const VELOCITY_USE_RATIO: f64 = 1.0 - 1e-9;
 /// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
-pub(crate) const SMOOTH: f64 = 1e-10;
+pub(crate) const SMOOTH_BREAK_MAX_RAD: f64 = 1e-10;
 /// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
 /// Where it hardly bends it is mostly passed at an even speed, where it bends much the motion slows down towards its
 /// corner.
-const ACROSS: f64 = 0.95;
-const ACROSS_CORNER: f64 = 0.8;
+const NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.95;
+const CORNER_NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.8;
 /// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its
 /// angle: an eighth, and more where the radius changes.
-const BOWED: f64 = 0.25;
+const ARC_BOW_RATIO: f64 = 0.25;
 /// The change of direction from which a bend is a corner, radians.
-const CORNER: f64 = 0.1;
+const CORNER_ANGLE_MIN_RAD: f64 = 0.1;
 
 /// Limits per axis, with what rounding needs taken off.
 #[derive(Clone, Copy, Debug)]
@@ -37,10 +37,10 @@ pub(crate) struct Limits {
 
 impl Limits {
     pub(crate) fn new(dynamics: &Dynamics) -> Self {
-        let acceleration = dynamics.acceleration.map(|limit| limit * ACCELERATION_KEPT);
-        let planned = acceleration.map(|limit| limit * PLANNED);
+        let acceleration = dynamics.acceleration.map(|limit| limit * ACCELERATION_USE_RATIO);
+        let planned = acceleration.map(|limit| limit * PLANNED_RATIO);
         Self {
-            velocity: dynamics.velocity.map(|limit| limit * VELOCITY_KEPT),
+            velocity: dynamics.velocity.map(|limit| limit * VELOCITY_USE_RATIO),
             acceleration,
             planned,
             softest: planned.into_iter().fold(f64::INFINITY, math::lesser),
@@ -50,7 +50,7 @@ impl Limits {
 
     /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
     /// the piece.
-    pub(crate) fn rule(&self, piece: &mut Piece) {
+    pub(crate) fn rule(&self, piece: &mut PathElement) {
         let axes = piece.axes;
         let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
         match piece.circle {
@@ -72,9 +72,9 @@ impl Limits {
 
     /// The same for a line.
     #[inline]
-    pub(crate) fn rule_line(&self, piece: &mut Piece) {
+    pub(crate) fn rule_line(&self, piece: &mut PathElement) {
         let acceleration = least(&self.planned, &piece.rate, piece.axes);
-        piece.law = Law::Even { acceleration };
+        piece.law = AccelerationModel::Constant { acceleration };
         piece.ceiling = squared(least(&self.velocity, &piece.rate, piece.axes));
         piece.last_ceiling = piece.ceiling;
         piece.fastest = math::sqrt(piece.ceiling);
@@ -84,7 +84,7 @@ impl Limits {
     /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
     /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
     /// is greatest at that end if it does not fall towards it.
-    fn rule_bent<const N: usize>(&self, piece: &mut Piece) {
+    fn rule_bent<const N: usize>(&self, piece: &mut PathElement) {
         let [mut starts, mut ends] = [[0.0; N]; 2];
         let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend);
         for ((start, end), ((limit, first), bend)) in starts.iter_mut().zip(&mut ends).zip(axes) {
@@ -98,7 +98,7 @@ impl Limits {
             (*start, *end) = if falls { (here, there) } else { (there, here) };
         }
         let even = least(&self.planned, &piece.bend, N);
-        piece.law = Law::Bent { even };
+        piece.law = AccelerationModel::Blend { even };
         piece.ceiling = starts.into_iter().fold(f64::INFINITY, math::lesser);
         piece.last_ceiling = ends.into_iter().fold(f64::INFINITY, math::lesser);
         piece.fastest = math::sqrt(math::greater(piece.ceiling, piece.last_ceiling));
@@ -106,7 +106,7 @@ impl Limits {
 
     /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
     /// need.
-    fn rule_round(&self, piece: &mut Piece, circle: &Circle) {
+    fn rule_round(&self, piece: &mut PathElement, circle: &Circle) {
         let axes = piece.axes;
         let most = greatest(piece, circle);
         let acceleration = least(&self.acceleration, &most, axes);
@@ -114,11 +114,11 @@ impl Limits {
         // its angle.
         let angle = math::sqrt(circle.turn * acceleration) * self.cycle;
         let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
-        piece.law = Law::Round { acceleration, planned };
+        piece.law = AccelerationModel::Arc { acceleration, planned };
         piece.ceiling = squared(least(&self.velocity, &most, axes)).min(planned / circle.turn);
     }
 
-    fn rule_bent_arc(&self, piece: &mut Piece, circle: &Circle) {
+    fn rule_bent_arc(&self, piece: &mut PathElement, circle: &Circle) {
         let axes = piece.axes;
         let [_, mut along, mut across] = piece.motion::<9>(0.0);
         let [_, last, last_across] = piece.motion::<9>(piece.length);
@@ -129,14 +129,18 @@ impl Limits {
             *across = math::greater(across.abs(), then.abs());
         }
         // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
-        let bow = BOWED * squared(circle.turn * piece.length);
+        let bow = ARC_BOW_RATIO * squared(circle.turn * piece.length);
         let amplitudes = amplitudes(circle, piece.length);
         for ((along, across), amplitude) in along.iter_mut().zip(&mut across).zip(&amplitudes) {
             *along += bow * amplitude;
             *across += bow * amplitude * circle.turn;
         }
         let turned: f64 = piece.bend.iter().map(|bend| squared(2.0 * bend * piece.length)).sum();
-        let share = if turned < squared(CORNER) { ACROSS } else { ACROSS_CORNER };
+        let share = if turned < squared(CORNER_ANGLE_MIN_RAD) {
+            NORMAL_ACCELERATION_RATIO_MAX
+        } else {
+            CORNER_NORMAL_ACCELERATION_RATIO_MAX
+        };
         let ceiling = share * least(&self.acceleration, &across, axes);
         piece.ceiling = ceiling.min(squared(least(&self.velocity, &along, axes)));
         let mut left = self.acceleration;
@@ -147,13 +151,13 @@ impl Limits {
         let most = least(&self.acceleration, &along, axes);
         let less = (most - least(&left, &along, axes)) / piece.ceiling;
         // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
-        let planned = PLANNED / (1.0 + less * math::sqrt(piece.ceiling) * self.cycle);
-        piece.law = Law::Shared { most: planned * most, less: planned * less };
+        let planned = PLANNED_RATIO / (1.0 + less * math::sqrt(piece.ceiling) * self.cycle);
+        piece.law = AccelerationModel::BlendedArc { most: planned * most, less: planned * less };
     }
 }
 
 /// The most of each axis in p' on an arc.
-fn greatest(piece: &Piece, circle: &Circle) -> Axes {
+fn greatest(piece: &PathElement, circle: &Circle) -> Axes {
     let mut greatest = piece.rate.map(f64::abs);
     for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, piece.length)) {
         *most += amplitude;
@@ -164,9 +168,9 @@ fn greatest(piece: &Piece, circle: &Circle) -> Axes {
 /// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) +
 /// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
 fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
-    const GROWING: f64 = 2.236_067_977_499_79;
+    const SQRT_5: f64 = 2.236_067_977_499_79;
     let grown = circle.grown(length).max(1.0);
-    let turn = circle.turn * grown + GROWING * circle.growth.abs();
+    let turn = circle.turn * grown + SQRT_5 * circle.growth.abs();
     let mut amplitudes = [0.0; 3];
     for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
     {

@@ -26,11 +26,11 @@ pub(crate) fn greater(one: f64, other: f64) -> f64 {
 #[inline]
 pub(crate) fn turned(radians: f64) -> (f64, f64) {
     /// Within it, a number of quarters times the first part of one is exact.
-    const MOST: f64 = 1e6;
+    const EXACT_RADIANS_MAX: f64 = 1e6;
     /// Added, rounds to an integer, which the last bits of the sum then are.
-    const ROUNDS: f64 = 1.5 / f64::EPSILON;
+    const ROUNDING_TERM: f64 = 1.5 / f64::EPSILON;
     /// A quarter of a turn: 33 bits, and the rest.
-    const QUARTER: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
+    const QUARTER_TURN: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
     const SINE: [f64; 6] = [
         -1.666_666_666_666_663_2e-1,
         8.333_333_333_322_49e-3,
@@ -47,12 +47,12 @@ pub(crate) fn turned(radians: f64) -> (f64, f64) {
         2.087_572_321_298_175e-9,
         -1.135_964_755_778_819_5e-11,
     ];
-    if radians.is_nan() || radians.abs() > MOST {
+    if radians.is_nan() || radians.abs() > EXACT_RADIANS_MAX {
         return libm::sincos(radians);
     }
-    let sum = radians * core::f64::consts::FRAC_2_PI + ROUNDS;
-    let (quarters, bits) = (sum - ROUNDS, sum.to_bits());
-    let x = radians - quarters * QUARTER[0] - quarters * QUARTER[1];
+    let sum = radians * core::f64::consts::FRAC_2_PI + ROUNDING_TERM;
+    let (quarters, bits) = (sum - ROUNDING_TERM, sum.to_bits());
+    let x = radians - quarters * QUARTER_TURN[0] - quarters * QUARTER_TURN[1];
     let z = x * x;
     let series = |[a, b, c, d, e, f]: [f64; 6]| a + z * (b + z * (c + z * (d + z * (e + z * f))));
     let sine = x + x * z * series(SINE);

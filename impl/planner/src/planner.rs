@@ -1,39 +1,39 @@
 //! The planner: the queue of segments, and what a servo cycle does.
 
-use crate::ahead::Ahead;
-use crate::course::{Course, Queue};
+use crate::entry_speed::OverrideScale;
 use crate::error::{Error, NotQueued};
-use crate::leg::{Resolved, resolve};
 use crate::limits::{Limits, squared};
+use crate::look_ahead::LookAhead;
 use crate::math;
+use crate::motion::{CycleRequest, MotionState};
+use crate::nominal_segment::{ResolvedSegment, resolve};
 use crate::parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase, lead};
-use crate::piece::{Law, Pace, Piece};
-use crate::reach::Scale;
+use crate::path_builder::{PathBuilder, PathEdit};
+use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::retrace::Retrace;
 use crate::ring::Ring;
 use crate::segment::{Blend, OutputSwitch, Segment};
-use crate::step::{Motion, Wish};
 
 /// How many pieces behind the motion are remembered at least, for running back.
-const REMEMBERED: u64 = 128;
+const REVERSE_ELEMENTS_MIN: u64 = 128;
 /// Work of look-ahead for a queued segment, and for a cycle: a bend takes two of it, any other piece one.
-const WORK_QUEUED: u32 = 24;
-const WORK_CYCLE: u32 = 4;
+const LOOK_AHEAD_WORK_PER_SEGMENT: u32 = 24;
+const LOOK_AHEAD_WORK_PER_CYCLE: u32 = 4;
 /// How many pieces may be made when a segment is queued, at most.
-const MADE: u64 = 8;
+const ELEMENTS_PER_SEGMENT_MAX: u64 = 8;
 /// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it
 /// plans then.
-const WAVERING: f64 = 0.02;
+const SPINDLE_SPEED_TOLERANCE_RATIO: f64 = 0.02;
 
 /// A planner for nine axes in machine coordinates.
 #[derive(Debug)]
 pub struct Planner {
     dynamics: Dynamics,
     limits: Limits,
-    ring: Ring<Piece>,
-    course: Course,
-    ahead: Ahead,
-    motion: Motion,
+    ring: Ring<PathElement>,
+    course: PathBuilder,
+    ahead: LookAhead,
+    motion: MotionState,
     /// Where the machine is while there are no pieces.
     position: Axes,
     /// Outputs that wait for the segment of that number.
@@ -74,14 +74,14 @@ impl Planner {
             return Err(Error::Configuration("the position is no number"));
         }
         let queue = usize::try_from(dynamics.queue.max(4)).unwrap_or(usize::MAX);
-        let remembered = usize::try_from(REMEMBERED).unwrap_or(0).saturating_mul(2);
+        let remembered = usize::try_from(REVERSE_ELEMENTS_MIN).unwrap_or(0).saturating_mul(2);
         Ok(Self {
             dynamics,
             limits: Limits::new(&dynamics),
             ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
-            course: Course::new(position),
-            ahead: Ahead::new(Scale { feed: 1.0, rapid: 1.0, turns: 0.0 }),
-            motion: Motion::default(),
+            course: PathBuilder::new(position),
+            ahead: LookAhead::new(OverrideScale { feed: 1.0, rapid: 1.0, turns: 0.0 }),
+            motion: MotionState::default(),
             position,
             switches: Ring::new(queue),
             met: 0,
@@ -110,7 +110,7 @@ impl Planner {
         if self.late && self.ahead.is_ready(self.motion.at) {
             self.late = !self.motion.permits(&self.ring, &self.limits);
         }
-        let mut queue = Queue {
+        let mut queue = PathEdit {
             ring: &mut self.ring,
             ahead: &mut self.ahead,
             motion: &self.motion,
@@ -118,14 +118,14 @@ impl Planner {
             changed: u64::MAX,
             late: self.late,
         };
-        if let Resolved::Nowhere = resolved {
+        if let ResolvedSegment::ZeroLength = resolved {
             self.met = self.switches.end();
         }
         match resolved {
-            Resolved::Nowhere if segment.blend == Blend::ExactStop => self.course.stop(),
-            Resolved::Nowhere => {}
-            Resolved::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
-            Resolved::Leg => {
+            ResolvedSegment::ZeroLength if segment.blend == Blend::ExactStop => self.course.stop(),
+            ResolvedSegment::ZeroLength => {}
+            ResolvedSegment::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
+            ResolvedSegment::Moves => {
                 self.queued = self.queued.saturating_add(1);
                 let last = self.switches.get(self.switches.end().wrapping_sub(1));
                 let awaited = last.is_some_and(|(segment, _)| *segment == self.queued);
@@ -141,7 +141,12 @@ impl Planner {
                 }
             }
         }
-        self.ahead.work(&mut self.ring, self.motion.at, &self.limits, (WORK_QUEUED, false));
+        self.ahead.work(
+            &mut self.ring,
+            self.motion.at,
+            &self.limits,
+            (LOOK_AHEAD_WORK_PER_SEGMENT, false),
+        );
         self.ahead.look_round(self.motion.at);
         Ok(())
     }
@@ -205,8 +210,10 @@ impl Planner {
     /// and anew with the one after.
     fn follow(&mut self) {
         let end = self.ring.end();
-        let follows = |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == Pace::Turn);
-        if let Some(last) = (end.saturating_sub(MADE)..end).rev().find(follows) {
+        let follows =
+            |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == FeedBasis::PerTurn);
+        if let Some(last) = (end.saturating_sub(ELEMENTS_PER_SEGMENT_MAX)..end).rev().find(follows)
+        {
             self.followed = last.saturating_add(1);
         }
     }
@@ -216,14 +223,14 @@ impl Planner {
         while self.ring.room() < 16
             && !self.retrace.is_asked_for()
             && !self.motion.backwards
-            && self.ring.first().saturating_add(REMEMBERED) < self.motion.at
+            && self.ring.first().saturating_add(REVERSE_ELEMENTS_MIN) < self.motion.at
         {
             self.ring.drop_first();
         }
     }
 
     /// What the outside asks for.
-    fn wish(&mut self, input: &InputParameter) -> Wish {
+    fn wish(&mut self, input: &InputParameter) -> CycleRequest {
         let back = input.adaptive_feed < 0.0;
         // What is no number is 0.
         let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
@@ -243,7 +250,7 @@ impl Planner {
             self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
         let planned = !follows && self.ahead.plans_for(feed, rapid, self.motion.at);
         let ease = if planned { 1.0 } else { self.ease(feed, rapid, follows.then_some(turns)) };
-        Wish { feed, rapid, turns, rest, planned, ease }
+        CycleRequest { feed, rapid, turns, rest, planned, ease }
     }
 
     /// What speeds of look-ahead are multiplied by, squared.
@@ -252,7 +259,7 @@ impl Planner {
     fn ease(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
         let planned = self.ahead.planned();
         let turns = turns.unwrap_or(planned.turns);
-        Scale { feed, rapid, turns }.ease(planned)
+        OverrideScale { feed, rapid, turns }.ease(planned)
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
@@ -281,7 +288,7 @@ impl Planner {
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
     #[inline]
-    fn look(&mut self, wish: &Wish, input: &InputParameter) {
+    fn look(&mut self, wish: &CycleRequest, input: &InputParameter) {
         let at = self.motion.at;
         let planned = wish.planned && at >= self.followed;
         if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_asked_for()) {
@@ -291,17 +298,20 @@ impl Planner {
 
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
-    fn look_on(&mut self, wish: &Wish, input: &InputParameter) {
+    fn look_on(&mut self, wish: &CycleRequest, input: &InputParameter) {
         let (work, back) = match self.motion.effort {
-            0..=3 => (WORK_CYCLE, 2),
-            4 | 5 => (WORK_CYCLE - 1, 1),
-            6 | 7 => (WORK_CYCLE - 2, 1),
+            0..=3 => (LOOK_AHEAD_WORK_PER_CYCLE, 2),
+            4 | 5 => (LOOK_AHEAD_WORK_PER_CYCLE - 1, 1),
+            6 | 7 => (LOOK_AHEAD_WORK_PER_CYCLE - 2, 1),
             _ => return,
         };
         let at = self.motion.at;
         self.ahead.refresh(&self.ring, at);
-        let scale =
-            Scale { feed: wish.feed, rapid: wish.rapid, turns: self.turns_to_plan_for(wish.turns) };
+        let scale = OverrideScale {
+            feed: wish.feed,
+            rapid: wish.rapid,
+            turns: self.turns_to_plan_for(wish.turns),
+        };
         let other = input.adaptive_feed >= 0.0 && scale != self.ahead.scale;
         if other && self.ahead.is_far(at) {
             self.ahead.rescale(scale, &self.ring, at);
@@ -324,8 +334,13 @@ impl Planner {
     /// changed by more than it wavers.
     fn turns_to_plan_for(&self, turns: f64) -> f64 {
         let planned = self.ahead.scale.turns;
-        let near = turns <= planned && turns >= planned * (1.0 - 2.0 * WAVERING);
-        if near || self.motion.at >= self.followed { planned } else { turns * (1.0 + WAVERING) }
+        let near =
+            turns <= planned && turns >= planned * (1.0 - 2.0 * SPINDLE_SPEED_TOLERANCE_RATIO);
+        if near || self.motion.at >= self.followed {
+            planned
+        } else {
+            turns * (1.0 + SPINDLE_SPEED_TOLERANCE_RATIO)
+        }
     }
 
     /// Whether the probe has changed in a probing segment.
@@ -350,7 +365,7 @@ impl Planner {
 
     /// Where the motion is on a piece on which so many leading axes may move.
     #[inline]
-    fn show_on<const N: usize>(&self, piece: &Piece, output: &mut OutputParameter) {
+    fn show_on<const N: usize>(&self, piece: &PathElement, output: &mut OutputParameter) {
         let motion = &self.motion;
         let sense = if motion.backwards { -1.0 } else { 1.0 };
         let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
@@ -373,7 +388,7 @@ impl Planner {
         }
     }
 
-    fn phase(&self, wish: &Wish) -> Phase {
+    fn phase(&self, wish: &CycleRequest) -> Phase {
         let motion = &self.motion;
         if motion.speed > 0.0 {
             return if wish.rest { Phase::Holding } else { Phase::Moving };
@@ -382,12 +397,12 @@ impl Planner {
         if self.is_over() {
             return Phase::Idle;
         }
-        let dwells = matches!(piece.law, Law::Dwell(_));
+        let dwells = matches!(piece.law, AccelerationModel::Dwell(_));
         match piece.pace {
             _ if wish.rest => Phase::Holding,
             _ if dwells => Phase::Waiting,
-            Pace::Turn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
-            Pace::Turn | Pace::Second | Pace::Rapid => Phase::Moving,
+            FeedBasis::PerTurn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
+            FeedBasis::PerTurn | FeedBasis::PerSecond | FeedBasis::Rapid => Phase::Moving,
         }
     }
 
@@ -396,10 +411,11 @@ impl Planner {
         let motion = &self.motion;
         let Some(piece) = self.ring.get(motion.at) else { return true };
         let over = match piece.law {
-            Law::Dwell(seconds) => motion.dwelt >= seconds,
-            Law::Even { .. } | Law::Bent { .. } | Law::Round { .. } | Law::Shared { .. } => {
-                motion.remaining(piece) <= 0.0
-            }
+            AccelerationModel::Dwell(seconds) => motion.dwelt >= seconds,
+            AccelerationModel::Constant { .. }
+            | AccelerationModel::Blend { .. }
+            | AccelerationModel::Arc { .. }
+            | AccelerationModel::BlendedArc { .. } => motion.remaining(piece) <= 0.0,
         };
         let last = motion.at.saturating_add(1) == self.ring.end();
         motion.speed <= 0.0 && over && last && !motion.backwards
@@ -410,14 +426,14 @@ impl Planner {
         self.position = *position;
         self.ring.clear();
         self.switches.clear();
-        self.ahead = Ahead::new(self.ahead.scale);
-        self.motion = Motion {
+        self.ahead = LookAhead::new(self.ahead.scale);
+        self.motion = MotionState {
             at: self.ring.end(),
             begun: self.queued,
             number: self.motion.number,
-            ..Motion::default()
+            ..MotionState::default()
         };
-        self.course = Course::new(self.position);
+        self.course = PathBuilder::new(self.position);
         self.aborting = false;
         self.retrace.forget();
     }

@@ -5,23 +5,23 @@
 //! follows, in stretches that begin farther and farther behind. What earlier runs left is worth nothing, since the
 //! path may have changed.
 
+use crate::entry_speed::{OVERRIDE_MIN, OverrideScale, backward, caps};
 use crate::limits::{Limits, squared};
 use crate::math;
-use crate::piece::Piece;
-use crate::reach::{SLOWEST, Scale, backward, caps};
+use crate::path_element::PathElement;
 use crate::ring::Ring;
 
 /// How many pieces behind the motion are planned before it turns round.
-const NEAR: u64 = 64;
+const FIRST_REVERSE_ELEMENTS: u64 = 64;
 
 /// What is planned while the motion is to run back.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Retrace {
-    planned: Option<Planned>,
+    planned: Option<ReversePass>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Planned {
+struct ReversePass {
     /// The piece that planning began from.
     from: u64,
     /// The next piece to be planned.
@@ -38,9 +38,9 @@ impl Retrace {
     }
 
     /// The motion is to turn round; whether it may, at a piece.
-    pub(crate) fn may_turn(&mut self, ring: &mut Ring<Piece>, at: u64) -> bool {
-        let near = at.saturating_sub(NEAR);
-        let planned = self.planned.get_or_insert_with(|| Planned::begin(ring, near, None));
+    pub(crate) fn may_turn(&mut self, ring: &mut Ring<PathElement>, at: u64) -> bool {
+        let near = at.saturating_sub(FIRST_REVERSE_ELEMENTS);
+        let planned = self.planned.get_or_insert_with(|| ReversePass::begin(ring, near, None));
         planned.next > at
     }
 
@@ -52,8 +52,8 @@ impl Retrace {
     /// The piece to whose beginning the motion may run back.
     pub(crate) fn end(&self) -> u64 {
         match self.planned {
-            Some(Planned { next, known: Some(known), .. }) if next < known => known,
-            Some(Planned { from, .. }) => from,
+            Some(ReversePass { next, known: Some(known), .. }) if next < known => known,
+            Some(ReversePass { from, .. }) => from,
             None => 0,
         }
     }
@@ -63,25 +63,25 @@ impl Retrace {
     #[inline(never)]
     pub(crate) fn work(
         &mut self,
-        ring: &mut Ring<Piece>,
+        ring: &mut Ring<PathElement>,
         (at, backwards): (u64, bool),
-        scale: Scale,
+        scale: OverrideScale,
         limits: &Limits,
     ) {
         let Some(planned) = &mut self.planned else { return };
         if planned.next <= at {
             planned.plan(ring, at, scale, limits);
         } else if backwards && planned.from > ring.first() {
-            let far = at.saturating_sub(planned.from).saturating_add(NEAR);
+            let far = at.saturating_sub(planned.from).saturating_add(FIRST_REVERSE_ELEMENTS);
             let from = planned.from.saturating_sub(far);
-            *planned = Planned::begin(ring, from, Some(planned.from));
+            *planned = ReversePass::begin(ring, from, Some(planned.from));
         }
     }
 }
 
-impl Planned {
+impl ReversePass {
     /// For the plan, the path ends where the first piece begins.
-    fn begin(ring: &mut Ring<Piece>, from: u64, known: Option<u64>) -> Self {
+    fn begin(ring: &mut Ring<PathElement>, from: u64, known: Option<u64>) -> Self {
         let from = from.max(ring.first());
         if let Some(before) = from.checked_sub(1).and_then(|before| ring.get_mut(before)) {
             before.back = 0.0;
@@ -91,7 +91,13 @@ impl Planned {
 
     /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up
     /// to the motion.
-    fn plan(&mut self, ring: &mut Ring<Piece>, at: u64, scale: Scale, limits: &Limits) {
+    fn plan(
+        &mut self,
+        ring: &mut Ring<PathElement>,
+        at: u64,
+        scale: OverrideScale,
+        limits: &Limits,
+    ) {
         let place = self.next;
         self.next = place.saturating_add(1);
         let before = place.checked_sub(1).and_then(|before| ring.get(before));
@@ -101,7 +107,8 @@ impl Planned {
             None => 0.0,
         };
         // It is planned for one speed, and so for some where the motion turned at rest.
-        let slowest = Scale { feed: SLOWEST, rapid: SLOWEST, turns: SLOWEST };
+        let slowest =
+            OverrideScale { feed: OVERRIDE_MIN, rapid: OVERRIDE_MIN, turns: OVERRIDE_MIN };
         let back = backward(piece, exit, caps(piece, scale.most(slowest)), limits);
         // The motion may be there by now, and relies on what is known.
         if self.known.is_some_and(|known| known <= place) && back <= piece.back {

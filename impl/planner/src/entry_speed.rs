@@ -5,33 +5,33 @@
 //! that holds rest, so that whatever is slower than a plan can be kept to as well: neither overrides nor holds can
 //! trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
 
+use crate::blend_limits;
 use crate::limits::{Limits, squared};
 use crate::math;
-use crate::piece::{Circle, Law, Pace, Piece};
-use crate::strips;
+use crate::path_element::{AccelerationModel, Circle, FeedBasis, PathElement};
 
 /// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is
 /// eased to.
-pub(crate) const SLOWEST: f64 = 0.01;
+pub(crate) const OVERRIDE_MIN: f64 = 0.01;
 
 /// Where z / (1 + z/2 + z²/12) is greatest: the root of 12, or a little less.
-const MOST_FAR: f64 = 3.464;
+const DECAY_EXPONENT_MAX: f64 = 3.464;
 
 /// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Scale {
+pub(crate) struct OverrideScale {
     pub(crate) feed: f64,
     pub(crate) rapid: f64,
     pub(crate) turns: f64,
 }
 
-impl Scale {
+impl OverrideScale {
     /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no
     /// more than 1.
     ///
     /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
     pub(crate) fn ease(self, planned: Self) -> f64 {
-        let share = |asked: f64, planned: f64| math::greater(SLOWEST, asked) / planned;
+        let share = |asked: f64, planned: f64| math::greater(OVERRIDE_MIN, asked) / planned;
         let mut ease =
             math::lesser(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
         if planned.turns > 0.0 {
@@ -52,16 +52,16 @@ impl Scale {
 
 /// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
 #[inline]
-pub(crate) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
-    let (start, end) = if piece.rapid || piece.pace == Pace::Rapid {
+pub(crate) fn caps(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
+    let (start, end) = if piece.rapid || piece.pace == FeedBasis::Rapid {
         rapid_caps(piece, scale)
     } else {
         (piece.ceiling, piece.last_ceiling)
     };
     let feed = match piece.pace {
-        Pace::Rapid => return (start, end),
-        Pace::Second => piece.feed * scale.feed,
-        Pace::Turn => piece.feed * scale.turns,
+        FeedBasis::Rapid => return (start, end),
+        FeedBasis::PerSecond => piece.feed * scale.feed,
+        FeedBasis::PerTurn => piece.feed * scale.turns,
     };
     let feed = feed * feed;
     (math::lesser(start, feed), math::lesser(end, feed))
@@ -69,50 +69,57 @@ pub(crate) fn caps(piece: &Piece, scale: Scale) -> (f64, f64) {
 
 #[cold]
 #[inline(never)]
-fn rapid_caps(piece: &Piece, scale: Scale) -> (f64, f64) {
+fn rapid_caps(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
     let share = scale.rapid * scale.rapid;
     (piece.ceiling * share, piece.last_ceiling * share)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
 pub(crate) fn forward(
-    piece: &Piece,
+    piece: &PathElement,
     exit: f64,
     (cap, last_cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
     let exit = math::lesser(exit, last_cap);
     let entry = match piece.law {
-        Law::Bent { .. } => strips::highest(piece, true, (exit, cap), limits),
-        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
-            along(piece.law, &piece.circle, exit, piece.length)
-        }
+        AccelerationModel::Blend { .. } => blend_limits::highest(piece, true, (exit, cap), limits),
+        AccelerationModel::Constant { .. }
+        | AccelerationModel::Arc { .. }
+        | AccelerationModel::BlendedArc { .. }
+        | AccelerationModel::Dwell(_) => along(piece.law, &piece.circle, exit, piece.length),
     };
     math::lesser(math::lesser(entry, cap), piece.entry)
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.
 pub(crate) fn backward(
-    piece: &Piece,
+    piece: &PathElement,
     exit: f64,
     (first_cap, cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
     let exit = math::lesser(exit, first_cap);
     let entry = match piece.law {
-        Law::Bent { .. } => strips::highest(piece, false, (exit, cap), limits),
-        Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
-            along(piece.law, &piece.circle, exit, piece.length)
-        }
+        AccelerationModel::Blend { .. } => blend_limits::highest(piece, false, (exit, cap), limits),
+        AccelerationModel::Constant { .. }
+        | AccelerationModel::Arc { .. }
+        | AccelerationModel::BlendedArc { .. }
+        | AccelerationModel::Dwell(_) => along(piece.law, &piece.circle, exit, piece.length),
     };
     math::lesser(entry, cap)
 }
 
 /// The highest y some way before an exit, where that has a closed form.
-pub(crate) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64) -> f64 {
+pub(crate) fn along(
+    law: AccelerationModel,
+    circle: &Option<Circle>,
+    exit: f64,
+    distance: f64,
+) -> f64 {
     match (law, circle) {
-        (Law::Even { acceleration }, _) => exit + 2.0 * acceleration * distance,
-        (Law::Round { planned, .. }, Some(circle)) => {
+        (AccelerationModel::Constant { acceleration }, _) => exit + 2.0 * acceleration * distance,
+        (AccelerationModel::Arc { planned, .. }, Some(circle)) => {
             // dy/dx = -2·√(planned² - (turn·y)²) gives turn·y = planned·sin(angle).
             let angle = 2.0 * circle.turn * distance;
             let share = (circle.turn * exit / planned).min(1.0);
@@ -128,14 +135,20 @@ pub(crate) fn along(law: Law, circle: &Option<Circle>, exit: f64, distance: f64)
                 planned / circle.turn * (share * cosine + other * sine)
             }
         }
-        (Law::Shared { most, less }, _) => {
+        (AccelerationModel::BlendedArc { most, less }, _) => {
             // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
             // no steeper than what is left of its way to 1.
-            let far = math::lesser(2.0 * less * distance, MOST_FAR);
-            let way = if far < MOST_FAR { distance } else { MOST_FAR / (2.0 * less) };
+            let far = math::lesser(2.0 * less * distance, DECAY_EXPONENT_MAX);
+            let way =
+                if far < DECAY_EXPONENT_MAX { distance } else { DECAY_EXPONENT_MAX / (2.0 * less) };
             let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));
             exit + 2.0 * (most - less * exit) * way * share
         }
-        (Law::Dwell(_) | Law::Round { .. } | Law::Bent { .. }, _) => 0.0,
+        (
+            AccelerationModel::Dwell(_)
+            | AccelerationModel::Arc { .. }
+            | AccelerationModel::Blend { .. },
+            _,
+        ) => 0.0,
     }
 }

@@ -7,16 +7,16 @@
 use crate::limits::Limits;
 use crate::math;
 use crate::parameters::Axes;
-use crate::piece::Piece;
+use crate::path_element::PathElement;
 
 /// The most corners of the set that are looked at before a simpler answer is taken.
-const CORNERS: u32 = 5;
+const VERTICES_MAX: u32 = 5;
 /// An axis with less of the entry than this at an end of a bend limits the exit alone.
-const FLAT: f64 = 1e-12;
+const ENTRY_COEFFICIENT_MIN: f64 = 1e-12;
 
 /// What the axes allow at both ends of a bend: |entering·entry + leaving·exit| ≤ limit.
 #[derive(Clone, Copy, Debug)]
-struct Ends<const N: usize> {
+struct AxisInequalities<const N: usize> {
     entering: [[f64; N]; 2],
     leaving: [[f64; N]; 2],
     limit: [f64; N],
@@ -24,7 +24,7 @@ struct Ends<const N: usize> {
 
 /// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Strips<const N: usize> {
+pub(crate) struct BlendLimits<const N: usize> {
     slopes: [[f64; N]; 2],
     limits: [[f64; N]; 2],
     /// The highest exit that axes allow which do not limit the entry.
@@ -35,7 +35,7 @@ pub(crate) struct Strips<const N: usize> {
     agreed: f64,
 }
 
-impl<const N: usize> Default for Strips<N> {
+impl<const N: usize> Default for BlendLimits<N> {
     fn default() -> Self {
         let none = [[0.0; N]; 2];
         Self { slopes: none, limits: none, most: 0.0, falls: false, agreed: 0.0 }
@@ -45,7 +45,12 @@ impl<const N: usize> Default for Strips<N> {
 /// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run
 /// forward, or back from its end.
 #[inline]
-pub(crate) fn highest(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+pub(crate) fn highest(
+    piece: &PathElement,
+    forward: bool,
+    most: (f64, f64),
+    limits: &Limits,
+) -> f64 {
     if forward && piece.axes <= 3 {
         piece.strips.highest(piece, most, limits)
     } else {
@@ -54,18 +59,18 @@ pub(crate) fn highest(piece: &Piece, forward: bool, most: (f64, f64), limits: &L
 }
 
 #[inline(never)]
-fn looked_at(piece: &Piece, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+fn looked_at(piece: &PathElement, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
     if piece.axes > 3 {
-        Ends::<9>::new(piece, forward, limits).highest(piece, most, limits)
+        AxisInequalities::<9>::new(piece, forward, limits).highest(piece, most, limits)
     } else {
-        Ends::<3>::new(piece, forward, limits).highest(piece, most, limits)
+        AxisInequalities::<3>::new(piece, forward, limits).highest(piece, most, limits)
     }
 }
 
 /// Walks the edge of what is allowed from the highest exit down, to where the entry is highest.
 #[inline]
-fn walk<const N: usize>(strips: &Strips<N>, mut exit: f64) -> Option<f64> {
-    for _ in 0..CORNERS {
+fn walk<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
+    for _ in 0..VERTICES_MAX {
         // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
         let highs = strips.bounds(|limit, slope| limit - slope * exit);
         let lows = strips.bounds(|limit, slope| limit + slope * exit);
@@ -98,9 +103,9 @@ fn walk<const N: usize>(strips: &Strips<N>, mut exit: f64) -> Option<f64> {
     None
 }
 
-impl<const N: usize> Ends<N> {
+impl<const N: usize> AxisInequalities<N> {
     #[inline]
-    fn new(piece: &Piece, forward: bool, limits: &Limits) -> Self {
+    fn new(piece: &PathElement, forward: bool, limits: &Limits) -> Self {
         let (rate, bend) = (leading(&piece.rate), leading(&piece.bend));
         let last = each(&rate, &bend, |rate, bend| rate + piece.length * bend);
         let (first, last) =
@@ -115,11 +120,11 @@ impl<const N: usize> Ends<N> {
 
     /// What is mostly asked for is allowed, and known to be so without a division.
     #[inline]
-    fn highest(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn highest(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
         if self.allow(cap, exit) {
             return cap;
         }
-        let mut strips = Strips::default();
+        let mut strips = BlendLimits::default();
         self.strips(&mut strips);
         strips.along_edge(piece, exit, limits)
     }
@@ -135,7 +140,7 @@ impl<const N: usize> Ends<N> {
     }
 
     #[inline]
-    fn strips(&self, strips: &mut Strips<N>) {
+    fn strips(&self, strips: &mut BlendLimits<N>) {
         strips.most = f64::INFINITY;
         let ends = self.entering.iter().zip(&self.leaving);
         for ((entering, leaving), (slopes, limits)) in
@@ -145,20 +150,25 @@ impl<const N: usize> Ends<N> {
             *slopes = each(leaving, &inverse, |leaving, inverse| leaving * inverse);
             *limits = each(&self.limit, &inverse, |limit, inverse| (limit * inverse).abs());
         }
-        if self.entering.as_flattened().iter().any(|entering| entering.abs() < FLAT) {
+        if self
+            .entering
+            .as_flattened()
+            .iter()
+            .any(|entering| entering.abs() < ENTRY_COEFFICIENT_MIN)
+        {
             self.take_out_flat(strips);
         }
     }
 
     /// Takes out what limits no entry, but the exit.
     #[inline(never)]
-    fn take_out_flat(&self, strips: &mut Strips<N>) {
+    fn take_out_flat(&self, strips: &mut BlendLimits<N>) {
         let slopes = strips.slopes.as_flattened_mut().iter_mut();
         let rows = slopes.zip(strips.limits.as_flattened_mut());
         let ends = self.entering.as_flattened().iter().zip(self.leaving.as_flattened());
         for ((row, (entering, leaving)), limit) in rows.zip(ends).zip(self.limit.iter().cycle()) {
-            if entering.abs() < FLAT {
-                let most = limit / math::greater(leaving.abs(), FLAT);
+            if entering.abs() < ENTRY_COEFFICIENT_MIN {
+                let most = limit / math::greater(leaving.abs(), ENTRY_COEFFICIENT_MIN);
                 strips.most = math::lesser(strips.most, most);
                 (*row.0, *row.1) = (0.0, f64::INFINITY);
             }
@@ -166,10 +176,10 @@ impl<const N: usize> Ends<N> {
     }
 }
 
-impl Strips<3> {
+impl BlendLimits<3> {
     /// Looks at a bend of up to three axes, run forward.
-    pub(crate) fn lay(piece: &mut Piece, limits: &Limits) {
-        let ends = Ends::new(piece, true, limits);
+    pub(crate) fn lay(piece: &mut PathElement, limits: &Limits) {
+        let ends = AxisInequalities::new(piece, true, limits);
         let strips = &mut piece.strips;
         ends.strips(strips);
         let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
@@ -185,7 +195,7 @@ impl Strips<3> {
 
     /// Mostly the highest exit has the highest entry.
     #[inline]
-    fn highest(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn highest(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
         if exit <= self.agreed {
             // Two at a time, whichever axes and ends these are.
             let mut high = [cap; 2];
@@ -206,7 +216,7 @@ impl Strips<3> {
     }
 
     #[inline(never)]
-    fn looked_at(&self, piece: &Piece, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn looked_at(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
         let exit = math::lesser(exit, self.most);
         let low = least(&self.bounds(|limit, slope| limit + slope * exit));
         let high = least(&self.bounds(|limit, slope| limit - slope * exit));
@@ -218,9 +228,9 @@ impl Strips<3> {
     }
 }
 
-impl<const N: usize> Strips<N> {
+impl<const N: usize> BlendLimits<N> {
     #[inline]
-    fn along_edge(&self, piece: &Piece, exit: f64, limits: &Limits) -> f64 {
+    fn along_edge(&self, piece: &PathElement, exit: f64, limits: &Limits) -> f64 {
         let exit = math::lesser(exit, self.most);
         walk(self, exit).unwrap_or_else(|| {
             // As fast at the end as at the start is possible, if that is slow enough.

@@ -5,35 +5,38 @@
 
 use crate::limits::{Limits, squared};
 use crate::math;
-use crate::piece::{Law, Pace, Piece};
+use crate::motion::{
+    BLEND_WORK, CycleRequest, ELEMENTS_PER_CYCLE_MAX, ElementEnd, LONG_BLEND_CYCLES_MIN,
+    MotionState, even_ramp,
+};
+use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::ring::Ring;
-use crate::step::{BEND, End, LASTING, Motion, TOUCHED, Wish, even_ramp};
 
-/// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::UNEQUAL`).
-const USED: f64 = 0.98;
+/// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::PARABOLA_SIDE_RATIO_MAX`).
+const FAST_USE_RATIO_MAX: f64 = 0.98;
 /// By so much the square of a speed may be above another one by rounding.
-const SAME: f64 = 1.0 + 1e-12;
+const SPEED_SQ_ROUNDING_RATIO: f64 = 1.0 + 1e-12;
 
 /// An acceleration that is easily kept, and what it leads to.
 #[derive(Clone, Copy, Debug)]
-struct Easy {
+struct FastStep {
     acceleration: f64,
     /// The square of the speed at which it comes to the end of the piece.
     last: f64,
 }
 
-impl Motion {
+impl MotionState {
     /// Moves on over pieces that are easy; how much of the time is left for those that are not.
     #[inline]
     pub(crate) fn cruise(
         &mut self,
-        ring: &Ring<Piece>,
+        ring: &Ring<PathElement>,
         limits: &Limits,
-        wish: &Wish,
+        wish: &CycleRequest,
         mut left: f64,
     ) -> f64 {
         let Some(mut piece) = ring.get(self.at) else { return left };
-        for _ in 0..TOUCHED {
+        for _ in 0..ELEMENTS_PER_CYCLE_MAX {
             let Some(next) = ring.get(self.at.wrapping_add(1)) else { return left };
             let remaining = piece.length - self.x;
             if remaining > 0.0 {
@@ -68,7 +71,7 @@ impl Motion {
                 self.x = piece.length;
                 self.speed = end;
                 self.begin(piece, from);
-            } else if let Law::Dwell(_) = piece.law {
+            } else if let AccelerationModel::Dwell(_) = piece.law {
                 return left;
             }
             self.effort = self.effort.saturating_add(1);
@@ -82,21 +85,21 @@ impl Motion {
     #[inline]
     fn easy(
         &mut self,
-        (piece, next): (&Piece, &Piece),
+        (piece, next): (&PathElement, &PathElement),
         (exit, remaining): (f64, f64),
-        (limits, wish): (&Limits, &Wish),
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
-    ) -> Option<Easy> {
+    ) -> Option<FastStep> {
         let y = squared(self.speed);
         // Rapid moves are not overridden here.
         let wanted = match piece.pace {
-            Pace::Second => math::lesser(piece.fastest, piece.feed * wish.feed),
-            Pace::Rapid => piece.fastest,
-            Pace::Turn => return None,
+            FeedBasis::PerSecond => math::lesser(piece.fastest, piece.feed * wish.feed),
+            FeedBasis::Rapid => piece.fastest,
+            FeedBasis::PerTurn => return None,
         };
         let asked = (wanted - self.speed) / left;
         match (piece.law, &piece.circle) {
-            (Law::Bent { even }, _) => {
+            (AccelerationModel::Blend { even }, _) => {
                 let exit = math::lesser(exit, piece.last_ceiling);
                 let met = (exit - y) / (2.0 * remaining);
                 let most = math::lesser(asked, met);
@@ -104,39 +107,44 @@ impl Motion {
                 let last = y + 2.0 * most * remaining;
                 let used = math::greater(y, last) / even + most.abs() / limits.softest;
                 // On a bend that lasts there may be more than can be kept up to its end.
-                let lasts = || LASTING * self.speed * limits.cycle < remaining;
-                if used <= USED && (most >= asked || !lasts()) {
-                    return Some(Easy { acceleration: most, last });
+                let lasts = || LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < remaining;
+                if used <= FAST_USE_RATIO_MAX && (most >= asked || !lasts()) {
+                    return Some(FastStep { acceleration: most, last });
                 }
                 let slows =
                     met <= asked && met <= 0.0 && self.keeps_to_plan((piece, next), exit, even);
                 if slows && !lasts() {
-                    return Some(Easy { acceleration: met, last });
+                    return Some(FastStep { acceleration: met, last });
                 }
                 let acceleration = if lasts() {
-                    let end = End { exit, remaining, open: false };
+                    let end = ElementEnd { exit, remaining, open: false };
                     self.lasting(piece, end, (most, asked), (limits, wish), left)?
                 } else {
                     self.hardly(piece, remaining, most, limits)?
                 };
-                Some(Easy { acceleration, last: y + 2.0 * acceleration * remaining })
+                Some(FastStep { acceleration, last: y + 2.0 * acceleration * remaining })
             }
-            (Law::Even { acceleration }, _) => {
-                let ramp = even_ramp(acceleration, End { exit, remaining, open: false }, 1.0);
-                let acceleration =
-                    self.kept(&ramp, wanted, End { exit, remaining, open: false }, (1.0, left));
+            (AccelerationModel::Constant { acceleration }, _) => {
+                let ramp =
+                    even_ramp(acceleration, ElementEnd { exit, remaining, open: false }, 1.0);
+                let acceleration = self.kept(
+                    &ramp,
+                    wanted,
+                    ElementEnd { exit, remaining, open: false },
+                    (1.0, left),
+                );
                 let last = y + 2.0 * acceleration * remaining;
-                Some(Easy { acceleration, last })
+                Some(FastStep { acceleration, last })
             }
-            (Law::Round { acceleration: most, .. }, Some(circle)) => {
+            (AccelerationModel::Arc { acceleration: most, .. }, Some(circle)) => {
                 let end = self.speed + asked * left;
                 let high = math::greater(y, squared(end));
                 let after = remaining - 0.5 * (self.speed + end) * left;
                 let used = squared(asked) + squared(circle.turn * high);
                 let easy = used <= squared(most)
-                    && (high <= exit * SAME || circle.is_far(after))
+                    && (high <= exit * SPEED_SQ_ROUNDING_RATIO || circle.is_far(after))
                     && after > 0.0;
-                easy.then_some(Easy { acceleration: asked, last: 0.0 })
+                easy.then_some(FastStep { acceleration: asked, last: 0.0 })
             }
             _ => None,
         }
@@ -149,17 +157,28 @@ impl Motion {
     /// to go on as fast as there, if that is below `even`. What they allow is convex, so that all that lies between
     /// these is allowed, as long as the exit is no less than the plan's.
     #[inline]
-    fn keeps_to_plan(&self, (piece, next): (&Piece, &Piece), exit: f64, even: f64) -> bool {
+    fn keeps_to_plan(
+        &self,
+        (piece, next): (&PathElement, &PathElement),
+        exit: f64,
+        even: f64,
+    ) -> bool {
         let planned = exit * self.x + piece.reach * (piece.length - self.x);
         next.reach >= piece.relied
             && piece.reach <= even
-            && squared(self.speed) * piece.length <= planned * SAME
+            && squared(self.speed) * piece.length <= planned * SPEED_SQ_ROUNDING_RATIO
     }
 
     /// The acceleration on a bend whose axes have little more than is asked of them.
     #[cold]
     #[inline(never)]
-    fn hardly(&self, piece: &Piece, remaining: f64, most: f64, limits: &Limits) -> Option<f64> {
+    fn hardly(
+        &self,
+        piece: &PathElement,
+        remaining: f64,
+        most: f64,
+        limits: &Limits,
+    ) -> Option<f64> {
         if piece.axes <= 3 {
             self.hardly_of::<3>(piece, remaining, most, limits)
         } else {
@@ -170,7 +189,7 @@ impl Motion {
     #[inline]
     fn hardly_of<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         remaining: f64,
         most: f64,
         limits: &Limits,
@@ -186,13 +205,13 @@ impl Motion {
     #[inline(never)]
     fn lasting(
         &mut self,
-        piece: &Piece,
-        end: End,
+        piece: &PathElement,
+        end: ElementEnd,
         asked: (f64, f64),
-        with: (&Limits, &Wish),
+        with: (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<f64> {
-        self.effort = self.effort.saturating_add(BEND);
+        self.effort = self.effort.saturating_add(BLEND_WORK);
         if piece.axes <= 3 {
             self.kept_or_quicker::<3>(piece, end, asked, with, left)
         } else {

@@ -4,30 +4,30 @@
 //! axis keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their
 //! period.
 
-use crate::ahead::exit;
-use crate::limits::{Limits, PLANNED, squared};
+use crate::entry_speed::along;
+use crate::limits::{Limits, PLANNED_RATIO, squared};
+use crate::look_ahead::exit;
 use crate::math;
-use crate::piece::{Circle, Law, Pace, Piece};
-use crate::reach::along;
+use crate::path_element::{AccelerationModel, Circle, FeedBasis, PathElement};
 use crate::ring::Ring;
 
 /// The share of an axis in a direction below which it takes no part.
-pub(crate) const SMALL: f64 = 1e-9;
+pub(crate) const AXIS_SHARE_MIN: f64 = 1e-9;
 /// By so much what is left of a piece may be too short by rounding for a motion that is to come to rest at its end.
-const ROUNDED: f64 = 1.0 + 1e-6;
+const REMAINING_ROUNDING_RATIO: f64 = 1.0 + 1e-6;
 /// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
-pub(crate) const TOUCHED: u32 = 12;
-/// What a part of a cycle on a bend is worth of [`Motion::effort`].
-pub(crate) const BEND: u32 = 2;
+pub(crate) const ELEMENTS_PER_CYCLE_MAX: u32 = 12;
+/// What a part of a cycle on a bend is worth of [`MotionState::effort`].
+pub(crate) const BLEND_WORK: u32 = 2;
 /// What costs much in a cycle is left out, or to the next one, where this much has been done.
-pub(crate) const ENOUGH: u32 = 5;
+pub(crate) const CYCLE_WORK_MAX: u32 = 5;
 /// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one
 /// that can be kept up to its end.
-pub(crate) const LASTING: f64 = 2.0;
+pub(crate) const LONG_BLEND_CYCLES_MIN: f64 = 2.0;
 
 /// What is asked for in a cycle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wish {
+pub(crate) struct CycleRequest {
     /// Share of the programmed feed.
     pub(crate) feed: f64,
     /// Share of the rapid speed.
@@ -44,7 +44,7 @@ pub(crate) struct Wish {
 
 /// Where the motion is.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Motion {
+pub(crate) struct MotionState {
     /// The piece.
     pub(crate) at: u64,
     /// Its parameter.
@@ -74,7 +74,7 @@ pub(crate) struct Motion {
 /// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per
 /// unit.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ramp {
+pub(crate) struct AccelerationWindow {
     low: f64,
     high: f64,
     bound: f64,
@@ -83,7 +83,7 @@ pub(crate) struct Ramp {
 
 /// The end of a piece in the direction of motion.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct End {
+pub(crate) struct ElementEnd {
     /// Square of the speed at which the piece may be left there.
     pub(crate) exit: f64,
     /// How far it is.
@@ -92,10 +92,10 @@ pub(crate) struct End {
     pub(crate) open: bool,
 }
 
-impl Motion {
+impl MotionState {
     /// Moves on by a cycle.
     #[inline]
-    pub(crate) fn cycle(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish) {
+    pub(crate) fn cycle(&mut self, ring: &Ring<PathElement>, limits: &Limits, wish: &CycleRequest) {
         self.acceleration = 0.0;
         (self.effort, self.braked) = (0, false);
         let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
@@ -111,25 +111,31 @@ impl Motion {
     }
 
     #[inline(never)]
-    fn run(&mut self, ring: &Ring<Piece>, limits: &Limits, wish: &Wish, mut left: f64) {
+    fn run(
+        &mut self,
+        ring: &Ring<PathElement>,
+        limits: &Limits,
+        wish: &CycleRequest,
+        mut left: f64,
+    ) {
         let Some(mut piece) = ring.get(self.at) else { return };
-        for _ in 0..TOUCHED {
+        for _ in 0..ELEMENTS_PER_CYCLE_MAX {
             let mut remaining = self.remaining(piece);
             if remaining <= 0.0 {
                 let Some(next) = self.over(ring, piece, &mut left) else { return };
                 piece = next;
                 remaining = self.remaining(piece);
             }
-            if let Law::Dwell(_) = piece.law {
+            if let AccelerationModel::Dwell(_) = piece.law {
                 if left > 0.0 && !wish.rest {
                     continue;
                 }
                 return;
             }
             self.effort = self.effort.saturating_add(match piece.law {
-                Law::Even { .. } | Law::Dwell(_) => 1,
-                Law::Bent { .. } => BEND,
-                Law::Round { .. } | Law::Shared { .. } => 3,
+                AccelerationModel::Constant { .. } | AccelerationModel::Dwell(_) => 1,
+                AccelerationModel::Blend { .. } => BLEND_WORK,
+                AccelerationModel::Arc { .. } | AccelerationModel::BlendedArc { .. } => 3,
             });
             let end = self.end(ring, piece, remaining, wish);
             let from = self.x;
@@ -144,46 +150,57 @@ impl Motion {
     }
 
     /// What is left of the piece in the direction of motion.
-    pub(crate) fn remaining(&self, piece: &Piece) -> f64 {
+    pub(crate) fn remaining(&self, piece: &PathElement) -> f64 {
         if self.backwards { self.x } else { piece.length - self.x }
     }
 
     /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is
     /// asked to have, where that is planned for more.
     #[inline]
-    fn end(&self, ring: &Ring<Piece>, piece: &Piece, remaining: f64, wish: &Wish) -> End {
+    fn end(
+        &self,
+        ring: &Ring<PathElement>,
+        piece: &PathElement,
+        remaining: f64,
+        wish: &CycleRequest,
+    ) -> ElementEnd {
         if self.backwards {
             let before = ring.get(self.at.wrapping_sub(1));
-            let reach = |before: &Piece| before.back * squared(before.exit);
+            let reach = |before: &PathElement| before.back * squared(before.exit);
             let exit = before.map_or(0.0, |before| math::lesser(reach(before), piece.entry));
-            return End { exit, remaining, open: false };
+            return ElementEnd { exit, remaining, open: false };
         }
         let Some(next) = ring.get(self.at.wrapping_add(1)) else {
-            return End { exit: 0.0, remaining, open: false };
+            return ElementEnd { exit: 0.0, remaining, open: false };
         };
         let mut exit = next.reach / squared(piece.exit);
         if wish.ease < 1.0 {
             let asked = wanted(next, next.fastest, wish);
             exit = math::lesser(exit, squared(asked / piece.exit) / wish.ease);
         }
-        End { exit, remaining, open: next.entry > 0.0 }
+        ElementEnd { exit, remaining, open: next.entry > 0.0 }
     }
 
     /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
     /// can no more come to it, since `late`.
     #[inline]
-    pub(crate) fn opened(&self, piece: &Piece, end: End, late: impl Fn(f64) -> bool) -> f64 {
-        let far = end.remaining * ROUNDED + 8.0 * f64::EPSILON * piece.length;
+    pub(crate) fn opened(
+        &self,
+        piece: &PathElement,
+        end: ElementEnd,
+        late: impl Fn(f64) -> bool,
+    ) -> f64 {
+        let far = end.remaining * REMAINING_ROUNDING_RATIO + 8.0 * f64::EPSILON * piece.length;
         if end.open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
     }
 
     /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
     fn over<'a>(
         &mut self,
-        ring: &'a Ring<Piece>,
-        piece: &Piece,
+        ring: &'a Ring<PathElement>,
+        piece: &PathElement,
         left: &mut f64,
-    ) -> Option<&'a Piece> {
+    ) -> Option<&'a PathElement> {
         if self.backwards {
             let before = self.at.checked_sub(1).filter(|before| *before >= self.back_to)?;
             let earlier = ring.get(before)?;
@@ -192,7 +209,7 @@ impl Motion {
             self.x = earlier.length;
             return Some(earlier);
         }
-        if let Law::Dwell(seconds) = piece.law {
+        if let AccelerationModel::Dwell(seconds) = piece.law {
             let rest = seconds - self.dwelt;
             if rest > *left {
                 self.dwelt += *left;
@@ -214,7 +231,7 @@ impl Motion {
 
     /// Goes over to the piece after this one.
     #[inline]
-    pub(crate) fn enter(&mut self, before: &Piece) {
+    pub(crate) fn enter(&mut self, before: &PathElement) {
         self.at = self.at.wrapping_add(1);
         self.speed *= before.exit;
         self.x = 0.0;
@@ -222,7 +239,7 @@ impl Motion {
     }
 
     /// Who is held at the start of a segment has not begun it.
-    fn note(&mut self, piece: &Piece, from: f64) {
+    fn note(&mut self, piece: &PathElement, from: f64) {
         if self.x > from {
             self.begin(piece, from);
         }
@@ -230,7 +247,7 @@ impl Motion {
 
     /// A segment has begun if its start was passed.
     #[inline]
-    pub(crate) fn begin(&mut self, piece: &Piece, from: f64) {
+    pub(crate) fn begin(&mut self, piece: &PathElement, from: f64) {
         if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
             self.begun = self.begun.max(piece.index);
             self.number = piece.number;
@@ -239,22 +256,31 @@ impl Motion {
 
     /// Moves within a piece for as long as there is time and path; how long that was.
     #[inline]
-    fn within(&mut self, piece: &Piece, end: End, asked: (&Limits, &Wish), left: f64) -> f64 {
+    fn within(
+        &mut self,
+        piece: &PathElement,
+        end: ElementEnd,
+        asked: (&Limits, &CycleRequest),
+        left: f64,
+    ) -> f64 {
         match piece.law {
-            Law::Bent { .. } if piece.axes <= 3 => self.bend::<3>(piece, end, asked, left),
-            Law::Bent { .. } => self.bend::<9>(piece, end, asked, left),
-            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
-                self.along(piece, end, asked, left)
+            AccelerationModel::Blend { .. } if piece.axes <= 3 => {
+                self.bend::<3>(piece, end, asked, left)
             }
+            AccelerationModel::Blend { .. } => self.bend::<9>(piece, end, asked, left),
+            AccelerationModel::Constant { .. }
+            | AccelerationModel::Arc { .. }
+            | AccelerationModel::BlendedArc { .. }
+            | AccelerationModel::Dwell(_) => self.along(piece, end, asked, left),
         }
     }
 
     #[inline]
     fn along(
         &mut self,
-        piece: &Piece,
-        end: End,
-        (limits, wish): (&Limits, &Wish),
+        piece: &PathElement,
+        end: ElementEnd,
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
         let mut low = self.lowest(piece, limits.cycle);
@@ -270,7 +296,8 @@ impl Motion {
         let mut acceleration = low;
         if (wanted - self.speed) / left > low {
             let ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle), most);
-            acceleration = self.kept(&Ramp { low, ..ramp }, wanted, end, (wish.ease, left));
+            acceleration =
+                self.kept(&AccelerationWindow { low, ..ramp }, wanted, end, (wish.ease, left));
         }
         self.go(piece, acceleration, end, left)
     }
@@ -279,9 +306,9 @@ impl Motion {
     #[inline]
     pub(crate) fn kept(
         &self,
-        ramp: &Ramp,
+        ramp: &AccelerationWindow,
         wanted: f64,
-        End { exit, remaining, .. }: End,
+        ElementEnd { exit, remaining, .. }: ElementEnd,
         (ease, left): (f64, f64),
     ) -> f64 {
         // The speed at the end of the cycle at which look-ahead's bound is just met.
@@ -310,65 +337,79 @@ impl Motion {
 
     /// The least acceleration that the law of a piece without a bend allows.
     #[inline]
-    fn lowest(&self, piece: &Piece, cycle: f64) -> f64 {
+    fn lowest(&self, piece: &PathElement, cycle: f64) -> f64 {
         match (piece.law, &piece.circle) {
-            (Law::Round { acceleration, .. }, Some(circle)) => {
+            (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 -left_along(acceleration, circle, squared(self.speed))
             }
-            (Law::Shared { most, less }, _) => {
+            (AccelerationModel::BlendedArc { most, less }, _) => {
                 -math::greater(0.0, most - less * squared(self.speed)) * all(piece, less, cycle)
             }
-            (Law::Even { acceleration }, _) => -acceleration / PLANNED,
-            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => 0.0,
+            (AccelerationModel::Constant { acceleration }, _) => -acceleration / PLANNED_RATIO,
+            (
+                AccelerationModel::Arc { .. }
+                | AccelerationModel::Blend { .. }
+                | AccelerationModel::Dwell(_),
+                _,
+            ) => 0.0,
         }
     }
 
     fn ramp(
         &self,
-        piece: &Piece,
-        end: End,
+        piece: &PathElement,
+        end: ElementEnd,
         ease: f64,
         (left, cycle): (f64, f64),
         lowest: f64,
-    ) -> Ramp {
+    ) -> AccelerationWindow {
         match (piece.law, &piece.circle) {
-            (Law::Round { acceleration, .. }, Some(circle)) => {
+            (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 let rest = |y: f64| left_along(acceleration, circle, y);
                 self.curved(piece, end, (ease, left), lowest, rest)
             }
-            (Law::Shared { most, less }, _) => {
+            (AccelerationModel::BlendedArc { most, less }, _) => {
                 let all = all(piece, less, cycle);
                 let rest = |y: f64| math::greater(0.0, most - less * y) * all;
                 self.curved(piece, end, (ease, left), lowest, rest)
             }
-            (Law::Even { acceleration }, _) => even_ramp(acceleration, end, ease),
-            (Law::Round { .. } | Law::Bent { .. } | Law::Dwell(_), _) => {
-                Ramp { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 }
-            }
+            (AccelerationModel::Constant { acceleration }, _) => even_ramp(acceleration, end, ease),
+            (
+                AccelerationModel::Arc { .. }
+                | AccelerationModel::Blend { .. }
+                | AccelerationModel::Dwell(_),
+                _,
+            ) => AccelerationWindow { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 },
         }
     }
 
     /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
     fn curved(
         &self,
-        piece: &Piece,
-        End { exit, remaining, .. }: End,
+        piece: &PathElement,
+        ElementEnd { exit, remaining, .. }: ElementEnd,
         (ease, left): (f64, f64),
         lowest: f64,
         rest: impl Fn(f64) -> f64,
-    ) -> Ramp {
+    ) -> AccelerationWindow {
         let (y, most) = (squared(self.speed), -lowest);
         let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
         let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
         let bound = ease * along(piece.law, &piece.circle, exit, remaining);
         let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
         let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
-        Ramp { low: lowest, high, bound, slope }
+        AccelerationWindow { low: lowest, high, bound, slope }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
     #[inline(always)]
-    pub(crate) fn go(&mut self, piece: &Piece, acceleration: f64, ahead: End, left: f64) -> f64 {
+    pub(crate) fn go(
+        &mut self,
+        piece: &PathElement,
+        acceleration: f64,
+        ahead: ElementEnd,
+        left: f64,
+    ) -> f64 {
         let remaining = ahead.remaining;
         self.acceleration = acceleration;
         let end = self.speed + acceleration * left;
@@ -432,26 +473,29 @@ impl Motion {
     }
 
     /// Whether a piece that was changed at its end can still be kept to from here.
-    pub(crate) fn permits(&self, ring: &Ring<Piece>, limits: &Limits) -> bool {
+    pub(crate) fn permits(&self, ring: &Ring<PathElement>, limits: &Limits) -> bool {
         let Some(piece) = ring.get(self.at) else { return true };
         self.comes_to(piece, exit(ring, piece, self.at), limits)
     }
 
     /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
-    pub(crate) fn comes_to(&self, piece: &Piece, exit: f64, limits: &Limits) -> bool {
+    pub(crate) fn comes_to(&self, piece: &PathElement, exit: f64, limits: &Limits) -> bool {
         let y = squared(self.speed);
         if y <= 0.0 || self.backwards {
             return true;
         }
         let remaining = self.remaining(piece);
         match piece.law {
-            Law::Bent { .. } => {
+            AccelerationModel::Blend { .. } => {
                 let low = self.least_on(piece, remaining, limits);
                 let high = self.greatest_on(piece, remaining, limits);
                 let high = high.min((exit - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
-            Law::Even { .. } | Law::Round { .. } | Law::Shared { .. } | Law::Dwell(_) => {
+            AccelerationModel::Constant { .. }
+            | AccelerationModel::Arc { .. }
+            | AccelerationModel::BlendedArc { .. }
+            | AccelerationModel::Dwell(_) => {
                 y <= along(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
             }
         }
@@ -460,10 +504,10 @@ impl Motion {
 
 /// The ramp where the acceleration is the same everywhere.
 #[inline]
-pub(crate) fn even_ramp(acceleration: f64, end: End, ease: f64) -> Ramp {
+pub(crate) fn even_ramp(acceleration: f64, end: ElementEnd, ease: f64) -> AccelerationWindow {
     let slope = -2.0 * acceleration * ease;
     let bound = ease * end.exit - slope * end.remaining;
-    Ramp { low: -acceleration / PLANNED, high: acceleration, bound, slope }
+    AccelerationWindow { low: -acceleration / PLANNED_RATIO, high: acceleration, bound, slope }
 }
 
 /// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
@@ -474,20 +518,20 @@ fn left_along(acceleration: f64, circle: &Circle, y: f64) -> f64 {
 
 /// What the axes can do on an arc that is bent, over what is planned with.
 #[inline]
-fn all(piece: &Piece, less: f64, cycle: f64) -> f64 {
-    1.0 / (PLANNED - less * piece.fastest * cycle)
+fn all(piece: &PathElement, less: f64, cycle: f64) -> f64 {
+    1.0 / (PLANNED_RATIO - less * piece.fastest * cycle)
 }
 
-fn within_bounds(acceleration: f64, ramp: &Ramp) -> f64 {
+fn within_bounds(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
     math::greater(math::lesser(acceleration, ramp.high), ramp.low)
 }
 
 /// The speed that a piece is asked to have where its axes allow so much.
-pub(crate) fn wanted(piece: &Piece, fastest: f64, wish: &Wish) -> f64 {
+pub(crate) fn wanted(piece: &PathElement, fastest: f64, wish: &CycleRequest) -> f64 {
     let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
     match piece.pace {
-        Pace::Rapid => fastest * wish.rapid,
-        Pace::Second => math::lesser(axes, piece.feed * wish.feed),
-        Pace::Turn => math::lesser(axes, piece.feed * wish.turns),
+        FeedBasis::Rapid => fastest * wish.rapid,
+        FeedBasis::PerSecond => math::lesser(axes, piece.feed * wish.feed),
+        FeedBasis::PerTurn => math::lesser(axes, piece.feed * wish.turns),
     }
 }

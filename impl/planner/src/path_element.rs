@@ -6,9 +6,9 @@
 //! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its
 //! direction.
 
+use crate::blend_limits::BlendLimits;
 use crate::math;
 use crate::parameters::{Axes, lead};
-use crate::strips::Strips;
 
 /// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,19 +71,19 @@ impl Circle {
 
 /// What keeps speed and acceleration of a piece within the limits of all axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Law {
+pub(crate) enum AccelerationModel {
     /// The parameter may be accelerated by so much anywhere.
-    Even {
+    Constant {
         /// Per second squared.
         acceleration: f64,
     },
     /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
-    Bent {
+    Blend {
         /// The square of the speed at which it may be passed evenly.
         even: f64,
     },
     /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
-    Round {
+    Arc {
         /// Per second squared, of whichever axis has least.
         acceleration: f64,
         /// What is planned with: less by what a speed that changes in steps of a cycle loses.
@@ -92,7 +92,7 @@ pub(crate) enum Law {
     /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤
     /// most, planned with. Both are less than what the axes can do by what a speed that changes in steps of a cycle
     /// loses: less·v times the cycle at the highest speed.
-    Shared {
+    BlendedArc {
         /// Per second squared, at rest.
         most: f64,
         /// Per unit of the parameter.
@@ -102,7 +102,7 @@ pub(crate) enum Law {
     Dwell(f64),
 }
 
-impl Default for Law {
+impl Default for AccelerationModel {
     fn default() -> Self {
         Self::Dwell(0.0)
     }
@@ -110,16 +110,16 @@ impl Default for Law {
 
 /// What a feed is measured by, and so which override applies to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Pace {
+pub(crate) enum FeedBasis {
     #[default]
     Rapid,
-    Second,
-    Turn,
+    PerSecond,
+    PerTurn,
 }
 
 /// A part of the path with one law.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Piece {
+pub(crate) struct PathElement {
     pub(crate) origin: Axes,
     pub(crate) rate: Axes,
     pub(crate) bend: Axes,
@@ -131,9 +131,9 @@ pub(crate) struct Piece {
     pub(crate) exit: f64,
     /// How many of the leading axes take part.
     pub(crate) axes: usize,
-    pub(crate) law: Law,
+    pub(crate) law: AccelerationModel,
     /// What the axes allow at both ends of a bend of up to three, run forward.
-    pub(crate) strips: Strips<3>,
+    pub(crate) strips: BlendLimits<3>,
     /// Highest square of the parameter's speed that the axes allow, where the piece begins.
     pub(crate) ceiling: f64,
     /// The same where it ends; between these it changes evenly.
@@ -142,7 +142,7 @@ pub(crate) struct Piece {
     pub(crate) fastest: f64,
     /// Programmed speed of the parameter, per second or per turn.
     pub(crate) feed: f64,
-    pub(crate) pace: Pace,
+    pub(crate) pace: FeedBasis,
     /// Whether it is also part of a rapid move, so that the rapid override applies too.
     pub(crate) rapid: bool,
     /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
@@ -164,7 +164,7 @@ pub(crate) struct Piece {
     pub(crate) index: u64,
 }
 
-impl Piece {
+impl PathElement {
     /// Becomes a piece that begins at a position and leads nowhere yet, with nothing of what it was.
     pub(crate) fn begin_at(&mut self, start: &Axes) {
         self.origin = *start;

@@ -4,28 +4,28 @@ use crate::error::NotQueued;
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::parameters::Axes;
-use crate::piece::{Circle, Pace, Piece};
+use crate::path_element::{Circle, FeedBasis, PathElement};
 use crate::segment::Blend;
 use crate::segment::{Feed, Path, Segment};
 
 /// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
 /// it up.
-const NOWHERE: f64 = 1e-10;
+const ZERO_LENGTH_MM: f64 = 1e-10;
 /// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
-const STRAYED: f64 = 0.25;
+const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
 /// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
 /// equal ones.
-const EVENLY: f64 = 4.0;
+const MERGED_SEGMENTS_MIN: f64 = 4.0;
 /// The change of direction, radians, up to which two segments may become one leg.
-const STRAIGHT: f64 = 0.2;
+const MERGE_ANGLE_MAX_RAD: f64 = 0.2;
 /// By so much two feeds may differ that are one.
-const SAME: f64 = 1e-12;
+const FEED_TOLERANCE_RATIO: f64 = 1e-12;
 
 /// A segment from corner to corner, or several that are over within a cycle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Leg {
+pub(crate) struct NominalSegment {
     /// All of it, with its law.
-    pub(crate) whole: Piece,
+    pub(crate) whole: PathElement,
     /// p' at its ends.
     pub(crate) first: Axes,
     pub(crate) last: Axes,
@@ -44,10 +44,10 @@ pub(crate) struct Leg {
 
 /// What a segment is once its end is known.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Resolved {
-    Leg,
+pub(crate) enum ResolvedSegment {
+    Moves,
     /// It moves nothing.
-    Nowhere,
+    ZeroLength,
     /// Seconds of rest.
     Dwell(f64),
 }
@@ -55,14 +55,14 @@ pub(crate) enum Resolved {
 /// Reads a segment that begins at a position, into a leg if it is one.
 pub(crate) fn resolve(
     segment: &Segment,
-    (leg, start): (&mut Leg, &Axes),
+    (leg, start): (&mut NominalSegment, &Axes),
     limits: &Limits,
-) -> Result<Resolved, NotQueued> {
+) -> Result<ResolvedSegment, NotQueued> {
     let whole = &mut leg.whole;
     whole.begin_at(start);
     match segment.path {
         Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
-            return Ok(Resolved::Dwell(seconds));
+            return Ok(ResolvedSegment::Dwell(seconds));
         }
         Path::Dwell { .. } => return Err(NotQueued::Malformed),
         Path::Straight { end } => straight(whole, &end)?,
@@ -77,8 +77,8 @@ pub(crate) fn resolve(
     if !tolerated || !pace(whole, segment.feed, felt) {
         return Err(NotQueued::Malformed);
     }
-    if whole.length <= NOWHERE {
-        return Ok(Resolved::Nowhere);
+    if whole.length <= ZERO_LENGTH_MM {
+        return Ok(ResolvedSegment::ZeroLength);
     }
     whole.number = segment.number;
     whole.probing = segment.probing;
@@ -99,16 +99,16 @@ pub(crate) fn resolve(
     }
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
     (leg.taken, leg.strayed, leg.several) = (0.0, 0.0, false);
-    Ok(Resolved::Leg)
+    Ok(ResolvedSegment::Moves)
 }
 
-impl Leg {
+impl NominalSegment {
     /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
     /// within a cycle.
     #[inline]
     pub(crate) fn goes_on_in(&self, next: &Self, limits: &Limits) -> bool {
         let (one, other) = (&self.whole, &next.whole);
-        let length = (one.length + other.length).max(other.length * EVENLY);
+        let length = (one.length + other.length).max(other.length * MERGED_SEGMENTS_MIN);
         if squared(length) > squared(limits.cycle) * self.pressing() {
             return false;
         }
@@ -118,14 +118,17 @@ impl Leg {
         for (last, first) in self.last.iter().zip(&next.first) {
             bends += squared(first - last);
         }
-        alike && one.pace != Pace::Turn && !next.apart && bends <= squared(STRAIGHT)
+        alike
+            && one.pace != FeedBasis::PerTurn
+            && !next.apart
+            && bends <= squared(MERGE_ANGLE_MAX_RAD)
     }
 
     /// Whether both have one feed, but for rounding.
     #[inline]
     pub(crate) fn has_feed_of(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
-        let near = (one.feed - other.feed).abs() <= SAME * one.feed.min(other.feed);
+        let near = (one.feed - other.feed).abs() <= FEED_TOLERANCE_RATIO * one.feed.min(other.feed);
         one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
     }
 
@@ -146,7 +149,7 @@ impl Leg {
             across += squared(old - along * new);
         }
         self.strayed += length * math::sqrt(across);
-        if self.strayed > STRAYED * tolerance {
+        if self.strayed > MERGE_DEVIATION_RATIO_MAX * tolerance {
             return false;
         }
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
@@ -159,13 +162,13 @@ impl Leg {
     /// The highest square of speed that it is ever run at, overrides up to 2.
     pub(crate) fn pressing(&self) -> f64 {
         match self.whole.pace {
-            Pace::Second => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
-            Pace::Rapid | Pace::Turn => self.whole.ceiling,
+            FeedBasis::PerSecond => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
+            FeedBasis::Rapid | FeedBasis::PerTurn => self.whole.ceiling,
         }
     }
 }
 
-fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
+fn straight(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
     whole.end = *end;
     let mut sum = 0.0;
     let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
@@ -188,7 +191,7 @@ fn straight(whole: &mut Piece, end: &Axes) -> Result<(), NotQueued> {
 
 /// The circle is the one through the start; where the end departs from it, an even motion makes up for it.
 fn arc(
-    whole: &mut Piece,
+    whole: &mut PathElement,
     end: &Axes,
     centre: &[f64; 3],
     normal: &[f64; 3],
@@ -243,12 +246,12 @@ fn arc(
 }
 
 /// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
-fn pace(whole: &mut Piece, feed: Feed, (least, most): (f64, f64)) -> bool {
+fn pace(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool {
     let (pace, speed) = match feed {
-        Feed::Rapid => (Pace::Rapid, f64::INFINITY),
-        Feed::PerSecond(feed) => (Pace::Second, feed / most),
-        Feed::InTime(seconds) => (Pace::Second, whole.length / seconds * least / most),
-        Feed::PerTurn(feed) => (Pace::Turn, feed / most),
+        Feed::Rapid => (FeedBasis::Rapid, f64::INFINITY),
+        Feed::PerSecond(feed) => (FeedBasis::PerSecond, feed / most),
+        Feed::InTime(seconds) => (FeedBasis::PerSecond, whole.length / seconds * least / most),
+        Feed::PerTurn(feed) => (FeedBasis::PerTurn, feed / most),
     };
     whole.pace = pace;
     whole.feed = speed;
@@ -257,7 +260,7 @@ fn pace(whole: &mut Piece, feed: Feed, (least, most): (f64, f64)) -> bool {
 }
 
 /// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
-fn felt(whole: &Piece) -> (f64, f64) {
+fn felt(whole: &PathElement) -> (f64, f64) {
     let [x, y, z, a, b, c, u, v, w] = whole.rate;
     let even = squared(x) + squared(y) + squared(z);
     let linear = match &whole.circle {

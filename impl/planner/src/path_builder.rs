@@ -5,29 +5,29 @@
 //! and the corner is then made anew. A path that has been promised to the motion is never changed so that it could
 //! not be kept to: then the corner keeps the form it has, a stop at worst.
 
-use crate::ahead::{Ahead, allowed};
+use crate::blend_limits::BlendLimits;
 use crate::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
-use crate::leg::Leg;
 use crate::limits::{Limits, squared};
+use crate::look_ahead::{LookAhead, allowed};
 use crate::math;
+use crate::motion::MotionState;
+use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
-use crate::piece::{Law, Pace, Piece};
+use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::ring::Ring;
 use crate::segment::Blend;
-use crate::step::Motion;
-use crate::strips::Strips;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
-const CROWD: u64 = 3;
+const ELEMENTS_PER_CROWDED_CYCLE: u64 = 3;
 /// A leg that is shorter when its corners have taken theirs is left out, millimetres.
-const NOTHING: f64 = 1e-12;
+const ELEMENT_LENGTH_MIN_MM: f64 = 1e-12;
 /// How much of a leg that begins smoothly or at rest its end may take.
-const FIRST: f64 = 0.96875;
+const END_TRIM_RATIO_MAX: f64 = 0.96875;
 
 /// A leg whose end may still change.
 #[derive(Clone, Copy, Debug, Default)]
-struct Open {
-    leg: Leg,
+struct OpenSegment {
+    leg: NominalSegment,
     /// The number of its first own piece, and whether the corners have left it one.
     main: u64,
     own: bool,
@@ -39,11 +39,11 @@ struct Open {
 
 /// The end of the path.
 #[derive(Debug)]
-pub(crate) struct Course {
+pub(crate) struct PathBuilder {
     /// Where the last segment ends.
     pub(crate) end: Axes,
     /// The last two legs and room for a new one; `turn` is where the older one lies.
-    legs: [Open; 3],
+    legs: [OpenSegment; 3],
     turn: u8,
     /// How many of them there are since the path last closed.
     open: u8,
@@ -51,10 +51,10 @@ pub(crate) struct Course {
 
 /// What a change of the path is made with.
 #[derive(Debug)]
-pub(crate) struct Queue<'a> {
-    pub(crate) ring: &'a mut Ring<Piece>,
-    pub(crate) ahead: &'a mut Ahead,
-    pub(crate) motion: &'a Motion,
+pub(crate) struct PathEdit<'a> {
+    pub(crate) ring: &'a mut Ring<PathElement>,
+    pub(crate) ahead: &'a mut LookAhead,
+    pub(crate) motion: &'a MotionState,
     pub(crate) limits: &'a Limits,
     /// The first piece that has been changed, or that has been lowered for it.
     pub(crate) changed: u64,
@@ -63,9 +63,9 @@ pub(crate) struct Queue<'a> {
     pub(crate) late: bool,
 }
 
-impl Course {
+impl PathBuilder {
     pub(crate) fn new(end: Axes) -> Self {
-        Self { end, legs: [Open::default(); 3], turn: 0, open: 0 }
+        Self { end, legs: [OpenSegment::default(); 3], turn: 0, open: 0 }
     }
 
     /// The path ends at rest here, for what comes next.
@@ -81,27 +81,28 @@ impl Course {
 
     /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
     pub(crate) fn follows(&self) -> bool {
-        self.legs.iter().any(|open| open.leg.whole.pace == Pace::Turn)
+        self.legs.iter().any(|open| open.leg.whole.pace == FeedBasis::PerTurn)
     }
 
     /// Seconds of rest at the end of the path.
-    pub(crate) fn dwell(&mut self, seconds: f64, queue: &mut Queue<'_>) {
-        let mut rest = Piece { origin: self.end, end: self.end, exit: 1.0, ..Piece::default() };
-        rest.law = Law::Dwell(seconds);
+    pub(crate) fn dwell(&mut self, seconds: f64, queue: &mut PathEdit<'_>) {
+        let mut rest =
+            PathElement { origin: self.end, end: self.end, exit: 1.0, ..PathElement::default() };
+        rest.law = AccelerationModel::Dwell(seconds);
         rest.axes = self.end.len();
         queue.ring.push(&rest);
         self.close();
     }
 
     /// Where the next leg is to be written, and where it begins.
-    pub(crate) fn new_leg(&mut self) -> (&mut Leg, &Axes) {
+    pub(crate) fn new_leg(&mut self) -> (&mut NominalSegment, &Axes) {
         let (_, _, next) = turned(&mut self.legs, self.turn);
         (&mut next.leg, &self.end)
     }
 
     /// Adds the leg that was written.
     #[inline]
-    pub(crate) fn add(&mut self, queue: &mut Queue<'_>) {
+    pub(crate) fn add(&mut self, queue: &mut PathEdit<'_>) {
         queue.changed = u64::MAX;
         let (before, last, next) = turned(&mut self.legs, self.turn);
         self.end = next.leg.whole.end;
@@ -114,7 +115,7 @@ impl Course {
         }
         let made = match next.corner {
             Corner::Stop => false,
-            Corner::Smooth | Corner::Kink(_) | Corner::Blend { .. } => {
+            Corner::Smooth | Corner::TangentBreak(_) | Corner::Blend { .. } => {
                 self.open > 1 && revised(before, last, next, queue) || blended(last, next, queue)
             }
         };
@@ -132,7 +133,10 @@ impl Course {
 }
 
 /// The leg before the last, the last and the next.
-fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
+fn turned(
+    legs: &mut [OpenSegment; 3],
+    turn: u8,
+) -> (&mut OpenSegment, &mut OpenSegment, &mut OpenSegment) {
     let [one, two, three] = legs;
     match turn {
         0 => (one, two, three),
@@ -142,7 +146,12 @@ fn turned(legs: &mut [Open; 3], turn: u8) -> (&mut Open, &mut Open, &mut Open) {
 }
 
 /// Makes one leg of the last and the next, where both are over within a cycle, and the corner before it anew.
-fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>) -> bool {
+fn joined(
+    before: &mut OpenSegment,
+    last: &mut OpenSegment,
+    next: &OpenSegment,
+    queue: &mut PathEdit<'_>,
+) -> bool {
     if !last.leg.goes_on_in(&next.leg, queue.limits) {
         return false;
     }
@@ -183,13 +192,18 @@ fn joined(before: &mut Open, last: &mut Open, next: &Open, queue: &mut Queue<'_>
 
 /// Makes the corner before the last leg anew where it may have more, and then the one before the next.
 #[inline]
-fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+fn revised(
+    before: &mut OpenSegment,
+    last: &mut OpenSegment,
+    next: &mut OpenSegment,
+    queue: &mut PathEdit<'_>,
+) -> bool {
     let Corner::Blend { most, half: false } = last.corner else { return false };
     let length = last.leg.whole.length;
     let left = match next.corner {
         Corner::Blend { most, .. } => length - most,
-        Corner::Kink(kink) => length - kink.near.min(0.5 * length),
-        Corner::Stop | Corner::Smooth => length * FIRST,
+        Corner::TangentBreak(kink) => length - kink.near.min(0.5 * length),
+        Corner::Stop | Corner::Smooth => length * END_TRIM_RATIO_MAX,
     };
     let after = left.max(0.5 * length);
     let given =
@@ -212,7 +226,7 @@ fn revised(before: &mut Open, last: &mut Open, next: &mut Open, queue: &mut Queu
 }
 
 /// Makes the corner between the last leg and the next.
-fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
+fn blended(last: &mut OpenSegment, next: &mut OpenSegment, queue: &mut PathEdit<'_>) -> bool {
     let given = provisional(last, next);
     if !fits(last, given.0, queue) {
         return false;
@@ -227,14 +241,14 @@ fn blended(last: &mut Open, next: &mut Open, queue: &mut Queue<'_>) -> bool {
 }
 
 /// What a form of the path has lowered is computed anew for the one that takes its place.
-fn settle(queue: &mut Queue<'_>) -> u64 {
+fn settle(queue: &mut PathEdit<'_>) -> u64 {
     let places = (queue.changed, queue.motion.at);
     queue.changed = queue.ahead.settle(queue.ring, places, queue.limits);
     queue.changed
 }
 
 /// Whether the motion can keep to a changed path.
-fn accepted(queue: &mut Queue<'_>) -> bool {
+fn accepted(queue: &mut PathEdit<'_>) -> bool {
     let changed = queue.changed;
     let first = settle(queue);
     if queue.late {
@@ -244,31 +258,32 @@ fn accepted(queue: &mut Queue<'_>) -> bool {
 }
 
 /// Whether a leg can end so much earlier: it must not be over.
-fn fits(open: &Open, given: f64, queue: &Queue<'_>) -> bool {
+fn fits(open: &OpenSegment, given: f64, queue: &PathEdit<'_>) -> bool {
     let left = open.leg.whole.length - open.leg.taken - given;
     let motion = queue.motion;
-    motion.at < open.main || motion.at == open.main && open.own && motion.x < left - NOTHING
+    motion.at < open.main
+        || motion.at == open.main && open.own && motion.x < left - ELEMENT_LENGTH_MIN_MM
 }
 
 /// How much of a leg is left for the corner at its end.
-fn room(open: &Open) -> f64 {
+fn room(open: &OpenSegment) -> f64 {
     match open.corner {
-        Corner::Kink(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
-        Corner::Stop | Corner::Smooth => open.leg.whole.length * FIRST,
+        Corner::TangentBreak(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
+        Corner::Stop | Corner::Smooth => open.leg.whole.length * END_TRIM_RATIO_MAX,
     }
 }
 
-fn lines(before: &Leg, after: &Leg) -> bool {
+fn lines(before: &NominalSegment, after: &NominalSegment) -> bool {
     before.whole.circle.is_none() && after.whole.circle.is_none()
 }
 
 /// The lengths that a corner has before the one after it is known.
-fn provisional(last: &Open, next: &Open) -> (f64, f64) {
+fn provisional(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
-        Corner::Kink(kink) => {
+        Corner::TangentBreak(kink) => {
             // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
-            let half = |leg: &Leg| kink.near.min(0.5 * leg.whole.length);
+            let half = |leg: &NominalSegment| kink.near.min(0.5 * leg.whole.length);
             (half(&last.leg).min(room(last)), half(&next.leg))
         }
         Corner::Blend { most, half } => {
@@ -281,25 +296,30 @@ fn provisional(last: &Open, next: &Open) -> (f64, f64) {
 }
 
 /// Makes the end of a leg anew and the corner after it.
-fn join(before: &mut Open, last: &mut Open, queue: &mut Queue<'_>) {
+fn join(before: &mut OpenSegment, last: &mut OpenSegment, queue: &mut PathEdit<'_>) {
     push_main(before, last.given.0, queue);
     push_corner(&before.leg, last, queue);
 }
 
 /// Makes the end of the last leg anew, the corner after it, and the next leg.
-fn follow(last: &mut Open, next: &mut Open, given: (f64, f64), queue: &mut Queue<'_>) {
+fn follow(
+    last: &mut OpenSegment,
+    next: &mut OpenSegment,
+    given: (f64, f64),
+    queue: &mut PathEdit<'_>,
+) {
     next.given = given;
     join(last, next, queue);
     push_main(next, 0.0, queue);
 }
 
 /// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
-fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
+fn push_main(open: &mut OpenSegment, given: f64, queue: &mut PathEdit<'_>) {
     queue.ring.truncate(open.main);
     queue.changed = queue.changed.min(open.main);
     let whole = &open.leg.whole;
     let (from, to) = (open.leg.taken, whole.length - given);
-    open.own = to - from > NOTHING;
+    open.own = to - from > ELEMENT_LENGTH_MIN_MM;
     if !open.own {
         return;
     }
@@ -311,15 +331,15 @@ fn push_main(open: &mut Open, given: f64, queue: &mut Queue<'_>) {
     match open.corner {
         Corner::Stop => (piece.entry, piece.begins) = (0.0, Some(0.0)),
         Corner::Smooth => piece.begins = Some(0.0),
-        Corner::Kink(_) | Corner::Blend { .. } => {}
+        Corner::TangentBreak(_) | Corner::Blend { .. } => {}
     }
     spread(queue.ring.end(), queue);
 }
 
-fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
+fn push_corner(before: &NominalSegment, after: &mut OpenSegment, queue: &mut PathEdit<'_>) {
     after.leg.taken = 0.0;
     let (d, e) = after.given;
-    if let Corner::Kink(kink) = &after.corner {
+    if let Corner::TangentBreak(kink) = &after.corner {
         push(&kink.end(before, d), queue);
         push(&kink.start(&after.leg, e), queue);
         after.leg.taken = e;
@@ -338,7 +358,11 @@ fn push_corner(before: &Leg, after: &mut Open, queue: &mut Queue<'_>) {
 }
 
 /// Appends the blend of two lines.
-fn push_blend((before, after): (&Leg, &Leg), given: (f64, f64), queue: &mut Queue<'_>) {
+fn push_blend(
+    (before, after): (&NominalSegment, &NominalSegment),
+    given: (f64, f64),
+    queue: &mut PathEdit<'_>,
+) {
     let Some(blend) = queue.ring.append() else { return };
     parabola((before, after), given, queue.limits, blend);
     let middle = middle(blend, queue.limits);
@@ -360,30 +384,30 @@ fn push_blend((before, after): (&Leg, &Leg), given: (f64, f64), queue: &mut Queu
     }
 }
 
-fn push(piece: &Piece, queue: &mut Queue<'_>) {
+fn push(piece: &PathElement, queue: &mut PathEdit<'_>) {
     queue.ring.push(piece);
     laid(queue.ring.end().wrapping_sub(1), queue);
 }
 
 /// What a piece gets once it has its place.
-fn laid(place: u64, queue: &mut Queue<'_>) {
+fn laid(place: u64, queue: &mut PathEdit<'_>) {
     if let Some(piece) = queue.ring.get_mut(place)
-        && matches!(piece.law, Law::Bent { .. })
+        && matches!(piece.law, AccelerationModel::Blend { .. })
         && piece.axes <= 3
     {
-        Strips::lay(piece, queue.limits);
+        BlendLimits::lay(piece, queue.limits);
     }
     spread(place.wrapping_add(1), queue);
 }
 
 /// Limits the speed of the last pieces before an end where too many would fit into a cycle.
-fn spread(end: u64, queue: &mut Queue<'_>) {
+fn spread(end: u64, queue: &mut PathEdit<'_>) {
     let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
     // A piece that takes a cycle by itself is no part of a crowd.
     if last.length >= last.fastest * queue.limits.cycle {
         return;
     }
-    let first = end.saturating_sub(CROWD);
+    let first = end.saturating_sub(ELEMENTS_PER_CROWDED_CYCLE);
     let (mut length, mut most) = (last.length, last.fastest);
     for place in first..end.wrapping_sub(1) {
         // Without so many before it there is no crowd.

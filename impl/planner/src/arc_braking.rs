@@ -1,24 +1,29 @@
 //! How hard an arc may be braked on: its law has one limit for all directions, the axes have more in most of them.
 
-use crate::bend::signed;
+use crate::blend_motion::signed;
 use crate::limits::{Limits, squared};
 use crate::math;
-use crate::piece::Piece;
-use crate::step::{ENOUGH, Motion, SMALL};
+use crate::motion::{AXIS_SHARE_MIN, CYCLE_WORK_MAX, MotionState};
+use crate::path_element::PathElement;
 
-/// What it is worth of [`Motion::effort`] to find the least acceleration on an arc.
-const BRAKED: u32 = 4;
+/// What it is worth of [`MotionState::effort`] to find the least acceleration on an arc.
+const ARC_BRAKING_WORK: u32 = 4;
 
-impl Motion {
+impl MotionState {
     /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions,
     /// which is less than the axes can do in most of them; who holds the motion, or slows it down, wants all of it.
     ///
     /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
-    pub(crate) fn hardest(&mut self, piece: &Piece, limits: &Limits, left: f64) -> f64 {
+    pub(crate) fn hardest(&mut self, piece: &PathElement, limits: &Limits, left: f64) -> f64 {
         let Some(circle) = &piece.circle else { return 0.0 };
         let (remaining, way) = (self.remaining(piece), self.speed * left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
-        if passes || piece.breaks || self.braked || self.effort > ENOUGH || self.speed <= 0.0 {
+        if passes
+            || piece.breaks
+            || self.braked
+            || self.effort > CYCLE_WORK_MAX
+            || self.speed <= 0.0
+        {
             return 0.0;
         }
         let far = math::lesser(way, remaining);
@@ -28,7 +33,7 @@ impl Motion {
             return 0.0;
         }
         self.braked = true;
-        self.effort = self.effort.saturating_add(BRAKED);
+        self.effort = self.effort.saturating_add(ARC_BRAKING_WORK);
         if piece.axes <= 3 {
             self.hardest_of::<3>(piece, far, (limits, kept))
         } else {
@@ -40,7 +45,7 @@ impl Motion {
     #[inline(never)]
     fn hardest_of<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         far: f64,
         (limits, kept): (&Limits, f64),
     ) -> f64 {
@@ -54,7 +59,7 @@ impl Motion {
             for (least, ((first, second), limit)) in least.iter_mut().zip(axes) {
                 let share = sense * first;
                 let used = math::lesser(signed(second * y, share), signed(second * other, share));
-                *least = (-limit * kept - used) / math::greater(share.abs(), SMALL);
+                *least = (-limit * kept - used) / math::greater(share.abs(), AXIS_SHARE_MIN);
             }
             least.into_iter().fold(f64::NEG_INFINITY, math::greater)
         };

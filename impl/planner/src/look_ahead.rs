@@ -1,33 +1,33 @@
 //! Look-ahead: keeps `reach` of all queued pieces true, and raises it when more is queued.
 //!
 //! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it
-//! at once ([`Ahead::settle`]), and a higher one may run back through the queue a few pieces at a time
-//! ([`Ahead::work`]).
+//! at once ([`LookAhead::settle`]), and a higher one may run back through the queue a few pieces at a time
+//! ([`LookAhead::work`]).
 
+use crate::entry_speed::{OverrideScale, caps, forward};
 use crate::limits::{Limits, squared};
 use crate::math;
-use crate::piece::{Law, Piece};
-use crate::reach::{Scale, caps, forward};
+use crate::motion::MotionState;
+use crate::path_element::{AccelerationModel, PathElement};
 use crate::ring::Ring;
-use crate::step::Motion;
 
 /// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
-const HORIZON: u64 = 256;
-const WHOLE: u64 = 2 * HORIZON;
+const REPLAN_HORIZON_ELEMENTS: u64 = 256;
+const REPLAN_SPAN_MAX: u64 = 2 * REPLAN_HORIZON_ELEMENTS;
 /// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to
 /// two horizons.
-const GROWS: u64 = 4;
+const REPLAN_SPAN_GROWTH: u64 = 4;
 /// So many are planned for a scale before another one may take its place.
-const FAR: u64 = 64;
+const REPLAN_SPAN_BEFORE_NEXT: u64 = 64;
 /// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what
 /// it does.
-const FASTER: f64 = 2.0;
+const SPEED_SQ_GROWTH_MAX: f64 = 2.0;
 /// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
-const MARGIN: u64 = 32;
+const URGENT_MARGIN_ELEMENTS: u64 = 32;
 
 /// The run of a raise through the queue, from new pieces to old.
 #[derive(Clone, Copy, Debug)]
-struct Wave {
+struct BackwardPass {
     next: u64,
     /// Down to here all are computed; below, as far as something changes.
     floor: u64,
@@ -36,23 +36,24 @@ struct Wave {
 }
 
 /// What the axes allow, whatever is asked for.
-const UNBOUND: Scale = Scale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFINITY };
+const UNLIMITED_SCALE: OverrideScale =
+    OverrideScale { feed: f64::INFINITY, rapid: 1.0, turns: f64::INFINITY };
 
 /// What look-ahead has still to do.
 #[derive(Debug)]
-pub(crate) struct Ahead {
+pub(crate) struct LookAhead {
     /// What is planned for from now on.
-    pub(crate) scale: Scale,
+    pub(crate) scale: OverrideScale,
     /// What pieces may still be planned for, while they are planned for another scale: at first those next to the
     /// motion, then from `stale` on.
-    before: Option<Scale>,
+    before: Option<OverrideScale>,
     /// By how much the squares of speeds are less that are allowed where those begin.
     eased: f64,
     /// Those made since are planned for this scale.
     since: u64,
     /// Up to this piece all next to the motion are planned for this scale, so that they can be kept to as they are.
     known: u64,
-    wave: Option<Wave>,
+    wave: Option<BackwardPass>,
     /// Work that was too little for the next bend.
     spare: u32,
     /// Pieces from the first to the second, whose raise no wave has taken up.
@@ -64,14 +65,14 @@ pub(crate) struct Ahead {
     /// How many pieces the last wave changed, which the next one has to be worth.
     touched: u64,
     /// The most that pieces before `mixed` may be planned for, which the motion has passed.
-    passed: Scale,
+    passed: OverrideScale,
     mixed: u64,
     /// While the motion is before this piece, nothing is pressing and nothing to be taken up; 0 where it is not known.
     quiet: u64,
 }
 
-impl Ahead {
-    pub(crate) fn new(scale: Scale) -> Self {
+impl LookAhead {
+    pub(crate) fn new(scale: OverrideScale) -> Self {
         Self {
             scale,
             before: None,
@@ -82,7 +83,7 @@ impl Ahead {
             spare: 0,
             pending: None,
             stale: u64::MAX,
-            span: WHOLE,
+            span: REPLAN_SPAN_MAX,
             touched: 0,
             passed: scale,
             mixed: 0,
@@ -95,7 +96,7 @@ impl Ahead {
     /// through as many pieces as it takes to stop, at most.
     pub(crate) fn settle(
         &mut self,
-        ring: &mut Ring<Piece>,
+        ring: &mut Ring<PathElement>,
         (changed, at): (u64, u64),
         limits: &Limits,
     ) -> u64 {
@@ -158,12 +159,12 @@ impl Ahead {
     fn beside(
         &self,
         (place, passed): (u64, bool),
-        piece: &Piece,
+        piece: &PathElement,
         next: &mut f64,
         limits: &Limits,
     ) -> f64 {
         let scale = if passed {
-            UNBOUND
+            UNLIMITED_SCALE
         } else if place >= self.stale && place < self.since {
             self.planned()
         } else {
@@ -179,7 +180,7 @@ impl Ahead {
     /// it joins what was.
     #[cold]
     #[inline(never)]
-    fn planned_to(&mut self, wave: &Wave, at: u64) {
+    fn planned_to(&mut self, wave: &BackwardPass, at: u64) {
         if wave.floor <= self.known {
             self.known = self.known.max(wave.from.saturating_add(1));
         }
@@ -193,7 +194,7 @@ impl Ahead {
     /// it is worth it.
     pub(crate) fn work(
         &mut self,
-        ring: &mut Ring<Piece>,
+        ring: &mut Ring<PathElement>,
         at: u64,
         limits: &Limits,
         (work, eager): (u32, bool),
@@ -220,8 +221,8 @@ impl Ahead {
     #[inline]
     fn raise(
         &self,
-        wave: &mut Wave,
-        ring: &mut Ring<Piece>,
+        wave: &mut BackwardPass,
+        ring: &mut Ring<PathElement>,
         at: u64,
         limits: &Limits,
         left: &mut u32,
@@ -237,7 +238,7 @@ impl Ahead {
             }
             let Some(piece) = ring.get_mut(wave.next) else { return true };
             // A bend takes two of the work, any other piece one.
-            let work = if matches!(piece.law, Law::Bent { .. }) { 2 } else { 1 };
+            let work = if matches!(piece.law, AccelerationModel::Blend { .. }) { 2 } else { 1 };
             let Some(rest) = left.checked_sub(work) else { return false };
             *left = rest;
             let new = computed(piece, next, self.scale, limits);
@@ -260,25 +261,25 @@ impl Ahead {
 
     /// Up to where the motion may soon be: what the last wave changed is what it takes to stop.
     fn soon(&self, at: u64) -> u64 {
-        at.saturating_add(self.touched).saturating_add(MARGIN)
+        at.saturating_add(self.touched).saturating_add(URGENT_MARGIN_ELEMENTS)
     }
 
     /// While the motion is before this piece, it will not come soon to that one.
     fn before_soon(&self, place: u64) -> u64 {
-        place.saturating_sub(self.touched).saturating_sub(MARGIN)
+        place.saturating_sub(self.touched).saturating_sub(URGENT_MARGIN_ELEMENTS)
     }
 
-    fn begin(&mut self, at: u64, eager: bool) -> Option<Wave> {
+    fn begin(&mut self, at: u64, eager: bool) -> Option<BackwardPass> {
         let (low, high) = self.pending?;
         if !eager && high.saturating_sub(low) < self.touched && low > self.soon(at) {
             return None;
         }
         self.pending = None;
-        Some(Wave { next: high, floor: low, from: high })
+        Some(BackwardPass { next: high, floor: low, from: high })
     }
 
     /// The most that any piece next to the motion is planned for.
-    pub(crate) fn planned(&self) -> Scale {
+    pub(crate) fn planned(&self) -> OverrideScale {
         self.before.map_or(self.scale, |before| before.most(self.scale))
     }
 
@@ -305,7 +306,7 @@ impl Ahead {
     /// Spares the next cycle a look where there is nothing to do.
     #[inline]
     pub(crate) fn look_round(&mut self, at: u64) {
-        if self.stale > at.saturating_add(HORIZON) && !self.pressing(at) {
+        if self.stale > at.saturating_add(REPLAN_HORIZON_ELEMENTS) && !self.pressing(at) {
             self.settled();
         }
     }
@@ -314,11 +315,13 @@ impl Ahead {
     pub(crate) fn settled(&mut self) {
         let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
-        self.quiet = self.before_soon(floor.min(low)).min(self.stale.saturating_sub(HORIZON));
+        self.quiet = self
+            .before_soon(floor.min(low))
+            .min(self.stale.saturating_sub(REPLAN_HORIZON_ELEMENTS));
     }
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
-    pub(crate) fn rescale(&mut self, scale: Scale, ring: &Ring<Piece>, at: u64) {
+    pub(crate) fn rescale(&mut self, scale: OverrideScale, ring: &Ring<PathElement>, at: u64) {
         let planned = self.planned();
         let forgotten = ring.first() >= self.mixed;
         self.passed = if forgotten { planned } else { self.passed.most(planned) };
@@ -328,14 +331,14 @@ impl Ahead {
     }
 
     /// The motion has run back, and is to go on from here: over pieces that may be planned for what is long over.
-    pub(crate) fn returned(&mut self, ring: &Ring<Piece>, at: u64) {
+    pub(crate) fn returned(&mut self, ring: &Ring<PathElement>, at: u64) {
         if at < self.mixed {
             self.plan_anew(self.planned().most(self.passed), ring, at);
         }
     }
 
     /// From here on pieces are planned for no more than this.
-    fn plan_anew(&mut self, before: Scale, ring: &Ring<Piece>, at: u64) {
+    fn plan_anew(&mut self, before: OverrideScale, ring: &Ring<PathElement>, at: u64) {
         self.before = Some(before);
         (self.eased, self.known) = (self.scale.ease(before), at);
         self.since = ring.end();
@@ -346,21 +349,23 @@ impl Ahead {
     /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each
     /// cycle, or nothing is left to do.
     pub(crate) fn is_far(&self, at: u64) -> bool {
-        self.span >= FAR || !self.pressing(at)
+        self.span >= REPLAN_SPAN_BEFORE_NEXT || !self.pressing(at)
     }
 
     /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need
     /// not wait for many.
-    pub(crate) fn refresh(&mut self, ring: &Ring<Piece>, at: u64) {
-        if !(self.stale > at.saturating_add(HORIZON) || self.span < WHOLE && self.pressing(at)) {
+    pub(crate) fn refresh(&mut self, ring: &Ring<PathElement>, at: u64) {
+        if !(self.stale > at.saturating_add(REPLAN_HORIZON_ELEMENTS)
+            || self.span < REPLAN_SPAN_MAX && self.pressing(at))
+        {
             self.take_up(ring, at);
         }
     }
 
-    fn take_up(&mut self, ring: &Ring<Piece>, at: u64) {
+    fn take_up(&mut self, ring: &Ring<PathElement>, at: u64) {
         self.quiet = 0;
         let newest = ring.end().saturating_sub(1);
-        self.span = self.span.saturating_mul(GROWS).min(WHOLE);
+        self.span = self.span.saturating_mul(REPLAN_SPAN_GROWTH).min(REPLAN_SPAN_MAX);
         let high = at.saturating_add(self.span).min(newest);
         let low = self.stale.min(high).max(at);
         // What a wave was still to come to is come to by the next one.
@@ -371,13 +376,13 @@ impl Ahead {
 }
 
 /// The square of the speed at which a piece may be left, by its own parameter.
-pub(crate) fn exit(ring: &Ring<Piece>, piece: &Piece, place: u64) -> f64 {
+pub(crate) fn exit(ring: &Ring<PathElement>, piece: &PathElement, place: u64) -> f64 {
     ring.get(place.wrapping_add(1)).map_or(0.0, |next| next.reach / squared(piece.exit))
 }
 
 /// The square of the speed at which a piece may be entered, by that of the next one.
 #[inline]
-fn computed(piece: &Piece, next: f64, scale: Scale, limits: &Limits) -> f64 {
+fn computed(piece: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {
     forward(piece, next / squared(piece.exit), caps(piece, scale), limits)
 }
 
@@ -385,15 +390,21 @@ fn computed(piece: &Piece, next: f64, scale: Scale, limits: &Limits) -> f64 {
 /// is planned for it.
 #[cold]
 #[inline(never)]
-pub(crate) fn allowed(ring: &Ring<Piece>, motion: &Motion, changed: u64, limits: &Limits) -> bool {
+pub(crate) fn allowed(
+    ring: &Ring<PathElement>,
+    motion: &MotionState,
+    changed: u64,
+    limits: &Limits,
+) -> bool {
     let Some(piece) = ring.get(motion.at) else { return true };
     // It slows down, but where a bend does not let it; so it need not be looked at where much more is allowed.
-    let most = FASTER * squared(motion.speed) * math::greater(1.0, squared(piece.exit));
+    let most =
+        SPEED_SQ_GROWTH_MAX * squared(motion.speed) * math::greater(1.0, squared(piece.exit));
     let (mut next, mut place) = (0.0, ring.end());
     while place > motion.at.saturating_add(1) {
         place = place.wrapping_sub(1);
         let Some(piece) = ring.get(place) else { break };
-        next = computed(piece, next, UNBOUND, limits);
+        next = computed(piece, next, UNLIMITED_SCALE, limits);
         if place < changed && next >= most {
             return true;
         }

@@ -4,36 +4,39 @@
 //! both ends. A motion may do what it likes as long as after each cycle there is such an acceleration that leads to
 //! what the next piece allows.
 
-use crate::limits::{Limits, PLANNED, squared};
+use crate::limits::{Limits, PLANNED_RATIO, squared};
 use crate::math;
-use crate::piece::{Law, Piece};
-use crate::step::{ENOUGH, End, LASTING, Motion, SMALL, Wish, wanted};
+use crate::motion::{
+    AXIS_SHARE_MIN, CYCLE_WORK_MAX, CycleRequest, ElementEnd, LONG_BLEND_CYCLES_MIN, MotionState,
+    wanted,
+};
+use crate::path_element::{AccelerationModel, PathElement};
 
 /// Half of what lies between a limit and what is planned with.
-const HARDLY: f64 = 1.0 + 0.5 * (1.0 - PLANNED);
+const COASTING_LIMIT_RATIO: f64 = 1.0 + 0.5 * (1.0 - PLANNED_RATIO);
 /// And a little less, which is surely below that whatever was rounded.
-const SURELY: f64 = 1.0 + 0.4 * (1.0 - PLANNED);
+const COASTING_QUICK_LIMIT_RATIO: f64 = 1.0 + 0.4 * (1.0 - PLANNED_RATIO);
 /// How often an acceleration is halved in that leaves another one to be kept up.
-const TRIALS: u32 = 3;
-/// What that is worth of [`Motion::effort`].
-const TRIED: u32 = 4;
+const ACCELERATION_TRIALS_MAX: u32 = 3;
+/// What that is worth of [`MotionState::effort`].
+const TRIALS_WORK: u32 = 4;
 /// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
-const WORTH: f64 = 1e-3;
-const SHARE: f64 = 0.03;
+const SPEED_SQ_GAIN_RATIO_MIN: f64 = 1e-3;
+const SPEED_SQ_GAIN_STEP_RATIO: f64 = 0.03;
 
-impl Motion {
+impl MotionState {
     pub(crate) fn bend<const N: usize>(
         &mut self,
-        piece: &Piece,
-        end: End,
-        (limits, wish): (&Limits, &Wish),
+        piece: &PathElement,
+        end: ElementEnd,
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        let End { exit, remaining, .. } = end;
+        let ElementEnd { exit, remaining, .. } = end;
         let mut most = f64::NEG_INFINITY;
         if !wish.rest {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
-            let eased = End { exit: math::lesser(wish.ease * exit, ceiling), ..end };
+            let eased = ElementEnd { exit: math::lesser(wish.ease * exit, ceiling), ..end };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
             // override that is too late.
@@ -45,12 +48,12 @@ impl Motion {
             let both = (most, asked);
             if let Some(even) = self.kept_or_quicker::<N>(piece, eased, both, (limits, wish), left)
             {
-                return self.go(piece, even, End { open: false, ..end }, left);
+                return self.go(piece, even, ElementEnd { open: false, ..end }, left);
             }
         }
         let low = self.least::<N>(piece, remaining, limits);
         let exit = self.opened(piece, end, |far| low > -squared(self.speed) / (2.0 * far));
-        let end = End { exit, open: false, ..end };
+        let end = ElementEnd { exit, open: false, ..end };
         if let Some(kept) = self.barely::<N>(piece, remaining, (most, low), limits) {
             return self.go(piece, kept, end, left);
         }
@@ -63,15 +66,15 @@ impl Motion {
     #[inline]
     pub(crate) fn kept_or_quicker<const N: usize>(
         &mut self,
-        piece: &Piece,
-        end: End,
+        piece: &PathElement,
+        end: ElementEnd,
         (most, asked): (f64, f64),
-        (limits, wish): (&Limits, &Wish),
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<f64> {
         let even = self.kept_up::<N>(piece, end.remaining, most, limits)?;
-        let lasts = LASTING * self.speed * limits.cycle < end.remaining;
-        if lasts && even < asked && self.effort <= ENOUGH && self.is_slow(piece) {
+        let lasts = LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < end.remaining;
+        if lasts && even < asked && self.effort <= CYCLE_WORK_MAX && self.is_slow(piece) {
             return Some(self.quicker::<N>(piece, end, even, (limits, wish), left));
         }
         Some(even)
@@ -82,7 +85,7 @@ impl Motion {
     #[inline]
     pub(crate) fn kept_up<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         remaining: f64,
         asked: f64,
         limits: &Limits,
@@ -102,7 +105,7 @@ impl Motion {
     #[inline]
     pub(crate) fn barely<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         remaining: f64,
         (asked, low): (f64, f64),
         limits: &Limits,
@@ -119,12 +122,12 @@ impl Motion {
     #[inline(never)]
     fn least_now<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         (remaining, mut least): (f64, f64),
         limits: &Limits,
         left: f64,
     ) -> f64 {
-        let times = if self.effort < ENOUGH - 1 { 2 } else { 1 };
+        let times = if self.effort < CYCLE_WORK_MAX - 1 { 2 } else { 1 };
         for _ in 0..times {
             let last = math::greater(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + last) * left;
@@ -138,7 +141,7 @@ impl Motion {
     }
 
     /// The highest speed that the axes allow so far ahead.
-    fn fastest(&self, piece: &Piece, ahead: f64) -> f64 {
+    fn fastest(&self, piece: &PathElement, ahead: f64) -> f64 {
         let rise = piece.last_ceiling - piece.ceiling;
         if rise.abs() <= 0.0 {
             return piece.fastest;
@@ -150,7 +153,7 @@ impl Motion {
     /// The highest speed that the axes allow here and at the end of the cycle.
     #[cold]
     #[inline(never)]
-    fn fastest_within(&self, piece: &Piece, remaining: f64, left: f64) -> f64 {
+    fn fastest_within(&self, piece: &PathElement, remaining: f64, left: f64) -> f64 {
         let near = math::lesser(self.speed * left, remaining);
         math::lesser(self.fastest(piece, 0.0), self.fastest(piece, near))
     }
@@ -158,9 +161,9 @@ impl Motion {
     /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it
     /// is not.
     #[inline]
-    fn is_slow(&self, piece: &Piece) -> bool {
-        let Law::Bent { even: most } = piece.law else { return false };
-        most - squared(self.speed) > WORTH * most
+    fn is_slow(&self, piece: &PathElement) -> bool {
+        let AccelerationModel::Blend { even: most } = piece.law else { return false };
+        most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
     }
 
     /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is
@@ -168,13 +171,13 @@ impl Motion {
     #[inline(never)]
     fn quicker<const N: usize>(
         &mut self,
-        piece: &Piece,
-        end: End,
+        piece: &PathElement,
+        end: ElementEnd,
         even: f64,
-        (limits, wish): (&Limits, &Wish),
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        let Law::Bent { even: most } = piece.law else { return even };
+        let AccelerationModel::Blend { even: most } = piece.law else { return even };
         if even < 0.0 && self.speed + even * left <= 0.0 {
             return even;
         }
@@ -182,17 +185,17 @@ impl Motion {
         let wanted = wanted(piece, self.fastest(piece, near), wish);
         let asked = (math::lesser(wanted, math::sqrt(most)) - self.speed) / left;
         // Mostly the motion is as fast as it may be.
-        let more = even + SHARE * squared(self.speed) / end.remaining;
+        let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
         let with = (limits, wish);
         if even >= asked || !self.leads::<N>(piece, end, math::lesser(asked, more), with, left) {
             return even;
         }
-        self.effort = self.effort.saturating_add(TRIED);
+        self.effort = self.effort.saturating_add(TRIALS_WORK);
         let near = math::lesser(1.5 * near, end.remaining);
         let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits));
         let mut low = even;
         let mut tried = high;
-        for _ in 0..TRIALS {
+        for _ in 0..ACCELERATION_TRIALS_MAX {
             if tried <= low {
                 break;
             }
@@ -220,10 +223,10 @@ impl Motion {
     /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
     fn leads<const N: usize>(
         &self,
-        piece: &Piece,
-        End { exit, remaining, .. }: End,
+        piece: &PathElement,
+        ElementEnd { exit, remaining, .. }: ElementEnd,
         acceleration: f64,
-        (limits, wish): (&Limits, &Wish),
+        (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> bool {
         let way = self.travel_with(acceleration, left);
@@ -252,7 +255,7 @@ impl Motion {
     #[inline]
     fn allows<const N: usize>(
         &self,
-        piece: &Piece,
+        piece: &PathElement,
         remaining: f64,
         acceleration: f64,
         limits: &Limits,
@@ -270,21 +273,21 @@ impl Motion {
 
     /// Whether all axes allow the motion to go on without acceleration. Mostly its speed alone tells.
     #[inline]
-    fn may_coast<const N: usize>(&self, piece: &Piece, limits: &Limits) -> bool {
-        let Law::Bent { even } = piece.law else { return false };
-        squared(self.speed) <= SURELY * even || self.coasts::<N>(piece, limits)
+    fn may_coast<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
+        let AccelerationModel::Blend { even } = piece.law else { return false };
+        squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even || self.coasts::<N>(piece, limits)
     }
 
     #[cold]
     #[inline(never)]
-    fn coasts<const N: usize>(&self, piece: &Piece, limits: &Limits) -> bool {
+    fn coasts<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
         let y = squared(self.speed);
         let mut axes = piece.bend.iter().zip(&limits.planned).take(N);
-        axes.all(|(bend, limit)| (bend * y).abs() <= HARDLY * limit)
+        axes.all(|(bend, limit)| (bend * y).abs() <= COASTING_LIMIT_RATIO * limit)
     }
 
     /// The greatest acceleration that is planned with up to the end of a bend.
-    pub(crate) fn greatest_on(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
+    pub(crate) fn greatest_on(&self, piece: &PathElement, remaining: f64, limits: &Limits) -> f64 {
         if piece.axes <= 3 {
             self.greatest::<3>(piece, remaining, limits)
         } else {
@@ -293,7 +296,7 @@ impl Motion {
     }
 
     /// The least acceleration that all axes allow up to the end of a bend.
-    pub(crate) fn least_on(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
+    pub(crate) fn least_on(&self, piece: &PathElement, remaining: f64, limits: &Limits) -> f64 {
         if piece.axes <= 3 {
             self.least::<3>(piece, remaining, limits)
         } else {
@@ -302,7 +305,12 @@ impl Motion {
     }
 
     /// The same for so many leading axes.
-    fn greatest<const N: usize>(&self, piece: &Piece, remaining: f64, limits: &Limits) -> f64 {
+    fn greatest<const N: usize>(
+        &self,
+        piece: &PathElement,
+        remaining: f64,
+        limits: &Limits,
+    ) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * remaining);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut greatest = [0.0; N];
@@ -312,7 +320,7 @@ impl Motion {
             let here = sense * (rate + self.x * bend);
             let most = |share: f64| {
                 // Towards the greater acceleration an axis has what p''·y leaves it.
-                (limit - signed(across, share)) / math::greater(share.abs(), SMALL)
+                (limit - signed(across, share)) / math::greater(share.abs(), AXIS_SHARE_MIN)
             };
             *greatest = math::lesser(most(here), most(here + thrice * bend));
         }
@@ -321,7 +329,12 @@ impl Motion {
 
     /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is
     /// planned with, so that a speed that rounding has made too high comes down again.
-    pub(crate) fn least<const N: usize>(&self, piece: &Piece, ahead: f64, limits: &Limits) -> f64 {
+    pub(crate) fn least<const N: usize>(
+        &self,
+        piece: &PathElement,
+        ahead: f64,
+        limits: &Limits,
+    ) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
         let sense = if self.backwards { -1.0 } else { 1.0 };
         let mut least = [0.0; N];
@@ -329,8 +342,9 @@ impl Motion {
         for (least, ((rate, bend), limit)) in least.iter_mut().zip(axes) {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
-            let low =
-                |share: f64| (-limit - signed(across, share)) / math::greater(share.abs(), SMALL);
+            let low = |share: f64| {
+                (-limit - signed(across, share)) / math::greater(share.abs(), AXIS_SHARE_MIN)
+            };
             *least = math::greater(low(here), low(here + thrice * bend));
         }
         least.into_iter().fold(f64::NEG_INFINITY, math::greater)
