@@ -14,7 +14,12 @@ impl MotionState {
     /// which is less than the axes can do in most of them; who holds the motion, or slows it down, wants all of it.
     ///
     /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
-    pub(crate) fn hardest(&mut self, piece: &PathElement, limits: &Limits, left: f64) -> f64 {
+    pub(crate) fn strongest_braking(
+        &mut self,
+        piece: &PathElement,
+        limits: &Limits,
+        left: f64,
+    ) -> f64 {
         let Some(circle) = &piece.circle else { return 0.0 };
         let (remaining, way) = (self.remaining(piece), self.speed * left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
@@ -26,7 +31,7 @@ impl MotionState {
         {
             return 0.0;
         }
-        let far = math::lesser(way, remaining);
+        let far = math::min(way, remaining);
         // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
         let kept = 1.0 - squared(circle.turn * far) / 8.0;
         if kept < 0.9 {
@@ -35,15 +40,15 @@ impl MotionState {
         self.braked = true;
         self.effort = self.effort.saturating_add(ARC_BRAKING_WORK);
         if piece.axes <= 3 {
-            self.hardest_of::<3>(piece, far, (limits, kept))
+            self.strongest_braking_of::<3>(piece, far, (limits, kept))
         } else {
-            self.hardest_of::<9>(piece, far, (limits, kept))
+            self.strongest_braking_of::<9>(piece, far, (limits, kept))
         }
     }
 
     /// The same for so many leading axes, so far ahead.
     #[inline(never)]
-    fn hardest_of<const N: usize>(
+    fn strongest_braking_of<const N: usize>(
         &self,
         piece: &PathElement,
         far: f64,
@@ -58,13 +63,13 @@ impl MotionState {
             let axes = first.iter().zip(&second).zip(&limits.acceleration);
             for (least, ((first, second), limit)) in least.iter_mut().zip(axes) {
                 let share = sense * first;
-                let used = math::lesser(signed(second * y, share), signed(second * other, share));
-                *least = (-limit * kept - used) / math::greater(share.abs(), AXIS_SHARE_MIN);
+                let used = math::min(signed(second * y, share), signed(second * other, share));
+                *least = (-limit * kept - used) / math::max(share.abs(), AXIS_SHARE_MIN);
             }
-            least.into_iter().fold(f64::NEG_INFINITY, math::greater)
+            least.into_iter().fold(f64::NEG_INFINITY, math::max)
         };
-        let now = least(piece.swing(self.x), y, y);
-        let later = math::greater(0.0, y + 2.0 * now * far);
-        math::greater(now, least(piece.swing(ahead), y, later))
+        let now = least(piece.tangent_and_curvature(self.x), y, y);
+        let later = math::max(0.0, y + 2.0 * now * far);
+        math::max(now, least(piece.tangent_and_curvature(ahead), y, later))
     }
 }

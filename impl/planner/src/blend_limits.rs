@@ -45,31 +45,31 @@ impl<const N: usize> Default for BlendLimits<N> {
 /// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run
 /// forward, or back from its end.
 #[inline]
-pub(crate) fn highest(
+pub(crate) fn max_entry_speed_sq(
     piece: &PathElement,
     forward: bool,
     most: (f64, f64),
     limits: &Limits,
 ) -> f64 {
     if forward && piece.axes <= 3 {
-        piece.strips.highest(piece, most, limits)
+        piece.strips.max_entry_speed_sq(piece, most, limits)
     } else {
-        looked_at(piece, forward, most, limits)
+        highest_exact(piece, forward, most, limits)
     }
 }
 
 #[inline(never)]
-fn looked_at(piece: &PathElement, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+fn highest_exact(piece: &PathElement, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
     if piece.axes > 3 {
-        AxisInequalities::<9>::new(piece, forward, limits).highest(piece, most, limits)
+        AxisInequalities::<9>::new(piece, forward, limits).max_entry_speed_sq(piece, most, limits)
     } else {
-        AxisInequalities::<3>::new(piece, forward, limits).highest(piece, most, limits)
+        AxisInequalities::<3>::new(piece, forward, limits).max_entry_speed_sq(piece, most, limits)
     }
 }
 
 /// Walks the edge of what is allowed from the highest exit down, to where the entry is highest.
 #[inline]
-fn walk<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
+fn walk_edge<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
     for _ in 0..VERTICES_MAX {
         // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
         let highs = strips.bounds(|limit, slope| limit - slope * exit);
@@ -77,7 +77,7 @@ fn walk<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
         let high = least(&highs);
         let slope = strips.slope_of(high, &highs);
         let lowest = least(&lows);
-        let low = math::greater(0.0, -lowest);
+        let low = math::max(0.0, -lowest);
         if low > high * (1.0 + 1e-13) {
             let lower = if low > 0.0 { strips.slope_of(lowest, &lows) } else { 0.0 };
             let step = (low - high) / (lower - slope);
@@ -88,16 +88,16 @@ fn walk<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
             continue;
         }
         if slope <= 0.0 || exit <= 0.0 {
-            return Some(math::greater(high, 0.0));
+            return Some(math::max(high, 0.0));
         }
         // A lower exit allows a higher entry, down to where the next bound crosses.
         let (step, next) = strips.next_crossing(&highs, (high, slope));
         if exit + step <= 0.0 {
-            return Some(math::greater(high + slope * exit, 0.0));
+            return Some(math::max(high + slope * exit, 0.0));
         }
         exit += step;
         if next <= 0.0 {
-            return Some(math::greater(high - slope * step, 0.0));
+            return Some(math::max(high - slope * step, 0.0));
         }
     }
     None
@@ -120,13 +120,18 @@ impl<const N: usize> AxisInequalities<N> {
 
     /// What is mostly asked for is allowed, and known to be so without a division.
     #[inline]
-    fn highest(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn max_entry_speed_sq(
+        &self,
+        piece: &PathElement,
+        (exit, cap): (f64, f64),
+        limits: &Limits,
+    ) -> f64 {
         if self.allow(cap, exit) {
             return cap;
         }
         let mut strips = BlendLimits::default();
-        self.strips(&mut strips);
-        strips.along_edge(piece, exit, limits)
+        self.write_limits(&mut strips);
+        strips.highest_on_edge(piece, exit, limits)
     }
 
     /// Whether they allow an entry and an exit.
@@ -140,7 +145,7 @@ impl<const N: usize> AxisInequalities<N> {
     }
 
     #[inline]
-    fn strips(&self, strips: &mut BlendLimits<N>) {
+    fn write_limits(&self, strips: &mut BlendLimits<N>) {
         strips.most = f64::INFINITY;
         let ends = self.entering.iter().zip(&self.leaving);
         for ((entering, leaving), (slopes, limits)) in
@@ -156,20 +161,20 @@ impl<const N: usize> AxisInequalities<N> {
             .iter()
             .any(|entering| entering.abs() < ENTRY_COEFFICIENT_MIN)
         {
-            self.take_out_flat(strips);
+            self.separate_exit_limits(strips);
         }
     }
 
     /// Takes out what limits no entry, but the exit.
     #[inline(never)]
-    fn take_out_flat(&self, strips: &mut BlendLimits<N>) {
+    fn separate_exit_limits(&self, strips: &mut BlendLimits<N>) {
         let slopes = strips.slopes.as_flattened_mut().iter_mut();
         let rows = slopes.zip(strips.limits.as_flattened_mut());
         let ends = self.entering.as_flattened().iter().zip(self.leaving.as_flattened());
         for ((row, (entering, leaving)), limit) in rows.zip(ends).zip(self.limit.iter().cycle()) {
             if entering.abs() < ENTRY_COEFFICIENT_MIN {
-                let most = limit / math::greater(leaving.abs(), ENTRY_COEFFICIENT_MIN);
-                strips.most = math::lesser(strips.most, most);
+                let most = limit / math::max(leaving.abs(), ENTRY_COEFFICIENT_MIN);
+                strips.most = math::min(strips.most, most);
                 (*row.0, *row.1) = (0.0, f64::INFINITY);
             }
         }
@@ -178,24 +183,29 @@ impl<const N: usize> AxisInequalities<N> {
 
 impl BlendLimits<3> {
     /// Looks at a bend of up to three axes, run forward.
-    pub(crate) fn lay(piece: &mut PathElement, limits: &Limits) {
+    pub(crate) fn compute(piece: &mut PathElement, limits: &Limits) {
         let ends = AxisInequalities::new(piece, true, limits);
         let strips = &mut piece.strips;
-        ends.strips(strips);
+        ends.write_limits(strips);
         let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
         let rows = strips.slopes.as_flattened().iter().zip(strips.limits.as_flattened());
         for (slope, least) in rows {
-            (falls, rises) = (math::lesser(falls, *slope), math::greater(rises, *slope));
-            limit = math::lesser(limit, *least);
+            (falls, rises) = (math::min(falls, *slope), math::max(rises, *slope));
+            limit = math::min(limit, *least);
         }
         strips.falls = rises <= 0.0;
         // Whatever the exit, the middles of two strips are no farther apart than their slopes times it.
-        strips.agreed = math::lesser(strips.most, 2.0 * limit / (rises - falls));
+        strips.agreed = math::min(strips.most, 2.0 * limit / (rises - falls));
     }
 
     /// Mostly the highest exit has the highest entry.
     #[inline]
-    fn highest(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn max_entry_speed_sq(
+        &self,
+        piece: &PathElement,
+        (exit, cap): (f64, f64),
+        limits: &Limits,
+    ) -> f64 {
         if exit <= self.agreed {
             // Two at a time, whichever axes and ends these are.
             let mut high = [cap; 2];
@@ -203,39 +213,39 @@ impl BlendLimits<3> {
             let (slopes, _) = self.slopes.as_flattened().as_chunks::<2>();
             for (limits, slopes) in bounds.iter().zip(slopes) {
                 for ((limit, slope), high) in limits.iter().zip(slopes).zip(&mut high) {
-                    *high = math::lesser(*high, limit - slope * exit);
+                    *high = math::min(*high, limit - slope * exit);
                 }
             }
             let [one, other] = high;
-            let high = math::lesser(one, other);
+            let high = math::min(one, other);
             if self.falls || high >= cap {
                 return high;
             }
         }
-        self.looked_at(piece, (exit, cap), limits)
+        self.highest_exact(piece, (exit, cap), limits)
     }
 
     #[inline(never)]
-    fn looked_at(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
-        let exit = math::lesser(exit, self.most);
+    fn highest_exact(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+        let exit = math::min(exit, self.most);
         let low = least(&self.bounds(|limit, slope| limit + slope * exit));
         let high = least(&self.bounds(|limit, slope| limit - slope * exit));
-        let high = math::lesser(high, cap);
+        let high = math::min(high, cap);
         if -low <= high && (self.falls || high >= cap) {
             return high;
         }
-        self.along_edge(piece, exit, limits)
+        self.highest_on_edge(piece, exit, limits)
     }
 }
 
 impl<const N: usize> BlendLimits<N> {
     #[inline]
-    fn along_edge(&self, piece: &PathElement, exit: f64, limits: &Limits) -> f64 {
-        let exit = math::lesser(exit, self.most);
-        walk(self, exit).unwrap_or_else(|| {
+    fn highest_on_edge(&self, piece: &PathElement, exit: f64, limits: &Limits) -> f64 {
+        let exit = math::min(exit, self.most);
+        walk_edge(self, exit).unwrap_or_else(|| {
             // As fast at the end as at the start is possible, if that is slow enough.
             let balanced = limits.planned.iter().zip(&piece.bend).take(N);
-            balanced.fold(exit, |least, (limit, bend)| math::lesser(least, limit / bend.abs()))
+            balanced.fold(exit, |least, (limit, bend)| math::min(least, limit / bend.abs()))
         })
     }
 
@@ -271,7 +281,7 @@ impl<const N: usize> BlendLimits<N> {
             if other < slope {
                 let crossing = (bound - high) / (other - slope);
                 if crossing > step {
-                    (step, next) = (math::lesser(crossing, 0.0), other);
+                    (step, next) = (math::min(crossing, 0.0), other);
                 }
             }
         };
@@ -291,11 +301,11 @@ fn least<const N: usize>(bounds: &[[f64; N]; 2]) -> f64 {
     let mut least = [f64::INFINITY; 2];
     for pair in bounds.as_flattened().as_chunks::<2>().0 {
         for (least, bound) in least.iter_mut().zip(pair) {
-            *least = math::lesser(*least, *bound);
+            *least = math::min(*least, *bound);
         }
     }
     let [one, other] = least;
-    math::lesser(one, other)
+    math::min(one, other)
 }
 
 /// The leading axes.

@@ -8,7 +8,7 @@ use crate::limits::{Limits, PLANNED_RATIO, squared};
 use crate::math;
 use crate::motion::{
     AXIS_SHARE_MIN, CYCLE_WORK_MAX, CycleRequest, ElementEnd, LONG_BLEND_CYCLES_MIN, MotionState,
-    wanted,
+    target_speed,
 };
 use crate::path_element::{AccelerationModel, PathElement};
 
@@ -25,7 +25,7 @@ const SPEED_SQ_GAIN_RATIO_MIN: f64 = 1e-3;
 const SPEED_SQ_GAIN_STEP_RATIO: f64 = 0.03;
 
 impl MotionState {
-    pub(crate) fn bend<const N: usize>(
+    pub(crate) fn advance_on_blend<const N: usize>(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
@@ -36,35 +36,40 @@ impl MotionState {
         let mut most = f64::NEG_INFINITY;
         if !wish.rest {
             let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
-            let eased = ElementEnd { exit: math::lesser(wish.ease * exit, ceiling), ..end };
+            let eased = ElementEnd { exit: math::min(wish.ease * exit, ceiling), ..end };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
             // override that is too late.
             let eases = wish.rapid < 1.0;
-            let fastest =
-                if eases { self.fastest_within(piece, remaining, left) } else { piece.fastest };
-            let asked = (wanted(piece, fastest, wish) - self.speed) / left;
-            most = math::lesser(asked, met);
+            let fastest = if eases {
+                self.speed_limit_within_cycle(piece, remaining, left)
+            } else {
+                piece.fastest
+            };
+            let asked = (target_speed(piece, fastest, wish) - self.speed) / left;
+            most = math::min(asked, met);
             let both = (most, asked);
-            if let Some(even) = self.kept_or_quicker::<N>(piece, eased, both, (limits, wish), left)
+            if let Some(even) =
+                self.sustainable_or_faster::<N>(piece, eased, both, (limits, wish), left)
             {
-                return self.go(piece, even, ElementEnd { open: false, ..end }, left);
+                return self.accelerate(piece, even, ElementEnd { open: false, ..end }, left);
             }
         }
-        let low = self.least::<N>(piece, remaining, limits);
-        let exit = self.opened(piece, end, |far| low > -squared(self.speed) / (2.0 * far));
+        let low = self.min_acceleration_of::<N>(piece, remaining, limits);
+        let exit = self
+            .exit_after_late_override(piece, end, |far| low > -squared(self.speed) / (2.0 * far));
         let end = ElementEnd { exit, open: false, ..end };
-        if let Some(kept) = self.barely::<N>(piece, remaining, (most, low), limits) {
-            return self.go(piece, kept, end, left);
+        if let Some(kept) = self.near_limit::<N>(piece, remaining, (most, low), limits) {
+            return self.accelerate(piece, kept, end, left);
         }
-        let least = self.least_now::<N>(piece, (remaining, low), limits, left);
-        self.go(piece, math::greater(most, least), end, left)
+        let least = self.min_within_cycle::<N>(piece, (remaining, low), limits, left);
+        self.accelerate(piece, math::max(most, least), end, left)
     }
 
     /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one
     /// that can.
     #[inline]
-    pub(crate) fn kept_or_quicker<const N: usize>(
+    pub(crate) fn sustainable_or_faster<const N: usize>(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
@@ -72,10 +77,10 @@ impl MotionState {
         (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<f64> {
-        let even = self.kept_up::<N>(piece, end.remaining, most, limits)?;
+        let even = self.sustainable::<N>(piece, end.remaining, most, limits)?;
         let lasts = LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < end.remaining;
-        if lasts && even < asked && self.effort <= CYCLE_WORK_MAX && self.is_slow(piece) {
-            return Some(self.quicker::<N>(piece, end, even, (limits, wish), left));
+        if lasts && even < asked && self.effort <= CYCLE_WORK_MAX && self.gains_by_speed(piece) {
+            return Some(self.faster::<N>(piece, end, even, (limits, wish), left));
         }
         Some(even)
     }
@@ -83,7 +88,7 @@ impl MotionState {
     /// An acceleration that can be kept up to the end of a bend, where it is easily told: what is asked for, or less
     /// of it.
     #[inline]
-    pub(crate) fn kept_up<const N: usize>(
+    pub(crate) fn sustainable<const N: usize>(
         &self,
         piece: &PathElement,
         remaining: f64,
@@ -94,16 +99,16 @@ impl MotionState {
             if !self.may_coast::<N>(piece, limits) {
                 return None;
             }
-            let most = self.greatest::<N>(piece, remaining, limits);
-            return Some(math::greater(math::lesser(asked, most), 0.0));
+            let most = self.max_acceleration_of::<N>(piece, remaining, limits);
+            return Some(math::max(math::min(asked, most), 0.0));
         }
-        self.allows::<N>(piece, remaining, asked, limits).then_some(asked)
+        self.is_allowed::<N>(piece, remaining, asked, limits).then_some(asked)
     }
 
     /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is
     /// less than the least that could be.
     #[inline]
-    pub(crate) fn barely<const N: usize>(
+    pub(crate) fn near_limit<const N: usize>(
         &self,
         piece: &PathElement,
         remaining: f64,
@@ -113,14 +118,14 @@ impl MotionState {
         if asked < low {
             return None;
         }
-        let high = self.greatest::<N>(piece, remaining, limits);
-        Some(math::lesser(asked, math::greater(high, low)))
+        let high = self.max_acceleration_of::<N>(piece, remaining, limits);
+        Some(math::min(asked, math::max(high, low)))
     }
 
     /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end
     /// of the piece, and the more, the less far it leads.
     #[inline(never)]
-    fn least_now<const N: usize>(
+    fn min_within_cycle<const N: usize>(
         &self,
         piece: &PathElement,
         (remaining, mut least): (f64, f64),
@@ -129,19 +134,19 @@ impl MotionState {
     ) -> f64 {
         let times = if self.effort < CYCLE_WORK_MAX - 1 { 2 } else { 1 };
         for _ in 0..times {
-            let last = math::greater(0.0, self.speed + least * left);
+            let last = math::max(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + last) * left;
             if way >= remaining {
                 break;
             }
-            let now = self.least::<N>(piece, way, limits);
-            least = math::lesser(now, least);
+            let now = self.min_acceleration_of::<N>(piece, way, limits);
+            least = math::min(now, least);
         }
         least
     }
 
     /// The highest speed that the axes allow so far ahead.
-    fn fastest(&self, piece: &PathElement, ahead: f64) -> f64 {
+    fn speed_limit_ahead(&self, piece: &PathElement, ahead: f64) -> f64 {
         let rise = piece.last_ceiling - piece.ceiling;
         if rise.abs() <= 0.0 {
             return piece.fastest;
@@ -153,15 +158,15 @@ impl MotionState {
     /// The highest speed that the axes allow here and at the end of the cycle.
     #[cold]
     #[inline(never)]
-    fn fastest_within(&self, piece: &PathElement, remaining: f64, left: f64) -> f64 {
-        let near = math::lesser(self.speed * left, remaining);
-        math::lesser(self.fastest(piece, 0.0), self.fastest(piece, near))
+    fn speed_limit_within_cycle(&self, piece: &PathElement, remaining: f64, left: f64) -> f64 {
+        let near = math::min(self.speed * left, remaining);
+        math::min(self.speed_limit_ahead(piece, 0.0), self.speed_limit_ahead(piece, near))
     }
 
     /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it
     /// is not.
     #[inline]
-    fn is_slow(&self, piece: &PathElement) -> bool {
+    fn gains_by_speed(&self, piece: &PathElement) -> bool {
         let AccelerationModel::Blend { even: most } = piece.law else { return false };
         most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
     }
@@ -169,7 +174,7 @@ impl MotionState {
     /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is
     /// asked for, if another one can be kept up then.
     #[inline(never)]
-    fn quicker<const N: usize>(
+    fn faster<const N: usize>(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
@@ -181,27 +186,29 @@ impl MotionState {
         if even < 0.0 && self.speed + even * left <= 0.0 {
             return even;
         }
-        let near = math::lesser(self.speed * left, end.remaining);
-        let wanted = wanted(piece, self.fastest(piece, near), wish);
-        let asked = (math::lesser(wanted, math::sqrt(most)) - self.speed) / left;
+        let near = math::min(self.speed * left, end.remaining);
+        let wanted = target_speed(piece, self.speed_limit_ahead(piece, near), wish);
+        let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / left;
         // Mostly the motion is as fast as it may be.
         let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
         let with = (limits, wish);
-        if even >= asked || !self.leads::<N>(piece, end, math::lesser(asked, more), with, left) {
+        if even >= asked
+            || !self.leaves_sustainable::<N>(piece, end, math::min(asked, more), with, left)
+        {
             return even;
         }
         self.effort = self.effort.saturating_add(TRIALS_WORK);
-        let near = math::lesser(1.5 * near, end.remaining);
-        let mut high = math::lesser(asked, self.greatest::<N>(piece, near, limits));
+        let near = math::min(1.5 * near, end.remaining);
+        let mut high = math::min(asked, self.max_acceleration_of::<N>(piece, near, limits));
         let mut low = even;
         let mut tried = high;
         for _ in 0..ACCELERATION_TRIALS_MAX {
             if tried <= low {
                 break;
             }
-            let way = self.travel_with(tried, left);
-            let allowed = way <= near || self.allows::<N>(piece, way, tried, limits);
-            if allowed && self.leads::<N>(piece, end, tried, with, left) {
+            let way = self.distance_after(tried, left);
+            let allowed = way <= near || self.is_allowed::<N>(piece, way, tried, limits);
+            if allowed && self.leaves_sustainable::<N>(piece, end, tried, with, left) {
                 if tried >= high {
                     return tried;
                 }
@@ -216,12 +223,12 @@ impl MotionState {
 
     /// How far an acceleration leads in a time.
     #[inline]
-    fn travel_with(&self, acceleration: f64, time: f64) -> f64 {
+    fn distance_after(&self, acceleration: f64, time: f64) -> f64 {
         (self.speed + 0.5 * acceleration * time) * time
     }
 
     /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
-    fn leads<const N: usize>(
+    fn leaves_sustainable<const N: usize>(
         &self,
         piece: &PathElement,
         ElementEnd { exit, remaining, .. }: ElementEnd,
@@ -229,31 +236,31 @@ impl MotionState {
         (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> bool {
-        let way = self.travel_with(acceleration, left);
+        let way = self.distance_after(acceleration, left);
         if way >= remaining {
             return false;
         }
         let speed = self.speed + acceleration * left;
-        if speed > wanted(piece, self.fastest(piece, way), wish) {
+        if speed > target_speed(piece, self.speed_limit_ahead(piece, way), wish) {
             return false;
         }
         let y = squared(speed);
         let (sense, last) = if self.backwards { (-1.0, 0.0) } else { (1.0, piece.length) };
         let x = self.x + sense * way;
         let along = if y > exit { sense * (exit - y) / (2.0 * (remaining - way)) } else { 0.0 };
-        let exit = math::lesser(exit, y);
+        let exit = math::min(exit, y);
         let mut used = [0.0; N];
         for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
             let next = along * (rate + x * bend) + bend * y;
             let then = along * (rate + last * bend) + bend * exit;
-            *used = math::greater(next.abs(), then.abs());
+            *used = math::max(next.abs(), then.abs());
         }
         used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
 
     /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
     #[inline]
-    fn allows<const N: usize>(
+    fn is_allowed<const N: usize>(
         &self,
         piece: &PathElement,
         remaining: f64,
@@ -266,7 +273,7 @@ impl MotionState {
         let mut used = [0.0; N];
         for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
             let here = along * (rate + self.x * bend) + bend * y;
-            *used = math::greater(here.abs(), (here + later * bend).abs());
+            *used = math::max(here.abs(), (here + later * bend).abs());
         }
         used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
@@ -275,37 +282,48 @@ impl MotionState {
     #[inline]
     fn may_coast<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
         let AccelerationModel::Blend { even } = piece.law else { return false };
-        squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even || self.coasts::<N>(piece, limits)
+        squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even
+            || self.may_coast_exactly::<N>(piece, limits)
     }
 
     #[cold]
     #[inline(never)]
-    fn coasts<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
+    fn may_coast_exactly<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
         let y = squared(self.speed);
         let mut axes = piece.bend.iter().zip(&limits.planned).take(N);
         axes.all(|(bend, limit)| (bend * y).abs() <= COASTING_LIMIT_RATIO * limit)
     }
 
     /// The greatest acceleration that is planned with up to the end of a bend.
-    pub(crate) fn greatest_on(&self, piece: &PathElement, remaining: f64, limits: &Limits) -> f64 {
+    pub(crate) fn max_acceleration(
+        &self,
+        piece: &PathElement,
+        remaining: f64,
+        limits: &Limits,
+    ) -> f64 {
         if piece.axes <= 3 {
-            self.greatest::<3>(piece, remaining, limits)
+            self.max_acceleration_of::<3>(piece, remaining, limits)
         } else {
-            self.greatest::<9>(piece, remaining, limits)
+            self.max_acceleration_of::<9>(piece, remaining, limits)
         }
     }
 
     /// The least acceleration that all axes allow up to the end of a bend.
-    pub(crate) fn least_on(&self, piece: &PathElement, remaining: f64, limits: &Limits) -> f64 {
+    pub(crate) fn min_acceleration(
+        &self,
+        piece: &PathElement,
+        remaining: f64,
+        limits: &Limits,
+    ) -> f64 {
         if piece.axes <= 3 {
-            self.least::<3>(piece, remaining, limits)
+            self.min_acceleration_of::<3>(piece, remaining, limits)
         } else {
-            self.least::<9>(piece, remaining, limits)
+            self.min_acceleration_of::<9>(piece, remaining, limits)
         }
     }
 
     /// The same for so many leading axes.
-    fn greatest<const N: usize>(
+    fn max_acceleration_of<const N: usize>(
         &self,
         piece: &PathElement,
         remaining: f64,
@@ -320,16 +338,16 @@ impl MotionState {
             let here = sense * (rate + self.x * bend);
             let most = |share: f64| {
                 // Towards the greater acceleration an axis has what p''·y leaves it.
-                (limit - signed(across, share)) / math::greater(share.abs(), AXIS_SHARE_MIN)
+                (limit - signed(across, share)) / math::max(share.abs(), AXIS_SHARE_MIN)
             };
-            *greatest = math::lesser(most(here), most(here + thrice * bend));
+            *greatest = math::min(most(here), most(here + thrice * bend));
         }
-        greatest.into_iter().fold(f64::INFINITY, math::lesser)
+        greatest.into_iter().fold(f64::INFINITY, math::min)
     }
 
     /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is
     /// planned with, so that a speed that rounding has made too high comes down again.
-    pub(crate) fn least<const N: usize>(
+    pub(crate) fn min_acceleration_of<const N: usize>(
         &self,
         piece: &PathElement,
         ahead: f64,
@@ -343,11 +361,11 @@ impl MotionState {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
             let low = |share: f64| {
-                (-limit - signed(across, share)) / math::greater(share.abs(), AXIS_SHARE_MIN)
+                (-limit - signed(across, share)) / math::max(share.abs(), AXIS_SHARE_MIN)
             };
-            *least = math::greater(low(here), low(here + thrice * bend));
+            *least = math::max(low(here), low(here + thrice * bend));
         }
-        least.into_iter().fold(f64::NEG_INFINITY, math::greater)
+        least.into_iter().fold(f64::NEG_INFINITY, math::max)
     }
 }
 

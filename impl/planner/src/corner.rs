@@ -49,7 +49,7 @@ pub(crate) enum Corner {
 }
 
 /// The break of direction from one leg to the next.
-pub(crate) fn turn(before: &NominalSegment, after: &NominalSegment) -> Axes {
+pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) -> Axes {
     let mut turn = after.first;
     for (turn, before) in turn.iter_mut().zip(&before.last) {
         *turn -= before;
@@ -71,7 +71,7 @@ impl Corner {
             return Self::Stop;
         }
         let axes = before.whole.axes.max(after.whole.axes);
-        let turn = turn(before, after);
+        let turn = tangent_change(before, after);
         let break_ = norm_of(&turn, axes);
         if break_ < SMOOTH_BREAK_MAX_RAD {
             return Self::Smooth;
@@ -101,7 +101,7 @@ impl Corner {
             return Self::Stop;
         }
         // A blend that is long enough to cost nothing need not be longer.
-        let fastest = before.pressing().min(after.pressing());
+        let fastest = before.max_speed_sq().min(after.max_speed_sq());
         let fastest = match paces {
             [FeedBasis::PerTurn, FeedBasis::Rapid] => {
                 fastest.min(squared(ASSUMED_SPINDLE_SPEED * before.whole.feed))
@@ -110,9 +110,9 @@ impl Corner {
                 fastest.min(squared(ASSUMED_SPINDLE_SPEED * after.whole.feed))
             }
             [FeedBasis::PerSecond, _] | [_, FeedBasis::PerSecond]
-                if !before.has_feed_of(after) && costs(before, after, limits) =>
+                if !before.has_same_feed(after) && costs_time(before, after, limits) =>
             {
-                fastest.min(asked(before)).min(asked(after))
+                fastest.min(requested_speed_sq(before)).min(requested_speed_sq(after))
             }
             _ => fastest,
         };
@@ -123,7 +123,7 @@ impl Corner {
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
         let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_).min(enough);
-        let most = most.min(round(before)).min(round(after));
+        let most = most.min(blended_arc_length_max(before)).min(blended_arc_length_max(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
 }
@@ -165,7 +165,8 @@ impl TangentBreak {
         let jump = if rounds { ARC_BREAK_USE_RATIO * jump } else { jump };
         // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
         // + rise).
-        let (one, other) = (along(before), along(after));
+        let (one, other) =
+            (max_tangential_acceleration(before), max_tangential_acceleration(after));
         let rise = one.max(other) * h;
         let length = before.whole.length.min(after.whole.length);
         let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
@@ -175,7 +176,7 @@ impl TangentBreak {
             1.5 * cycles / (1.0 + cycles)
         };
         let fits = |speed: f64| used(speed) <= eases(speed).min(1.0);
-        let mut speed = math::sqrt(before.pressing().min(after.pressing()));
+        let mut speed = math::sqrt(before.max_speed_sq().min(after.max_speed_sq()));
         if !fits(speed) {
             let mut low = 0.0;
             for _ in 0..SPEED_BISECTIONS {
@@ -191,16 +192,16 @@ impl TangentBreak {
 
     /// The last part of the leg before it.
     pub(crate) fn end(&self, leg: &NominalSegment, given: f64) -> PathElement {
-        self.eased(leg.whole.part(leg.whole.length - given, leg.whole.length))
+        self.reduced(leg.whole.part(leg.whole.length - given, leg.whole.length))
     }
 
     /// The first part of the leg after it.
     pub(crate) fn start(&self, leg: &NominalSegment, given: f64) -> PathElement {
-        let piece = self.eased(leg.whole.part(0.0, given));
+        let piece = self.reduced(leg.whole.part(0.0, given));
         PathElement { entry: self.entry, begins: Some(0.0), ..piece }
     }
 
-    fn eased(&self, mut piece: PathElement) -> PathElement {
+    fn reduced(&self, mut piece: PathElement) -> PathElement {
         piece.breaks = true;
         match &mut piece.law {
             AccelerationModel::Constant { acceleration } => *acceleration *= self.left,
@@ -220,7 +221,7 @@ impl TangentBreak {
 }
 
 /// The most that a leg may be accelerated along itself.
-fn along(leg: &NominalSegment) -> f64 {
+fn max_tangential_acceleration(leg: &NominalSegment) -> f64 {
     match leg.whole.law {
         AccelerationModel::Constant { acceleration }
         | AccelerationModel::Arc { acceleration, .. } => acceleration,
@@ -231,7 +232,7 @@ fn along(leg: &NominalSegment) -> f64 {
 }
 
 /// The most of an arc that is bent for a corner.
-fn round(leg: &NominalSegment) -> f64 {
+fn blended_arc_length_max(leg: &NominalSegment) -> f64 {
     leg.whole.circle.map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.turn)
 }
 
@@ -239,16 +240,16 @@ fn round(leg: &NominalSegment) -> f64 {
 /// is no longer than the programmed feed needs. Where legs are short a long one saves a piece, of which too many
 /// would fit into a cycle.
 #[inline(never)]
-fn costs(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
-    let (one, other) = (asked(before), asked(after));
-    let most = math::greater(one, other);
-    let short = math::lesser(before.whole.length, after.whole.length);
-    math::lesser(one, other) < UNEQUAL_FEED_RATIO_MAX * most
+fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
+    let (one, other) = (requested_speed_sq(before), requested_speed_sq(after));
+    let most = math::max(one, other);
+    let short = math::min(before.whole.length, after.whole.length);
+    math::min(one, other) < UNEQUAL_FEED_RATIO_MAX * most
         && squared(short) > squared(UNEQUAL_FEED_CYCLES_MIN * limits.cycle) * most
 }
 
 /// The square of the speed that a leg is asked to have while nobody overrides its feed.
-fn asked(leg: &NominalSegment) -> f64 {
+fn requested_speed_sq(leg: &NominalSegment) -> f64 {
     match leg.whole.pace {
         FeedBasis::PerSecond => leg.whole.ceiling.min(squared(leg.whole.feed)),
         FeedBasis::Rapid | FeedBasis::PerTurn => leg.whole.ceiling,
@@ -257,7 +258,12 @@ fn asked(leg: &NominalSegment) -> f64 {
 
 /// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's
 /// parameter may run a little slower or faster at its end than the path: then lengths are equal along the path.
-pub(crate) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f64) -> (f64, f64) {
+pub(crate) fn corner_lengths(
+    most: f64,
+    (before, after): (f64, f64),
+    lines: bool,
+    exit: f64,
+) -> (f64, f64) {
     let (before, after) = (most.min(before), most.min(after));
     let short = before.min(after);
     let near = lines && before.max(after) <= PARABOLA_SIDE_RATIO_MAX * short;
@@ -271,7 +277,7 @@ pub(crate) fn share(most: f64, (before, after): (f64, f64), lines: bool, exit: f
 
 /// The parabola between two lines that takes d of the first and e of the second.
 #[inline]
-pub(crate) fn parabola(
+pub(crate) fn write_parabola(
     (before, after): (&NominalSegment, &NominalSegment),
     (d, e): (f64, f64),
     limits: &Limits,
@@ -296,12 +302,12 @@ pub(crate) fn parabola(
     (blend.feed, blend.pace) = (after.whole.feed, after.whole.pace);
     (blend.number, blend.index) = (after.whole.number, after.whole.index);
     blend.probing = after.whole.probing;
-    limits.rule(blend);
+    limits.assign_model(blend);
     // On its way from one direction to the other a blend has more of what a feed is measured along than one of its
     // legs, and no more than the other.
     let most = before.felt.max(after.felt);
     blend.feed *= after.felt / most;
-    slower(blend, &before.whole, before.whole.feed * before.felt / most);
+    take_slower_feed(blend, &before.whole, before.whole.feed * before.felt / most);
     blend.feed /= blend.exit.max(1.0);
 }
 
@@ -309,7 +315,7 @@ pub(crate) fn parabola(
 /// can speed up and slow down in it, and where speed is limited by another axis at its end than at its start both
 /// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
 #[inline]
-pub(crate) fn middle(blend: &PathElement, limits: &Limits) -> Option<f64> {
+pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
     let AccelerationModel::Blend { even } = blend.law else { return None };
     let axes = squared(blend.fastest);
     let (asked, pressed) = match blend.pace {
@@ -331,7 +337,7 @@ pub(crate) fn middle(blend: &PathElement, limits: &Limits) -> Option<f64> {
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.
-pub(crate) fn bent_end(
+pub(crate) fn blended_end(
     (leg, after): (&NominalSegment, &NominalSegment),
     turn: &Axes,
     d: f64,
@@ -346,12 +352,12 @@ pub(crate) fn bent_end(
         *end += exit * turn * d / 4.0;
     }
     piece.feed *= (leg.felt / after.felt).min(1.0);
-    finish(&mut piece, turn, d, limits);
+    finish_blended_arc(&mut piece, turn, d, limits);
     piece
 }
 
 /// The first d of the leg after a corner, bent by the other half.
-pub(crate) fn bent_start(
+pub(crate) fn blended_start(
     (before, leg): (&NominalSegment, &NominalSegment),
     turn: &Axes,
     d: f64,
@@ -367,17 +373,17 @@ pub(crate) fn bent_start(
     }
     piece.begins = Some(0.0);
     piece.feed *= (leg.felt / before.felt).min(1.0);
-    finish(&mut piece, turn, d, limits);
+    finish_blended_arc(&mut piece, turn, d, limits);
     piece
 }
 
 /// An arc that is bent may be a little longer than it was, and its feed is along the path.
-fn finish(piece: &mut PathElement, turn: &Axes, d: f64, limits: &Limits) {
+fn finish_blended_arc(piece: &mut PathElement, turn: &Axes, d: f64, limits: &Limits) {
     let last = turn.iter().rposition(|turn| turn.abs() > 0.0);
     piece.axes = piece.axes.max(last.map_or(0, |last| last.saturating_add(1)));
     let turned = piece.circle.map_or(0.0, |circle| circle.turn * d);
     piece.feed /= math::sqrt(1.0 + turned * norm(turn));
-    limits.rule(piece);
+    limits.assign_model(piece);
 }
 
 /// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
@@ -391,7 +397,7 @@ fn stricter(before: Blend, after: Blend) -> Blend {
 }
 
 /// A blend has the slower of both feeds.
-fn slower(blend: &mut PathElement, other: &PathElement, feed: f64) {
+fn take_slower_feed(blend: &mut PathElement, other: &PathElement, feed: f64) {
     blend.rapid = blend.pace == FeedBasis::Rapid || other.pace == FeedBasis::Rapid;
     if other.pace != FeedBasis::Rapid && (blend.pace == FeedBasis::Rapid || feed < blend.feed) {
         blend.feed = feed;

@@ -30,31 +30,30 @@ impl OverrideScale {
     /// more than 1.
     ///
     /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
-    pub(crate) fn ease(self, planned: Self) -> f64 {
-        let share = |asked: f64, planned: f64| math::greater(OVERRIDE_MIN, asked) / planned;
-        let mut ease =
-            math::lesser(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
+    pub(crate) fn speed_sq_factor(self, planned: Self) -> f64 {
+        let share = |asked: f64, planned: f64| math::max(OVERRIDE_MIN, asked) / planned;
+        let mut ease = math::min(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
         if planned.turns > 0.0 {
-            ease = math::lesser(ease, share(self.turns, planned.turns));
+            ease = math::min(ease, share(self.turns, planned.turns));
         }
-        squared(math::lesser(1.0, ease))
+        squared(math::min(1.0, ease))
     }
 
     /// The greater of both in everything.
-    pub(crate) fn most(self, other: Self) -> Self {
+    pub(crate) fn max(self, other: Self) -> Self {
         Self {
-            feed: math::greater(self.feed, other.feed),
-            rapid: math::greater(self.rapid, other.rapid),
-            turns: math::greater(self.turns, other.turns),
+            feed: math::max(self.feed, other.feed),
+            rapid: math::max(self.rapid, other.rapid),
+            turns: math::max(self.turns, other.turns),
         }
     }
 }
 
 /// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
 #[inline]
-pub(crate) fn caps(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
+pub(crate) fn speed_sq_limits(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
     let (start, end) = if piece.rapid || piece.pace == FeedBasis::Rapid {
-        rapid_caps(piece, scale)
+        rapid_speed_sq_limits(piece, scale)
     } else {
         (piece.ceiling, piece.last_ceiling)
     };
@@ -64,54 +63,62 @@ pub(crate) fn caps(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
         FeedBasis::PerTurn => piece.feed * scale.turns,
     };
     let feed = feed * feed;
-    (math::lesser(start, feed), math::lesser(end, feed))
+    (math::min(start, feed), math::min(end, feed))
 }
 
 #[cold]
 #[inline(never)]
-fn rapid_caps(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
+fn rapid_speed_sq_limits(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
     let share = scale.rapid * scale.rapid;
     (piece.ceiling * share, piece.last_ceiling * share)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
-pub(crate) fn forward(
+pub(crate) fn max_entry_speed_sq(
     piece: &PathElement,
     exit: f64,
     (cap, last_cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
-    let exit = math::lesser(exit, last_cap);
+    let exit = math::min(exit, last_cap);
     let entry = match piece.law {
-        AccelerationModel::Blend { .. } => blend_limits::highest(piece, true, (exit, cap), limits),
+        AccelerationModel::Blend { .. } => {
+            blend_limits::max_entry_speed_sq(piece, true, (exit, cap), limits)
+        }
         AccelerationModel::Constant { .. }
         | AccelerationModel::Arc { .. }
         | AccelerationModel::BlendedArc { .. }
-        | AccelerationModel::Dwell(_) => along(piece.law, &piece.circle, exit, piece.length),
+        | AccelerationModel::Dwell(_) => {
+            speed_sq_before(piece.law, &piece.circle, exit, piece.length)
+        }
     };
-    math::lesser(math::lesser(entry, cap), piece.entry)
+    math::min(math::min(entry, cap), piece.entry)
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.
-pub(crate) fn backward(
+pub(crate) fn max_reverse_entry_speed_sq(
     piece: &PathElement,
     exit: f64,
     (first_cap, cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
-    let exit = math::lesser(exit, first_cap);
+    let exit = math::min(exit, first_cap);
     let entry = match piece.law {
-        AccelerationModel::Blend { .. } => blend_limits::highest(piece, false, (exit, cap), limits),
+        AccelerationModel::Blend { .. } => {
+            blend_limits::max_entry_speed_sq(piece, false, (exit, cap), limits)
+        }
         AccelerationModel::Constant { .. }
         | AccelerationModel::Arc { .. }
         | AccelerationModel::BlendedArc { .. }
-        | AccelerationModel::Dwell(_) => along(piece.law, &piece.circle, exit, piece.length),
+        | AccelerationModel::Dwell(_) => {
+            speed_sq_before(piece.law, &piece.circle, exit, piece.length)
+        }
     };
-    math::lesser(entry, cap)
+    math::min(entry, cap)
 }
 
 /// The highest y some way before an exit, where that has a closed form.
-pub(crate) fn along(
+pub(crate) fn speed_sq_before(
     law: AccelerationModel,
     circle: &Option<Circle>,
     exit: f64,
@@ -126,7 +133,7 @@ pub(crate) fn along(
             if angle >= core::f64::consts::FRAC_PI_2 {
                 return planned / circle.turn;
             }
-            let (sine, cosine) = math::turned(angle);
+            let (sine, cosine) = math::sin_cos(angle);
             let other = math::sqrt((1.0 - share * share).max(0.0));
             // Beyond the quarter turn the sine would fall again.
             if cosine <= share {
@@ -138,7 +145,7 @@ pub(crate) fn along(
         (AccelerationModel::BlendedArc { most, less }, _) => {
             // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
             // no steeper than what is left of its way to 1.
-            let far = math::lesser(2.0 * less * distance, DECAY_EXPONENT_MAX);
+            let far = math::min(2.0 * less * distance, DECAY_EXPONENT_MAX);
             let way =
                 if far < DECAY_EXPONENT_MAX { distance } else { DECAY_EXPONENT_MAX / (2.0 * less) };
             let share = 1.0 / (1.0 + far * (0.5 + far * (1.0 / 12.0)));

@@ -7,7 +7,7 @@ use crate::limits::{Limits, squared};
 use crate::math;
 use crate::motion::{
     BLEND_WORK, CycleRequest, ELEMENTS_PER_CYCLE_MAX, ElementEnd, LONG_BLEND_CYCLES_MIN,
-    MotionState, even_ramp,
+    MotionState, constant_window,
 };
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::ring::Ring;
@@ -28,7 +28,7 @@ struct FastStep {
 impl MotionState {
     /// Moves on over pieces that are easy; how much of the time is left for those that are not.
     #[inline]
-    pub(crate) fn cruise(
+    pub(crate) fn advance_fast(
         &mut self,
         ring: &Ring<PathElement>,
         limits: &Limits,
@@ -44,7 +44,8 @@ impl MotionState {
                 if exit <= 0.0 && next.entry > 0.0 {
                     return left;
                 }
-                let Some(easy) = self.easy((piece, next), (exit, remaining), (limits, wish), left)
+                let Some(easy) =
+                    self.fast_step((piece, next), (exit, remaining), (limits, wish), left)
                 else {
                     return left;
                 };
@@ -55,7 +56,7 @@ impl MotionState {
                     self.acceleration = easy.acceleration;
                     self.x = x;
                     self.speed = end;
-                    self.begin(piece, from);
+                    self.begin_segment(piece, from);
                     return 0.0;
                 }
                 if easy.last <= 0.0 || exit <= 0.0 {
@@ -70,7 +71,7 @@ impl MotionState {
                 self.acceleration = easy.acceleration;
                 self.x = piece.length;
                 self.speed = end;
-                self.begin(piece, from);
+                self.begin_segment(piece, from);
             } else if let AccelerationModel::Dwell(_) = piece.law {
                 return left;
             }
@@ -83,7 +84,7 @@ impl MotionState {
 
     /// The acceleration that is asked for, if that is easily kept.
     #[inline]
-    fn easy(
+    fn fast_step(
         &mut self,
         (piece, next): (&PathElement, &PathElement),
         (exit, remaining): (f64, f64),
@@ -93,19 +94,19 @@ impl MotionState {
         let y = squared(self.speed);
         // Rapid moves are not overridden here.
         let wanted = match piece.pace {
-            FeedBasis::PerSecond => math::lesser(piece.fastest, piece.feed * wish.feed),
+            FeedBasis::PerSecond => math::min(piece.fastest, piece.feed * wish.feed),
             FeedBasis::Rapid => piece.fastest,
             FeedBasis::PerTurn => return None,
         };
         let asked = (wanted - self.speed) / left;
         match (piece.law, &piece.circle) {
             (AccelerationModel::Blend { even }, _) => {
-                let exit = math::lesser(exit, piece.last_ceiling);
+                let exit = math::min(exit, piece.last_ceiling);
                 let met = (exit - y) / (2.0 * remaining);
-                let most = math::lesser(asked, met);
+                let most = math::min(asked, met);
                 // An axis uses no more than |p'|·|u| + |p''|·y.
                 let last = y + 2.0 * most * remaining;
-                let used = math::greater(y, last) / even + most.abs() / limits.softest;
+                let used = math::max(y, last) / even + most.abs() / limits.softest;
                 // On a bend that lasts there may be more than can be kept up to its end.
                 let lasts = || LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < remaining;
                 if used <= FAST_USE_RATIO_MAX && (most >= asked || !lasts()) {
@@ -118,16 +119,22 @@ impl MotionState {
                 }
                 let acceleration = if lasts() {
                     let end = ElementEnd { exit, remaining, open: false };
-                    self.lasting(piece, end, (most, asked), (limits, wish), left)?
+                    self.acceleration_on_long_blend(
+                        piece,
+                        end,
+                        (most, asked),
+                        (limits, wish),
+                        left,
+                    )?
                 } else {
-                    self.hardly(piece, remaining, most, limits)?
+                    self.acceleration_near_limit(piece, remaining, most, limits)?
                 };
                 Some(FastStep { acceleration, last: y + 2.0 * acceleration * remaining })
             }
             (AccelerationModel::Constant { acceleration }, _) => {
                 let ramp =
-                    even_ramp(acceleration, ElementEnd { exit, remaining, open: false }, 1.0);
-                let acceleration = self.kept(
+                    constant_window(acceleration, ElementEnd { exit, remaining, open: false }, 1.0);
+                let acceleration = self.acceleration_towards(
                     &ramp,
                     wanted,
                     ElementEnd { exit, remaining, open: false },
@@ -138,11 +145,12 @@ impl MotionState {
             }
             (AccelerationModel::Arc { acceleration: most, .. }, Some(circle)) => {
                 let end = self.speed + asked * left;
-                let high = math::greater(y, squared(end));
+                let high = math::max(y, squared(end));
                 let after = remaining - 0.5 * (self.speed + end) * left;
                 let used = squared(asked) + squared(circle.turn * high);
                 let easy = used <= squared(most)
-                    && (high <= exit * SPEED_SQ_ROUNDING_RATIO || circle.is_far(after))
+                    && (high <= exit * SPEED_SQ_ROUNDING_RATIO
+                        || circle.is_beyond_influence(after))
                     && after > 0.0;
                 easy.then_some(FastStep { acceleration: asked, last: 0.0 })
             }
@@ -172,7 +180,7 @@ impl MotionState {
     /// The acceleration on a bend whose axes have little more than is asked of them.
     #[cold]
     #[inline(never)]
-    fn hardly(
+    fn acceleration_near_limit(
         &self,
         piece: &PathElement,
         remaining: f64,
@@ -180,30 +188,30 @@ impl MotionState {
         limits: &Limits,
     ) -> Option<f64> {
         if piece.axes <= 3 {
-            self.hardly_of::<3>(piece, remaining, most, limits)
+            self.acceleration_near_limit_of::<3>(piece, remaining, most, limits)
         } else {
-            self.hardly_of::<9>(piece, remaining, most, limits)
+            self.acceleration_near_limit_of::<9>(piece, remaining, most, limits)
         }
     }
 
     #[inline]
-    fn hardly_of<const N: usize>(
+    fn acceleration_near_limit_of<const N: usize>(
         &self,
         piece: &PathElement,
         remaining: f64,
         most: f64,
         limits: &Limits,
     ) -> Option<f64> {
-        self.kept_up::<N>(piece, remaining, most, limits).or_else(|| {
-            let low = self.least::<N>(piece, remaining, limits);
-            self.barely::<N>(piece, remaining, (most, low), limits)
+        self.sustainable::<N>(piece, remaining, most, limits).or_else(|| {
+            let low = self.min_acceleration_of::<N>(piece, remaining, limits);
+            self.near_limit::<N>(piece, remaining, (most, low), limits)
         })
     }
 
     /// The acceleration on a bend that lasts.
     #[cold]
     #[inline(never)]
-    fn lasting(
+    fn acceleration_on_long_blend(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
@@ -213,9 +221,9 @@ impl MotionState {
     ) -> Option<f64> {
         self.effort = self.effort.saturating_add(BLEND_WORK);
         if piece.axes <= 3 {
-            self.kept_or_quicker::<3>(piece, end, asked, with, left)
+            self.sustainable_or_faster::<3>(piece, end, asked, with, left)
         } else {
-            self.kept_or_quicker::<9>(piece, end, asked, with, left)
+            self.sustainable_or_faster::<9>(piece, end, asked, with, left)
         }
     }
 }

@@ -43,28 +43,28 @@ impl Limits {
             velocity: dynamics.velocity.map(|limit| limit * VELOCITY_USE_RATIO),
             acceleration,
             planned,
-            softest: planned.into_iter().fold(f64::INFINITY, math::lesser),
+            softest: planned.into_iter().fold(f64::INFINITY, math::min),
             cycle: dynamics.cycle,
         }
     }
 
     /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
     /// the piece.
-    pub(crate) fn rule(&self, piece: &mut PathElement) {
+    pub(crate) fn assign_model(&self, piece: &mut PathElement) {
         let axes = piece.axes;
         let bends = piece.bend.iter().any(|bend| bend.abs() > 0.0);
         match piece.circle {
-            None if !bends => return self.rule_line(piece),
+            None if !bends => return self.assign_line_model(piece),
             None => {
                 if axes <= 3 {
-                    self.rule_bent::<3>(piece);
+                    self.assign_blend_model::<3>(piece);
                 } else {
-                    self.rule_bent::<9>(piece);
+                    self.assign_blend_model::<9>(piece);
                 }
                 return;
             }
-            Some(circle) if !bends => self.rule_round(piece, &circle),
-            Some(circle) => self.rule_bent_arc(piece, &circle),
+            Some(circle) if !bends => self.assign_arc_model(piece, &circle),
+            Some(circle) => self.assign_blended_arc_model(piece, &circle),
         }
         piece.last_ceiling = piece.ceiling;
         piece.fastest = math::sqrt(piece.ceiling);
@@ -72,7 +72,7 @@ impl Limits {
 
     /// The same for a line.
     #[inline]
-    pub(crate) fn rule_line(&self, piece: &mut PathElement) {
+    pub(crate) fn assign_line_model(&self, piece: &mut PathElement) {
         let acceleration = least(&self.planned, &piece.rate, piece.axes);
         piece.law = AccelerationModel::Constant { acceleration };
         piece.ceiling = squared(least(&self.velocity, &piece.rate, piece.axes));
@@ -84,7 +84,7 @@ impl Limits {
     /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
     /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
     /// is greatest at that end if it does not fall towards it.
-    fn rule_bent<const N: usize>(&self, piece: &mut PathElement) {
+    fn assign_blend_model<const N: usize>(&self, piece: &mut PathElement) {
         let [mut starts, mut ends] = [[0.0; N]; 2];
         let axes = self.velocity.iter().zip(&piece.rate).zip(&piece.bend);
         for ((start, end), ((limit, first), bend)) in starts.iter_mut().zip(&mut ends).zip(axes) {
@@ -99,16 +99,16 @@ impl Limits {
         }
         let even = least(&self.planned, &piece.bend, N);
         piece.law = AccelerationModel::Blend { even };
-        piece.ceiling = starts.into_iter().fold(f64::INFINITY, math::lesser);
-        piece.last_ceiling = ends.into_iter().fold(f64::INFINITY, math::lesser);
-        piece.fastest = math::sqrt(math::greater(piece.ceiling, piece.last_ceiling));
+        piece.ceiling = starts.into_iter().fold(f64::INFINITY, math::min);
+        piece.last_ceiling = ends.into_iter().fold(f64::INFINITY, math::min);
+        piece.fastest = math::sqrt(math::max(piece.ceiling, piece.last_ceiling));
     }
 
     /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
     /// need.
-    fn rule_round(&self, piece: &mut PathElement, circle: &Circle) {
+    fn assign_arc_model(&self, piece: &mut PathElement, circle: &Circle) {
         let axes = piece.axes;
-        let most = greatest(piece, circle);
+        let most = max_derivative(piece, circle);
         let acceleration = least(&self.acceleration, &most, axes);
         // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of
         // its angle.
@@ -118,15 +118,15 @@ impl Limits {
         piece.ceiling = squared(least(&self.velocity, &most, axes)).min(planned / circle.turn);
     }
 
-    fn rule_bent_arc(&self, piece: &mut PathElement, circle: &Circle) {
+    fn assign_blended_arc_model(&self, piece: &mut PathElement, circle: &Circle) {
         let axes = piece.axes;
-        let [_, mut along, mut across] = piece.motion::<9>(0.0);
-        let [_, last, last_across] = piece.motion::<9>(piece.length);
+        let [_, mut along, mut across] = piece.derivatives::<9>(0.0);
+        let [_, last, last_across] = piece.derivatives::<9>(piece.length);
         for ((one, other), (across, then)) in
             along.iter_mut().zip(&last).zip(across.iter_mut().zip(&last_across))
         {
-            *one = math::greater(one.abs(), other.abs());
-            *across = math::greater(across.abs(), then.abs());
+            *one = math::max(one.abs(), other.abs());
+            *across = math::max(across.abs(), then.abs());
         }
         // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
         let bow = ARC_BOW_RATIO * squared(circle.turn * piece.length);
@@ -157,7 +157,7 @@ impl Limits {
 }
 
 /// The most of each axis in p' on an arc.
-fn greatest(piece: &PathElement, circle: &Circle) -> Axes {
+fn max_derivative(piece: &PathElement, circle: &Circle) -> Axes {
     let mut greatest = piece.rate.map(f64::abs);
     for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, piece.length)) {
         *most += amplitude;
@@ -169,7 +169,7 @@ fn greatest(piece: &PathElement, circle: &Circle) -> Axes {
 /// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
 fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
     const SQRT_5: f64 = 2.236_067_977_499_79;
-    let grown = circle.grown(length).max(1.0);
+    let grown = circle.radius_ratio(length).max(1.0);
     let turn = circle.turn * grown + SQRT_5 * circle.growth.abs();
     let mut amplitudes = [0.0; 3];
     for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
@@ -191,7 +191,7 @@ fn least_of<const N: usize>(limits: &Axes, uses: &Axes) -> f64 {
     for (share, (limit, used)) in shares.iter_mut().zip(limits.iter().zip(uses)) {
         *share = limit / used.abs();
     }
-    shares.into_iter().fold(f64::INFINITY, math::lesser)
+    shares.into_iter().fold(f64::INFINITY, math::min)
 }
 
 pub(crate) fn squared(value: f64) -> f64 {

@@ -4,7 +4,7 @@
 //! at once ([`LookAhead::settle`]), and a higher one may run back through the queue a few pieces at a time
 //! ([`LookAhead::work`]).
 
-use crate::entry_speed::{OverrideScale, caps, forward};
+use crate::entry_speed::{OverrideScale, max_entry_speed_sq, speed_sq_limits};
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::motion::MotionState;
@@ -94,7 +94,7 @@ impl LookAhead {
     /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the
     /// motion, too, which may run back. Gives back the first piece that is another now. A lower value runs back
     /// through as many pieces as it takes to stop, at most.
-    pub(crate) fn settle(
+    pub(crate) fn recompute(
         &mut self,
         ring: &mut Ring<PathElement>,
         (changed, at): (u64, u64),
@@ -115,9 +115,14 @@ impl LookAhead {
             let Some(piece) = ring.get_mut(place) else { break };
             let before = place < changed;
             let new = if unusual || place < passed {
-                self.beside((place, place < passed), piece, &mut next, limits)
+                self.entry_speed_sq_while_replanning(
+                    (place, place < passed),
+                    piece,
+                    &mut next,
+                    limits,
+                )
             } else {
-                computed(piece, next, self.scale, limits)
+                entry_speed_sq(piece, next, self.scale, limits)
             };
             if before {
                 settled = place;
@@ -146,7 +151,7 @@ impl LookAhead {
         }
         self.pending = pending;
         if let Some((low, _)) = pending {
-            self.quiet = self.quiet.min(self.before_soon(low));
+            self.quiet = self.quiet.min(self.quiet_end(low));
         }
         first
     }
@@ -156,7 +161,7 @@ impl LookAhead {
     /// these begin, the one after it may be entered eased.
     #[cold]
     #[inline(never)]
-    fn beside(
+    fn entry_speed_sq_while_replanning(
         &self,
         (place, passed): (u64, bool),
         piece: &PathElement,
@@ -166,21 +171,21 @@ impl LookAhead {
         let scale = if passed {
             UNLIMITED_SCALE
         } else if place >= self.stale && place < self.since {
-            self.planned()
+            self.highest_scale()
         } else {
             self.scale
         };
         if !passed && place.saturating_add(1) == self.stale {
             *next *= self.eased;
         }
-        computed(piece, *next, scale, limits)
+        entry_speed_sq(piece, *next, scale, limits)
     }
 
     /// A wave has come to its end while some pieces are planned for another scale: what it has planned is known where
     /// it joins what was.
     #[cold]
     #[inline(never)]
-    fn planned_to(&mut self, wave: &BackwardPass, at: u64) {
+    fn finish_pass(&mut self, wave: &BackwardPass, at: u64) {
         if wave.floor <= self.known {
             self.known = self.known.max(wave.from.saturating_add(1));
         }
@@ -192,7 +197,7 @@ impl LookAhead {
 
     /// Raises pieces for so much work. With `eager` it begins as soon as there is something to raise, otherwise when
     /// it is worth it.
-    pub(crate) fn work(
+    pub(crate) fn advance(
         &mut self,
         ring: &mut Ring<PathElement>,
         at: u64,
@@ -201,13 +206,15 @@ impl LookAhead {
     ) {
         let mut left = work.saturating_add(core::mem::take(&mut self.spare));
         while left > 0 {
-            let Some(mut wave) = self.wave.take().or_else(|| self.begin(at, eager)) else { return };
+            let Some(mut wave) = self.wave.take().or_else(|| self.begin_pass(at, eager)) else {
+                return;
+            };
             wave.next = wave.next.min(ring.end().saturating_sub(1));
-            if self.raise(&mut wave, ring, at, limits, &mut left) {
+            if self.run_pass(&mut wave, ring, at, limits, &mut left) {
                 self.touched = wave.from.saturating_sub(wave.next);
                 self.quiet = 0;
                 if self.before.is_some() {
-                    self.planned_to(&wave, at);
+                    self.finish_pass(&wave, at);
                 }
             } else {
                 self.wave = Some(wave);
@@ -219,7 +226,7 @@ impl LookAhead {
 
     /// Runs a wave on while there is work left to do; whether it has come to its end.
     #[inline]
-    fn raise(
+    fn run_pass(
         &self,
         wave: &mut BackwardPass,
         ring: &mut Ring<PathElement>,
@@ -241,7 +248,7 @@ impl LookAhead {
             let work = if matches!(piece.law, AccelerationModel::Blend { .. }) { 2 } else { 1 };
             let Some(rest) = left.checked_sub(work) else { return false };
             *left = rest;
-            let new = computed(piece, next, self.scale, limits);
+            let new = entry_speed_sq(piece, next, self.scale, limits);
             let same = new.to_bits() == piece.reach.to_bits();
             (piece.reach, piece.relied) = (new, next);
             if same && wave.next < wave.floor || wave.next == 0 {
@@ -253,25 +260,25 @@ impl LookAhead {
     }
 
     /// Whether there is something to raise that the motion will soon come to.
-    pub(crate) fn pressing(&self, at: u64) -> bool {
-        let soon = self.soon(at);
+    pub(crate) fn is_urgent(&self, at: u64) -> bool {
+        let soon = self.urgent_end(at);
         self.wave.is_some_and(|wave| wave.floor < soon)
             || self.pending.is_some_and(|(low, _)| low < soon)
     }
 
     /// Up to where the motion may soon be: what the last wave changed is what it takes to stop.
-    fn soon(&self, at: u64) -> u64 {
+    fn urgent_end(&self, at: u64) -> u64 {
         at.saturating_add(self.touched).saturating_add(URGENT_MARGIN_ELEMENTS)
     }
 
     /// While the motion is before this piece, it will not come soon to that one.
-    fn before_soon(&self, place: u64) -> u64 {
+    fn quiet_end(&self, place: u64) -> u64 {
         place.saturating_sub(self.touched).saturating_sub(URGENT_MARGIN_ELEMENTS)
     }
 
-    fn begin(&mut self, at: u64, eager: bool) -> Option<BackwardPass> {
+    fn begin_pass(&mut self, at: u64, eager: bool) -> Option<BackwardPass> {
         let (low, high) = self.pending?;
-        if !eager && high.saturating_sub(low) < self.touched && low > self.soon(at) {
+        if !eager && high.saturating_sub(low) < self.touched && low > self.urgent_end(at) {
             return None;
         }
         self.pending = None;
@@ -279,8 +286,8 @@ impl LookAhead {
     }
 
     /// The most that any piece next to the motion is planned for.
-    pub(crate) fn planned(&self) -> OverrideScale {
-        self.before.map_or(self.scale, |before| before.most(self.scale))
+    pub(crate) fn highest_scale(&self) -> OverrideScale {
+        self.before.map_or(self.scale, |before| before.max(self.scale))
     }
 
     /// Whether the pieces next to the motion are planned for the scale.
@@ -305,64 +312,63 @@ impl LookAhead {
 
     /// Spares the next cycle a look where there is nothing to do.
     #[inline]
-    pub(crate) fn look_round(&mut self, at: u64) {
-        if self.stale > at.saturating_add(REPLAN_HORIZON_ELEMENTS) && !self.pressing(at) {
-            self.settled();
+    pub(crate) fn note_quiet_after_queueing(&mut self, at: u64) {
+        if self.stale > at.saturating_add(REPLAN_HORIZON_ELEMENTS) && !self.is_urgent(at) {
+            self.note_quiet();
         }
     }
 
     /// Nothing is pressing: notes up to where that stays so.
-    pub(crate) fn settled(&mut self) {
+    pub(crate) fn note_quiet(&mut self) {
         let floor = self.wave.map_or(u64::MAX, |wave| wave.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
-        self.quiet = self
-            .before_soon(floor.min(low))
-            .min(self.stale.saturating_sub(REPLAN_HORIZON_ELEMENTS));
+        self.quiet =
+            self.quiet_end(floor.min(low)).min(self.stale.saturating_sub(REPLAN_HORIZON_ELEMENTS));
     }
 
     /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
     pub(crate) fn rescale(&mut self, scale: OverrideScale, ring: &Ring<PathElement>, at: u64) {
-        let planned = self.planned();
+        let planned = self.highest_scale();
         let forgotten = ring.first() >= self.mixed;
-        self.passed = if forgotten { planned } else { self.passed.most(planned) };
+        self.passed = if forgotten { planned } else { self.passed.max(planned) };
         self.mixed = u64::MAX;
         self.scale = scale;
-        self.plan_anew(planned, ring, at);
+        self.replan(planned, ring, at);
     }
 
     /// The motion has run back, and is to go on from here: over pieces that may be planned for what is long over.
-    pub(crate) fn returned(&mut self, ring: &Ring<PathElement>, at: u64) {
+    pub(crate) fn resume_after_retrace(&mut self, ring: &Ring<PathElement>, at: u64) {
         if at < self.mixed {
-            self.plan_anew(self.planned().most(self.passed), ring, at);
+            self.replan(self.highest_scale().max(self.passed), ring, at);
         }
     }
 
     /// From here on pieces are planned for no more than this.
-    fn plan_anew(&mut self, before: OverrideScale, ring: &Ring<PathElement>, at: u64) {
+    fn replan(&mut self, before: OverrideScale, ring: &Ring<PathElement>, at: u64) {
         self.before = Some(before);
-        (self.eased, self.known) = (self.scale.ease(before), at);
+        (self.eased, self.known) = (self.scale.speed_sq_factor(before), at);
         self.since = ring.end();
         (self.stale, self.span) = (at, 1);
-        self.take_up(ring, at);
+        self.extend_replan(ring, at);
     }
 
     /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each
     /// cycle, or nothing is left to do.
-    pub(crate) fn is_far(&self, at: u64) -> bool {
-        self.span >= REPLAN_SPAN_BEFORE_NEXT || !self.pressing(at)
+    pub(crate) fn may_rescale(&self, at: u64) -> bool {
+        self.span >= REPLAN_SPAN_BEFORE_NEXT || !self.is_urgent(at)
     }
 
     /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need
     /// not wait for many.
     pub(crate) fn refresh(&mut self, ring: &Ring<PathElement>, at: u64) {
         if !(self.stale > at.saturating_add(REPLAN_HORIZON_ELEMENTS)
-            || self.span < REPLAN_SPAN_MAX && self.pressing(at))
+            || self.span < REPLAN_SPAN_MAX && self.is_urgent(at))
         {
-            self.take_up(ring, at);
+            self.extend_replan(ring, at);
         }
     }
 
-    fn take_up(&mut self, ring: &Ring<PathElement>, at: u64) {
+    fn extend_replan(&mut self, ring: &Ring<PathElement>, at: u64) {
         self.quiet = 0;
         let newest = ring.end().saturating_sub(1);
         self.span = self.span.saturating_mul(REPLAN_SPAN_GROWTH).min(REPLAN_SPAN_MAX);
@@ -376,21 +382,21 @@ impl LookAhead {
 }
 
 /// The square of the speed at which a piece may be left, by its own parameter.
-pub(crate) fn exit(ring: &Ring<PathElement>, piece: &PathElement, place: u64) -> f64 {
+pub(crate) fn exit_speed_sq(ring: &Ring<PathElement>, piece: &PathElement, place: u64) -> f64 {
     ring.get(place.wrapping_add(1)).map_or(0.0, |next| next.reach / squared(piece.exit))
 }
 
 /// The square of the speed at which a piece may be entered, by that of the next one.
 #[inline]
-fn computed(piece: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {
-    forward(piece, next / squared(piece.exit), caps(piece, scale), limits)
+fn entry_speed_sq(piece: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {
+    max_entry_speed_sq(piece, next / squared(piece.exit), speed_sq_limits(piece, scale), limits)
 }
 
 /// Whether the axes allow the motion, as fast as it is, to keep to a path that is changed from a piece on, whatever
 /// is planned for it.
 #[cold]
 #[inline(never)]
-pub(crate) fn allowed(
+pub(crate) fn axes_allow(
     ring: &Ring<PathElement>,
     motion: &MotionState,
     changed: u64,
@@ -398,16 +404,15 @@ pub(crate) fn allowed(
 ) -> bool {
     let Some(piece) = ring.get(motion.at) else { return true };
     // It slows down, but where a bend does not let it; so it need not be looked at where much more is allowed.
-    let most =
-        SPEED_SQ_GROWTH_MAX * squared(motion.speed) * math::greater(1.0, squared(piece.exit));
+    let most = SPEED_SQ_GROWTH_MAX * squared(motion.speed) * math::max(1.0, squared(piece.exit));
     let (mut next, mut place) = (0.0, ring.end());
     while place > motion.at.saturating_add(1) {
         place = place.wrapping_sub(1);
         let Some(piece) = ring.get(place) else { break };
-        next = computed(piece, next, UNLIMITED_SCALE, limits);
+        next = entry_speed_sq(piece, next, UNLIMITED_SCALE, limits);
         if place < changed && next >= most {
             return true;
         }
     }
-    motion.comes_to(piece, next / squared(piece.exit), limits)
+    motion.can_reach_end_at(piece, next / squared(piece.exit), limits)
 }

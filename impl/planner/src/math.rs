@@ -12,19 +12,19 @@ pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
 }
 /// The lesser of two numbers, the first where one is none; an instruction, which `f64::min` is not.
 #[inline]
-pub(crate) fn lesser(one: f64, other: f64) -> f64 {
+pub(crate) fn min(one: f64, other: f64) -> f64 {
     if other < one { other } else { one }
 }
 /// The greater of two numbers, the first where one is none.
 #[inline]
-pub(crate) fn greater(one: f64, other: f64) -> f64 {
+pub(crate) fn max(one: f64, other: f64) -> f64 {
     if other > one { other } else { one }
 }
 /// Sine and cosine of an angle in radians, to within 2^-52. It is asked for in each cycle on an arc, and takes half
 /// of what `libm::sincos` does: without the bits that only a small sine would show, one reduction to an eighth of a
 /// turn serves both. The series are those of `libm`.
 #[inline]
-pub(crate) fn turned(radians: f64) -> (f64, f64) {
+pub(crate) fn sin_cos(radians: f64) -> (f64, f64) {
     /// Within it, a number of quarters times the first part of one is exact.
     const EXACT_RADIANS_MAX: f64 = 1e6;
     /// Added, rounds to an integer, which the last bits of the sum then are.
@@ -63,13 +63,13 @@ pub(crate) fn turned(radians: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::turned;
+    use super::sin_cos;
 
     #[test]
     fn turned_is_what_libm_gives() {
         let angles = (-40_000..40_000).map(|step| f64::from(step) * 0.003_7);
         for angle in angles.chain([core::f64::consts::PI, 1e-300, 3e5, 1e12]) {
-            let ((sine, cosine), (same, other)) = (turned(angle), libm::sincos(angle));
+            let ((sine, cosine), (same, other)) = (sin_cos(angle), libm::sincos(angle));
             let apart = (sine - same).abs().max((cosine - other).abs());
             assert!(apart <= f64::EPSILON, "{angle} is {apart} apart");
         }

@@ -4,9 +4,9 @@
 //! axis keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their
 //! period.
 
-use crate::entry_speed::along;
+use crate::entry_speed::speed_sq_before;
 use crate::limits::{Limits, PLANNED_RATIO, squared};
-use crate::look_ahead::exit;
+use crate::look_ahead::exit_speed_sq;
 use crate::math;
 use crate::path_element::{AccelerationModel, Circle, FeedBasis, PathElement};
 use crate::ring::Ring;
@@ -95,23 +95,28 @@ pub(crate) struct ElementEnd {
 impl MotionState {
     /// Moves on by a cycle.
     #[inline]
-    pub(crate) fn cycle(&mut self, ring: &Ring<PathElement>, limits: &Limits, wish: &CycleRequest) {
+    pub(crate) fn advance_cycle(
+        &mut self,
+        ring: &Ring<PathElement>,
+        limits: &Limits,
+        wish: &CycleRequest,
+    ) {
         self.acceleration = 0.0;
         (self.effort, self.braked) = (0, false);
         let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
         let mut left = limits.cycle - core::mem::take(&mut self.owed);
         if easy {
-            left = self.cruise(ring, limits, wish, left);
+            left = self.advance_fast(ring, limits, wish, left);
         }
         if left > 0.0 {
             // What is not easy has been looked at twice.
             self.effort = self.effort.saturating_add(u32::from(easy));
-            self.run(ring, limits, wish, left);
+            self.advance(ring, limits, wish, left);
         }
     }
 
     #[inline(never)]
-    fn run(
+    fn advance(
         &mut self,
         ring: &Ring<PathElement>,
         limits: &Limits,
@@ -122,7 +127,7 @@ impl MotionState {
         for _ in 0..ELEMENTS_PER_CYCLE_MAX {
             let mut remaining = self.remaining(piece);
             if remaining <= 0.0 {
-                let Some(next) = self.over(ring, piece, &mut left) else { return };
+                let Some(next) = self.enter_next(ring, piece, &mut left) else { return };
                 piece = next;
                 remaining = self.remaining(piece);
             }
@@ -139,9 +144,9 @@ impl MotionState {
             });
             let end = self.end(ring, piece, remaining, wish);
             let from = self.x;
-            left -= self.within(piece, end, (limits, wish), left);
+            left -= self.advance_within(piece, end, (limits, wish), left);
             if !self.backwards {
-                self.note(piece, from);
+                self.note_begin(piece, from);
             }
             if left <= 0.0 || self.remaining(piece) > 0.0 {
                 return;
@@ -167,7 +172,7 @@ impl MotionState {
         if self.backwards {
             let before = ring.get(self.at.wrapping_sub(1));
             let reach = |before: &PathElement| before.back * squared(before.exit);
-            let exit = before.map_or(0.0, |before| math::lesser(reach(before), piece.entry));
+            let exit = before.map_or(0.0, |before| math::min(reach(before), piece.entry));
             return ElementEnd { exit, remaining, open: false };
         }
         let Some(next) = ring.get(self.at.wrapping_add(1)) else {
@@ -175,8 +180,8 @@ impl MotionState {
         };
         let mut exit = next.reach / squared(piece.exit);
         if wish.ease < 1.0 {
-            let asked = wanted(next, next.fastest, wish);
-            exit = math::lesser(exit, squared(asked / piece.exit) / wish.ease);
+            let asked = target_speed(next, next.fastest, wish);
+            exit = math::min(exit, squared(asked / piece.exit) / wish.ease);
         }
         ElementEnd { exit, remaining, open: next.entry > 0.0 }
     }
@@ -184,7 +189,7 @@ impl MotionState {
     /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
     /// can no more come to it, since `late`.
     #[inline]
-    pub(crate) fn opened(
+    pub(crate) fn exit_after_late_override(
         &self,
         piece: &PathElement,
         end: ElementEnd,
@@ -195,7 +200,7 @@ impl MotionState {
     }
 
     /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
-    fn over<'a>(
+    fn enter_next<'a>(
         &mut self,
         ring: &'a Ring<PathElement>,
         piece: &PathElement,
@@ -216,7 +221,7 @@ impl MotionState {
                 *left = 0.0;
                 return None;
             }
-            *left -= math::greater(0.0, rest);
+            *left -= math::max(0.0, rest);
             self.dwelt = seconds;
         }
         let after = self.at.wrapping_add(1);
@@ -239,15 +244,15 @@ impl MotionState {
     }
 
     /// Who is held at the start of a segment has not begun it.
-    fn note(&mut self, piece: &PathElement, from: f64) {
+    fn note_begin(&mut self, piece: &PathElement, from: f64) {
         if self.x > from {
-            self.begin(piece, from);
+            self.begin_segment(piece, from);
         }
     }
 
     /// A segment has begun if its start was passed.
     #[inline]
-    pub(crate) fn begin(&mut self, piece: &PathElement, from: f64) {
+    pub(crate) fn begin_segment(&mut self, piece: &PathElement, from: f64) {
         if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
             self.begun = self.begun.max(piece.index);
             self.number = piece.number;
@@ -256,7 +261,7 @@ impl MotionState {
 
     /// Moves within a piece for as long as there is time and path; how long that was.
     #[inline]
-    fn within(
+    fn advance_within(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
@@ -265,46 +270,50 @@ impl MotionState {
     ) -> f64 {
         match piece.law {
             AccelerationModel::Blend { .. } if piece.axes <= 3 => {
-                self.bend::<3>(piece, end, asked, left)
+                self.advance_on_blend::<3>(piece, end, asked, left)
             }
-            AccelerationModel::Blend { .. } => self.bend::<9>(piece, end, asked, left),
+            AccelerationModel::Blend { .. } => self.advance_on_blend::<9>(piece, end, asked, left),
             AccelerationModel::Constant { .. }
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
-            | AccelerationModel::Dwell(_) => self.along(piece, end, asked, left),
+            | AccelerationModel::Dwell(_) => self.advance_along(piece, end, asked, left),
         }
     }
 
     #[inline]
-    fn along(
+    fn advance_along(
         &mut self,
         piece: &PathElement,
         end: ElementEnd,
         (limits, wish): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        let mut low = self.lowest(piece, limits.cycle);
+        let mut low = self.strongest_model_braking(piece, limits.cycle);
         let mut wanted = f64::NEG_INFINITY;
         if !wish.rest {
-            wanted = self::wanted(piece, piece.fastest, wish);
+            wanted = target_speed(piece, piece.fastest, wish);
         }
         let most = low;
         if self.speed + low * left > wanted {
             // Whoever lowers an override wants all of the brakes, as for a hold.
-            low = math::lesser(low, self.hardest(piece, limits, left));
+            low = math::min(low, self.strongest_braking(piece, limits, left));
         }
         let mut acceleration = low;
         if (wanted - self.speed) / left > low {
-            let ramp = self.ramp(piece, end, wish.ease, (left, limits.cycle), most);
-            acceleration =
-                self.kept(&AccelerationWindow { low, ..ramp }, wanted, end, (wish.ease, left));
+            let ramp = self.window(piece, end, wish.ease, (left, limits.cycle), most);
+            acceleration = self.acceleration_towards(
+                &AccelerationWindow { low, ..ramp },
+                wanted,
+                end,
+                (wish.ease, left),
+            );
         }
-        self.go(piece, acceleration, end, left)
+        self.accelerate(piece, acceleration, end, left)
     }
 
     /// The acceleration towards a speed that a ramp allows.
     #[inline]
-    pub(crate) fn kept(
+    pub(crate) fn acceleration_towards(
         &self,
         ramp: &AccelerationWindow,
         wanted: f64,
@@ -315,35 +324,36 @@ impl MotionState {
         let half = 0.5 * ramp.slope * left;
         let met = half * half + 4.0 * (ramp.bound + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
-        let acceleration = within_bounds((math::lesser(wanted, met) - self.speed) / left, ramp);
+        let acceleration = clamped((math::min(wanted, met) - self.speed) / left, ramp);
         let travel = (self.speed + 0.5 * acceleration * left) * left;
         if met > 0.0 && travel < remaining {
             return acceleration;
         }
         if self.speed <= 0.0 && exit <= 0.0 {
             // So little is left from rest to rest that rounding hides how it is come to: within the cycle.
-            return within_bounds(2.0 * remaining / squared(left), ramp);
+            return clamped(2.0 * remaining / squared(left), ramp);
         }
         // The end comes first.
         let y = squared(self.speed);
         let mut most = (ease * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
-            most = math::lesser(most, (wanted - self.speed) / left);
+            most = math::min(most, (wanted - self.speed) / left);
         } else {
-            most = math::lesser(most, (squared(wanted) - y) / (2.0 * remaining));
+            most = math::min(most, (squared(wanted) - y) / (2.0 * remaining));
         }
-        within_bounds(most, ramp)
+        clamped(most, ramp)
     }
 
     /// The least acceleration that the law of a piece without a bend allows.
     #[inline]
-    fn lowest(&self, piece: &PathElement, cycle: f64) -> f64 {
+    fn strongest_model_braking(&self, piece: &PathElement, cycle: f64) -> f64 {
         match (piece.law, &piece.circle) {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
-                -left_along(acceleration, circle, squared(self.speed))
+                -tangential_acceleration_left(acceleration, circle, squared(self.speed))
             }
             (AccelerationModel::BlendedArc { most, less }, _) => {
-                -math::greater(0.0, most - less * squared(self.speed)) * all(piece, less, cycle)
+                -math::max(0.0, most - less * squared(self.speed))
+                    * unplanned_ratio(piece, less, cycle)
             }
             (AccelerationModel::Constant { acceleration }, _) => -acceleration / PLANNED_RATIO,
             (
@@ -355,7 +365,7 @@ impl MotionState {
         }
     }
 
-    fn ramp(
+    fn window(
         &self,
         piece: &PathElement,
         end: ElementEnd,
@@ -365,15 +375,17 @@ impl MotionState {
     ) -> AccelerationWindow {
         match (piece.law, &piece.circle) {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
-                let rest = |y: f64| left_along(acceleration, circle, y);
-                self.curved(piece, end, (ease, left), lowest, rest)
+                let rest = |y: f64| tangential_acceleration_left(acceleration, circle, y);
+                self.window_on_arc(piece, end, (ease, left), lowest, rest)
             }
             (AccelerationModel::BlendedArc { most, less }, _) => {
-                let all = all(piece, less, cycle);
-                let rest = |y: f64| math::greater(0.0, most - less * y) * all;
-                self.curved(piece, end, (ease, left), lowest, rest)
+                let all = unplanned_ratio(piece, less, cycle);
+                let rest = |y: f64| math::max(0.0, most - less * y) * all;
+                self.window_on_arc(piece, end, (ease, left), lowest, rest)
             }
-            (AccelerationModel::Constant { acceleration }, _) => even_ramp(acceleration, end, ease),
+            (AccelerationModel::Constant { acceleration }, _) => {
+                constant_window(acceleration, end, ease)
+            }
             (
                 AccelerationModel::Arc { .. }
                 | AccelerationModel::Blend { .. }
@@ -384,7 +396,7 @@ impl MotionState {
     }
 
     /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
-    fn curved(
+    fn window_on_arc(
         &self,
         piece: &PathElement,
         ElementEnd { exit, remaining, .. }: ElementEnd,
@@ -393,17 +405,17 @@ impl MotionState {
         rest: impl Fn(f64) -> f64,
     ) -> AccelerationWindow {
         let (y, most) = (squared(self.speed), -lowest);
-        let far = math::lesser((self.speed + 0.5 * most * left) * left, remaining);
-        let high = rest(math::lesser(y + 2.0 * most * far, piece.ceiling));
-        let bound = ease * along(piece.law, &piece.circle, exit, remaining);
-        let later = ease * along(piece.law, &piece.circle, exit, remaining - far);
+        let far = math::min((self.speed + 0.5 * most * left) * left, remaining);
+        let high = rest(math::min(y + 2.0 * most * far, piece.ceiling));
+        let bound = ease * speed_sq_before(piece.law, &piece.circle, exit, remaining);
+        let later = ease * speed_sq_before(piece.law, &piece.circle, exit, remaining - far);
         let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
         AccelerationWindow { low: lowest, high, bound, slope }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
     #[inline(always)]
-    pub(crate) fn go(
+    pub(crate) fn accelerate(
         &mut self,
         piece: &PathElement,
         acceleration: f64,
@@ -415,16 +427,18 @@ impl MotionState {
         let end = self.speed + acceleration * left;
         let travel = 0.5 * (self.speed + end) * left;
         if end > 0.0 && travel < remaining {
-            self.travel(travel);
+            self.move_by(travel);
             self.speed = end;
             // Rounding may bring it to the end all the same.
             if ahead.exit <= 0.0 && self.remaining(piece) <= 0.0 {
-                self.rest(end, left);
+                self.stop_at_end(end, left);
             }
             return left;
         }
         let y = squared(self.speed);
-        let exit = self.opened(piece, ahead, |far| y > along(piece.law, &piece.circle, 0.0, far));
+        let exit = self.exit_after_late_override(piece, ahead, |far| {
+            y > speed_sq_before(piece.law, &piece.circle, 0.0, far)
+        });
         let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
             // The square of the last speed is the difference of two numbers that should be equal. Less is left of it
@@ -439,7 +453,7 @@ impl MotionState {
             let end = math::sqrt(last);
             let both = self.speed + end;
             let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
-            let time = math::greater(time, brakes);
+            let time = math::max(time, brakes);
             if time <= left {
                 self.x = if self.backwards { 0.0 } else { piece.length };
                 self.speed = if exit > 0.0 { end } else { 0.0 };
@@ -447,14 +461,14 @@ impl MotionState {
             }
         } else if end <= 0.0 {
             let travel = -0.5 * y / acceleration;
-            self.travel(math::lesser(travel, remaining));
+            self.move_by(math::min(travel, remaining));
             self.speed = 0.0;
             return left;
         }
-        self.travel(math::lesser(travel, remaining));
-        self.speed = math::greater(0.0, end);
+        self.move_by(math::min(travel, remaining));
+        self.speed = math::max(0.0, end);
         if exit <= 0.0 && travel >= remaining {
-            self.rest(end, left);
+            self.stop_at_end(end, left);
         }
         left
     }
@@ -462,24 +476,24 @@ impl MotionState {
     /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that
     /// would still take is less than the place can show, but an axis that turns round needs the time.
     #[cold]
-    fn rest(&mut self, end: f64, left: f64) {
+    fn stop_at_end(&mut self, end: f64, left: f64) {
         let takes = -end / self.acceleration;
-        self.owed = math::lesser(math::greater(0.0, takes), left);
+        self.owed = math::min(math::max(0.0, takes), left);
         self.speed = 0.0;
     }
 
-    fn travel(&mut self, distance: f64) {
+    fn move_by(&mut self, distance: f64) {
         self.x += if self.backwards { -distance } else { distance };
     }
 
     /// Whether a piece that was changed at its end can still be kept to from here.
-    pub(crate) fn permits(&self, ring: &Ring<PathElement>, limits: &Limits) -> bool {
+    pub(crate) fn can_follow(&self, ring: &Ring<PathElement>, limits: &Limits) -> bool {
         let Some(piece) = ring.get(self.at) else { return true };
-        self.comes_to(piece, exit(ring, piece, self.at), limits)
+        self.can_reach_end_at(piece, exit_speed_sq(ring, piece, self.at), limits)
     }
 
     /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
-    pub(crate) fn comes_to(&self, piece: &PathElement, exit: f64, limits: &Limits) -> bool {
+    pub(crate) fn can_reach_end_at(&self, piece: &PathElement, exit: f64, limits: &Limits) -> bool {
         let y = squared(self.speed);
         if y <= 0.0 || self.backwards {
             return true;
@@ -487,8 +501,8 @@ impl MotionState {
         let remaining = self.remaining(piece);
         match piece.law {
             AccelerationModel::Blend { .. } => {
-                let low = self.least_on(piece, remaining, limits);
-                let high = self.greatest_on(piece, remaining, limits);
+                let low = self.min_acceleration(piece, remaining, limits);
+                let high = self.max_acceleration(piece, remaining, limits);
                 let high = high.min((exit - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
@@ -496,7 +510,7 @@ impl MotionState {
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
             | AccelerationModel::Dwell(_) => {
-                y <= along(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
+                y <= speed_sq_before(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
             }
         }
     }
@@ -504,7 +518,7 @@ impl MotionState {
 
 /// The ramp where the acceleration is the same everywhere.
 #[inline]
-pub(crate) fn even_ramp(acceleration: f64, end: ElementEnd, ease: f64) -> AccelerationWindow {
+pub(crate) fn constant_window(acceleration: f64, end: ElementEnd, ease: f64) -> AccelerationWindow {
     let slope = -2.0 * acceleration * ease;
     let bound = ease * end.exit - slope * end.remaining;
     AccelerationWindow { low: -acceleration / PLANNED_RATIO, high: acceleration, bound, slope }
@@ -512,26 +526,26 @@ pub(crate) fn even_ramp(acceleration: f64, end: ElementEnd, ease: f64) -> Accele
 
 /// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
 #[inline]
-fn left_along(acceleration: f64, circle: &Circle, y: f64) -> f64 {
+fn tangential_acceleration_left(acceleration: f64, circle: &Circle, y: f64) -> f64 {
     math::sqrt((squared(acceleration) - squared(circle.turn * y)).max(0.0))
 }
 
 /// What the axes can do on an arc that is bent, over what is planned with.
 #[inline]
-fn all(piece: &PathElement, less: f64, cycle: f64) -> f64 {
+fn unplanned_ratio(piece: &PathElement, less: f64, cycle: f64) -> f64 {
     1.0 / (PLANNED_RATIO - less * piece.fastest * cycle)
 }
 
-fn within_bounds(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
-    math::greater(math::lesser(acceleration, ramp.high), ramp.low)
+fn clamped(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
+    math::max(math::min(acceleration, ramp.high), ramp.low)
 }
 
 /// The speed that a piece is asked to have where its axes allow so much.
-pub(crate) fn wanted(piece: &PathElement, fastest: f64, wish: &CycleRequest) -> f64 {
+pub(crate) fn target_speed(piece: &PathElement, fastest: f64, wish: &CycleRequest) -> f64 {
     let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
     match piece.pace {
         FeedBasis::Rapid => fastest * wish.rapid,
-        FeedBasis::PerSecond => math::lesser(axes, piece.feed * wish.feed),
-        FeedBasis::PerTurn => math::lesser(axes, piece.feed * wish.turns),
+        FeedBasis::PerSecond => math::min(axes, piece.feed * wish.feed),
+        FeedBasis::PerTurn => math::min(axes, piece.feed * wish.turns),
     }
 }

@@ -65,16 +65,16 @@ pub(crate) fn resolve(
             return Ok(ResolvedSegment::Dwell(seconds));
         }
         Path::Dwell { .. } => return Err(NotQueued::Malformed),
-        Path::Straight { end } => straight(whole, &end)?,
-        Path::Arc { end, centre, normal, angle } => arc(whole, &end, &centre, &normal, angle)?,
+        Path::Straight { end } => set_line(whole, &end)?,
+        Path::Arc { end, centre, normal, angle } => set_arc(whole, &end, &centre, &normal, angle)?,
     }
     let tolerated = match segment.blend {
         Blend::Within(tolerance) => tolerance >= 0.0,
         Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
     };
-    let felt = felt(whole);
+    let felt = feed_path_ratios(whole);
     leg.felt = felt.1;
-    if !tolerated || !pace(whole, segment.feed, felt) {
+    if !tolerated || !set_feed(whole, segment.feed, felt) {
         return Err(NotQueued::Malformed);
     }
     if whole.length <= ZERO_LENGTH_MM {
@@ -83,9 +83,9 @@ pub(crate) fn resolve(
     whole.number = segment.number;
     whole.probing = segment.probing;
     if whole.circle.is_none() {
-        limits.rule_line(whole);
+        limits.assign_line_model(whole);
     } else {
-        limits.rule(whole);
+        limits.assign_model(whole);
     }
     let may_move = whole.ceiling > 0.0 && whole.ceiling < f64::INFINITY;
     if !may_move {
@@ -94,8 +94,8 @@ pub(crate) fn resolve(
     leg.first = whole.rate;
     leg.last = whole.rate;
     if whole.circle.is_some() {
-        leg.first = whole.tangent(0.0);
-        leg.last = whole.tangent(whole.length).map(|rate| rate / whole.exit);
+        leg.first = whole.tangent_at(0.0);
+        leg.last = whole.tangent_at(whole.length).map(|rate| rate / whole.exit);
     }
     leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
     (leg.taken, leg.strayed, leg.several) = (0.0, 0.0, false);
@@ -106,14 +106,14 @@ impl NominalSegment {
     /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
     /// within a cycle.
     #[inline]
-    pub(crate) fn goes_on_in(&self, next: &Self, limits: &Limits) -> bool {
+    pub(crate) fn can_merge_with(&self, next: &Self, limits: &Limits) -> bool {
         let (one, other) = (&self.whole, &next.whole);
         let length = (one.length + other.length).max(other.length * MERGED_SEGMENTS_MIN);
-        if squared(length) > squared(limits.cycle) * self.pressing() {
+        if squared(length) > squared(limits.cycle) * self.max_speed_sq() {
             return false;
         }
         let lines = one.circle.is_none() && other.circle.is_none() && one.axes.max(other.axes) <= 3;
-        let alike = lines && self.has_feed_of(next) && self.blend == next.blend;
+        let alike = lines && self.has_same_feed(next) && self.blend == next.blend;
         let mut bends = 0.0;
         for (last, first) in self.last.iter().zip(&next.first) {
             bends += squared(first - last);
@@ -126,18 +126,18 @@ impl NominalSegment {
 
     /// Whether both have one feed, but for rounding.
     #[inline]
-    pub(crate) fn has_feed_of(&self, next: &Self) -> bool {
+    pub(crate) fn has_same_feed(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
         let near = (one.feed - other.feed).abs() <= FEED_TOLERANCE_RATIO * one.feed.min(other.feed);
         one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
     }
 
     /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
-    pub(crate) fn join(&mut self, next: &Self, limits: &Limits) -> bool {
+    pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
         let Blend::Within(tolerance) = self.blend else { return false };
         let whole = &mut self.whole;
         let length = whole.length;
-        if straight(whole, &next.whole.end).is_err() {
+        if set_line(whole, &next.whole.end).is_err() {
             return false;
         }
         // The end that is dropped is so far from the line: what of the old direction is not along the new one.
@@ -153,14 +153,14 @@ impl NominalSegment {
             return false;
         }
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
-        limits.rule_line(whole);
+        limits.assign_line_model(whole);
         (self.first, self.last) = (whole.rate, whole.rate);
         self.several = true;
         true
     }
 
     /// The highest square of speed that it is ever run at, overrides up to 2.
-    pub(crate) fn pressing(&self) -> f64 {
+    pub(crate) fn max_speed_sq(&self) -> f64 {
         match self.whole.pace {
             FeedBasis::PerSecond => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
             FeedBasis::Rapid | FeedBasis::PerTurn => self.whole.ceiling,
@@ -168,7 +168,7 @@ impl NominalSegment {
     }
 }
 
-fn straight(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
+fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
     whole.end = *end;
     let mut sum = 0.0;
     let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
@@ -185,12 +185,12 @@ fn straight(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
         let inverse = 1.0 / whole.length;
         whole.rate = whole.rate.map(|value| value * inverse);
     }
-    whole.axes = in_use(&whole.rate);
+    whole.axes = used_axis_count(&whole.rate);
     Ok(())
 }
 
 /// The circle is the one through the start; where the end departs from it, an even motion makes up for it.
-fn arc(
+fn set_arc(
     whole: &mut PathElement,
     end: &Axes,
     centre: &[f64; 3],
@@ -212,7 +212,7 @@ fn arc(
     }
     let sense = if angle < 0.0 { -1.0 } else { 1.0 };
     let across = cross(normal, &radius).map(|value| sense * value);
-    let (sine, cosine) = math::turned(angle.abs());
+    let (sine, cosine) = math::sin_cos(angle.abs());
     let size = math::sqrt(dot(&radius, &radius));
     if size <= 0.0 || angle.abs() <= 0.0 {
         return Err(NotQueued::Malformed);
@@ -239,14 +239,14 @@ fn arc(
     whole.rate = even.map(|value| value / length);
     let (turn, growth) = (angle.abs() / length, (grown - 1.0) / length);
     whole.circle = Some(Circle { cosine: radius, sine: across, turn, growth });
-    whole.axes = in_use(&whole.rate);
+    whole.axes = used_axis_count(&whole.rate);
     (whole.end, whole.length) = (*end, length);
-    whole.exit = norm(&whole.tangent(length));
+    whole.exit = norm(&whole.tangent_at(length));
     Ok(())
 }
 
 /// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
-fn pace(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool {
+fn set_feed(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool {
     let (pace, speed) = match feed {
         Feed::Rapid => (FeedBasis::Rapid, f64::INFINITY),
         Feed::PerSecond(feed) => (FeedBasis::PerSecond, feed / most),
@@ -260,7 +260,7 @@ fn pace(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool 
 }
 
 /// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
-fn felt(whole: &PathElement) -> (f64, f64) {
+fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
     let [x, y, z, a, b, c, u, v, w] = whole.rate;
     let even = squared(x) + squared(y) + squared(z);
     let linear = match &whole.circle {
@@ -268,7 +268,7 @@ fn felt(whole: &PathElement) -> (f64, f64) {
         Some(circle) => {
             let radius = dot(&circle.cosine, &circle.cosine);
             let turning = |grown: f64| squared(circle.turn * grown) + squared(circle.growth);
-            let (start, end) = (turning(1.0), turning(circle.grown(whole.length)));
+            let (start, end) = (turning(1.0), turning(circle.radius_ratio(whole.length)));
             (even + radius * start.min(end), even + radius * start.max(end))
         }
     };
@@ -280,7 +280,7 @@ fn felt(whole: &PathElement) -> (f64, f64) {
 }
 
 /// How many leading axes cover those that move.
-fn in_use(rate: &Axes) -> usize {
+fn used_axis_count(rate: &Axes) -> usize {
     let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
     last.map_or(0, |last| last.saturating_add(1)).max(3)
 }

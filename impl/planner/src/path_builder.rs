@@ -6,9 +6,11 @@
 //! not be kept to: then the corner keeps the form it has, a stop at worst.
 
 use crate::blend_limits::BlendLimits;
-use crate::corner::{Corner, bent_end, bent_start, middle, parabola, share, turn};
+use crate::corner::{
+    Corner, blended_end, blended_start, corner_lengths, split_place, tangent_change, write_parabola,
+};
 use crate::limits::{Limits, squared};
-use crate::look_ahead::{LookAhead, allowed};
+use crate::look_ahead::{LookAhead, axes_allow};
 use crate::math;
 use crate::motion::MotionState;
 use crate::nominal_segment::NominalSegment;
@@ -74,13 +76,13 @@ impl PathBuilder {
     }
 
     /// The corner after the last leg comes to rest, if it is not made yet.
-    pub(crate) fn stop(&mut self) {
-        let (_, last, _) = turned(&mut self.legs, self.turn);
+    pub(crate) fn stop_at_end(&mut self) {
+        let (_, last, _) = in_order(&mut self.legs, self.turn);
         last.leg.blend = Blend::ExactStop;
     }
 
     /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
-    pub(crate) fn follows(&self) -> bool {
+    pub(crate) fn follows_spindle(&self) -> bool {
         self.legs.iter().any(|open| open.leg.whole.pace == FeedBasis::PerTurn)
     }
 
@@ -95,8 +97,8 @@ impl PathBuilder {
     }
 
     /// Where the next leg is to be written, and where it begins.
-    pub(crate) fn new_leg(&mut self) -> (&mut NominalSegment, &Axes) {
-        let (_, _, next) = turned(&mut self.legs, self.turn);
+    pub(crate) fn new_segment(&mut self) -> (&mut NominalSegment, &Axes) {
+        let (_, _, next) = in_order(&mut self.legs, self.turn);
         (&mut next.leg, &self.end)
     }
 
@@ -104,9 +106,9 @@ impl PathBuilder {
     #[inline]
     pub(crate) fn add(&mut self, queue: &mut PathEdit<'_>) {
         queue.changed = u64::MAX;
-        let (before, last, next) = turned(&mut self.legs, self.turn);
+        let (before, last, next) = in_order(&mut self.legs, self.turn);
         self.end = next.leg.whole.end;
-        if self.open > 0 && joined(before, last, next, queue) {
+        if self.open > 0 && merge_next(before, last, next, queue) {
             return;
         }
         next.corner = Corner::Stop;
@@ -116,7 +118,8 @@ impl PathBuilder {
         let made = match next.corner {
             Corner::Stop => false,
             Corner::Smooth | Corner::TangentBreak(_) | Corner::Blend { .. } => {
-                self.open > 1 && revised(before, last, next, queue) || blended(last, next, queue)
+                self.open > 1 && enlarge_previous_corner(before, last, next, queue)
+                    || make_corner(last, next, queue)
             }
         };
         if !made {
@@ -124,8 +127,8 @@ impl PathBuilder {
             next.given = (0.0, 0.0);
             next.leg.taken = 0.0;
             next.main = queue.ring.end();
-            push_main(next, 0.0, queue);
-            settle(queue);
+            push_own_element(next, 0.0, queue);
+            update_look_ahead(queue);
         }
         self.turn = if self.turn == 2 { 0 } else { self.turn.saturating_add(1) };
         self.open = self.open.saturating_add(1).min(2);
@@ -133,7 +136,7 @@ impl PathBuilder {
 }
 
 /// The leg before the last, the last and the next.
-fn turned(
+fn in_order(
     legs: &mut [OpenSegment; 3],
     turn: u8,
 ) -> (&mut OpenSegment, &mut OpenSegment, &mut OpenSegment) {
@@ -146,17 +149,17 @@ fn turned(
 }
 
 /// Makes one leg of the last and the next, where both are over within a cycle, and the corner before it anew.
-fn joined(
+fn merge_next(
     before: &mut OpenSegment,
     last: &mut OpenSegment,
     next: &OpenSegment,
     queue: &mut PathEdit<'_>,
 ) -> bool {
-    if !last.leg.goes_on_in(&next.leg, queue.limits) {
+    if !last.leg.can_merge_with(&next.leg, queue.limits) {
         return false;
     }
     let old = *last;
-    if !last.leg.join(&next.leg, queue.limits) {
+    if !last.leg.merge(&next.leg, queue.limits) {
         last.leg = old.leg;
         return false;
     }
@@ -167,32 +170,32 @@ fn joined(
         if begun {
             last.leg = old.leg;
         } else {
-            push_main(last, 0.0, queue);
-            settle(queue);
+            push_own_element(last, 0.0, queue);
+            update_look_ahead(queue);
         }
         return !begun;
     }
     last.corner = Corner::between(&before.leg, &last.leg, queue.limits);
-    let given = provisional(before, last);
-    if last.corner == Corner::Stop || !fits(before, given.0, queue) {
+    let given = provisional_lengths(before, last);
+    if last.corner == Corner::Stop || !can_end_earlier(before, given.0, queue) {
         *last = old;
         return false;
     }
-    follow(before, last, given, queue);
-    if accepted(queue) {
+    remake_corner_and_next(before, last, given, queue);
+    if is_accepted(queue) {
         return true;
     }
     *last = old;
-    join(before, last, queue);
-    push_main(last, 0.0, queue);
-    settle(queue);
+    remake_corner(before, last, queue);
+    push_own_element(last, 0.0, queue);
+    update_look_ahead(queue);
     queue.changed = u64::MAX;
     false
 }
 
 /// Makes the corner before the last leg anew where it may have more, and then the one before the next.
 #[inline]
-fn revised(
+fn enlarge_previous_corner(
     before: &mut OpenSegment,
     last: &mut OpenSegment,
     next: &mut OpenSegment,
@@ -206,59 +209,63 @@ fn revised(
         Corner::Stop | Corner::Smooth => length * END_TRIM_RATIO_MAX,
     };
     let after = left.max(0.5 * length);
-    let given =
-        share(most, (room(before), after), lines(&before.leg, &last.leg), before.leg.whole.exit);
-    if given.0 <= last.given.0 * (1.0 + 1e-9) || !fits(before, given.0, queue) {
+    let given = corner_lengths(
+        most,
+        (available_length(before), after),
+        are_lines(&before.leg, &last.leg),
+        before.leg.whole.exit,
+    );
+    if given.0 <= last.given.0 * (1.0 + 1e-9) || !can_end_earlier(before, given.0, queue) {
         return false;
     }
     let old = last.given;
     last.given = given;
-    join(before, last, queue);
-    follow(last, next, provisional(last, next), queue);
-    if accepted(queue) {
+    remake_corner(before, last, queue);
+    remake_corner_and_next(last, next, provisional_lengths(last, next), queue);
+    if is_accepted(queue) {
         return true;
     }
     last.given = old;
-    join(before, last, queue);
-    push_main(last, 0.0, queue);
-    settle(queue);
+    remake_corner(before, last, queue);
+    push_own_element(last, 0.0, queue);
+    update_look_ahead(queue);
     false
 }
 
 /// Makes the corner between the last leg and the next.
-fn blended(last: &mut OpenSegment, next: &mut OpenSegment, queue: &mut PathEdit<'_>) -> bool {
-    let given = provisional(last, next);
-    if !fits(last, given.0, queue) {
+fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, queue: &mut PathEdit<'_>) -> bool {
+    let given = provisional_lengths(last, next);
+    if !can_end_earlier(last, given.0, queue) {
         return false;
     }
-    follow(last, next, given, queue);
-    if accepted(queue) {
+    remake_corner_and_next(last, next, given, queue);
+    if is_accepted(queue) {
         return true;
     }
-    push_main(last, 0.0, queue);
-    settle(queue);
+    push_own_element(last, 0.0, queue);
+    update_look_ahead(queue);
     false
 }
 
 /// What a form of the path has lowered is computed anew for the one that takes its place.
-fn settle(queue: &mut PathEdit<'_>) -> u64 {
+fn update_look_ahead(queue: &mut PathEdit<'_>) -> u64 {
     let places = (queue.changed, queue.motion.at);
-    queue.changed = queue.ahead.settle(queue.ring, places, queue.limits);
+    queue.changed = queue.ahead.recompute(queue.ring, places, queue.limits);
     queue.changed
 }
 
 /// Whether the motion can keep to a changed path.
-fn accepted(queue: &mut PathEdit<'_>) -> bool {
+fn is_accepted(queue: &mut PathEdit<'_>) -> bool {
     let changed = queue.changed;
-    let first = settle(queue);
+    let first = update_look_ahead(queue);
     if queue.late {
-        return allowed(queue.ring, queue.motion, changed, queue.limits);
+        return axes_allow(queue.ring, queue.motion, changed, queue.limits);
     }
-    first > queue.motion.at.saturating_add(1) || queue.motion.permits(queue.ring, queue.limits)
+    first > queue.motion.at.saturating_add(1) || queue.motion.can_follow(queue.ring, queue.limits)
 }
 
 /// Whether a leg can end so much earlier: it must not be over.
-fn fits(open: &OpenSegment, given: f64, queue: &PathEdit<'_>) -> bool {
+fn can_end_earlier(open: &OpenSegment, given: f64, queue: &PathEdit<'_>) -> bool {
     let left = open.leg.whole.length - open.leg.taken - given;
     let motion = queue.motion;
     motion.at < open.main
@@ -266,55 +273,55 @@ fn fits(open: &OpenSegment, given: f64, queue: &PathEdit<'_>) -> bool {
 }
 
 /// How much of a leg is left for the corner at its end.
-fn room(open: &OpenSegment) -> f64 {
+fn available_length(open: &OpenSegment) -> f64 {
     match open.corner {
         Corner::TangentBreak(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
         Corner::Stop | Corner::Smooth => open.leg.whole.length * END_TRIM_RATIO_MAX,
     }
 }
 
-fn lines(before: &NominalSegment, after: &NominalSegment) -> bool {
+fn are_lines(before: &NominalSegment, after: &NominalSegment) -> bool {
     before.whole.circle.is_none() && after.whole.circle.is_none()
 }
 
 /// The lengths that a corner has before the one after it is known.
-fn provisional(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
+fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
         Corner::TangentBreak(kink) => {
             // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
             let half = |leg: &NominalSegment| kink.near.min(0.5 * leg.whole.length);
-            (half(&last.leg).min(room(last)), half(&next.leg))
+            (half(&last.leg).min(available_length(last)), half(&next.leg))
         }
         Corner::Blend { most, half } => {
-            let before = room(last);
+            let before = available_length(last);
             let before = if half { before.min(0.5 * last.leg.whole.length) } else { before };
             let rooms = (before, 0.5 * next.leg.whole.length);
-            share(most, rooms, lines(&last.leg, &next.leg), last.leg.whole.exit)
+            corner_lengths(most, rooms, are_lines(&last.leg, &next.leg), last.leg.whole.exit)
         }
     }
 }
 
 /// Makes the end of a leg anew and the corner after it.
-fn join(before: &mut OpenSegment, last: &mut OpenSegment, queue: &mut PathEdit<'_>) {
-    push_main(before, last.given.0, queue);
+fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, queue: &mut PathEdit<'_>) {
+    push_own_element(before, last.given.0, queue);
     push_corner(&before.leg, last, queue);
 }
 
 /// Makes the end of the last leg anew, the corner after it, and the next leg.
-fn follow(
+fn remake_corner_and_next(
     last: &mut OpenSegment,
     next: &mut OpenSegment,
     given: (f64, f64),
     queue: &mut PathEdit<'_>,
 ) {
     next.given = given;
-    join(last, next, queue);
-    push_main(next, 0.0, queue);
+    remake_corner(last, next, queue);
+    push_own_element(next, 0.0, queue);
 }
 
 /// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
-fn push_main(open: &mut OpenSegment, given: f64, queue: &mut PathEdit<'_>) {
+fn push_own_element(open: &mut OpenSegment, given: f64, queue: &mut PathEdit<'_>) {
     queue.ring.truncate(open.main);
     queue.changed = queue.changed.min(open.main);
     let whole = &open.leg.whole;
@@ -333,7 +340,7 @@ fn push_main(open: &mut OpenSegment, given: f64, queue: &mut PathEdit<'_>) {
         Corner::Smooth => piece.begins = Some(0.0),
         Corner::TangentBreak(_) | Corner::Blend { .. } => {}
     }
-    spread(queue.ring.end(), queue);
+    limit_crowded_speed(queue.ring.end(), queue);
 }
 
 fn push_corner(before: &NominalSegment, after: &mut OpenSegment, queue: &mut PathEdit<'_>) {
@@ -345,12 +352,12 @@ fn push_corner(before: &NominalSegment, after: &mut OpenSegment, queue: &mut Pat
         after.leg.taken = e;
     }
     if let Corner::Blend { .. } = after.corner {
-        if lines(before, &after.leg) {
+        if are_lines(before, &after.leg) {
             push_blend((before, &after.leg), (d, e), queue);
         } else {
-            let turn = turn(before, &after.leg);
-            push(&bent_end((before, &after.leg), &turn, d, queue.limits), queue);
-            push(&bent_start((before, &after.leg), &turn, e, queue.limits), queue);
+            let turn = tangent_change(before, &after.leg);
+            push(&blended_end((before, &after.leg), &turn, d, queue.limits), queue);
+            push(&blended_start((before, &after.leg), &turn, e, queue.limits), queue);
         }
         after.leg.taken = e;
     }
@@ -364,44 +371,44 @@ fn push_blend(
     queue: &mut PathEdit<'_>,
 ) {
     let Some(blend) = queue.ring.append() else { return };
-    parabola((before, after), given, queue.limits, blend);
-    let middle = middle(blend, queue.limits);
+    write_parabola((before, after), given, queue.limits, blend);
+    let middle = split_place(blend, queue.limits);
     let first = queue.ring.end().wrapping_sub(1);
     if let Some(middle) = middle
         && let Some(second) = queue.ring.append_copy()
     {
         second.cut(middle, second.length);
         second.begins = Some(0.0);
-        queue.limits.rule(second);
+        queue.limits.assign_model(second);
         if let Some(first) = queue.ring.get_mut(first) {
             first.cut(0.0, middle);
-            queue.limits.rule(first);
+            queue.limits.assign_model(first);
         }
-        laid(first, queue);
-        laid(first.wrapping_add(1), queue);
+        finish_element(first, queue);
+        finish_element(first.wrapping_add(1), queue);
     } else {
-        laid(first, queue);
+        finish_element(first, queue);
     }
 }
 
 fn push(piece: &PathElement, queue: &mut PathEdit<'_>) {
     queue.ring.push(piece);
-    laid(queue.ring.end().wrapping_sub(1), queue);
+    finish_element(queue.ring.end().wrapping_sub(1), queue);
 }
 
 /// What a piece gets once it has its place.
-fn laid(place: u64, queue: &mut PathEdit<'_>) {
+fn finish_element(place: u64, queue: &mut PathEdit<'_>) {
     if let Some(piece) = queue.ring.get_mut(place)
         && matches!(piece.law, AccelerationModel::Blend { .. })
         && piece.axes <= 3
     {
-        BlendLimits::lay(piece, queue.limits);
+        BlendLimits::compute(piece, queue.limits);
     }
-    spread(place.wrapping_add(1), queue);
+    limit_crowded_speed(place.wrapping_add(1), queue);
 }
 
 /// Limits the speed of the last pieces before an end where too many would fit into a cycle.
-fn spread(end: u64, queue: &mut PathEdit<'_>) {
+fn limit_crowded_speed(end: u64, queue: &mut PathEdit<'_>) {
     let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
     // A piece that takes a cycle by itself is no part of a crowd.
     if last.length >= last.fastest * queue.limits.cycle {
@@ -413,7 +420,7 @@ fn spread(end: u64, queue: &mut PathEdit<'_>) {
         // Without so many before it there is no crowd.
         let Some(piece) = queue.ring.get(place) else { return };
         length += piece.length;
-        most = math::greater(most, piece.fastest);
+        most = math::max(most, piece.fastest);
     }
     if length >= most * queue.limits.cycle {
         return;
@@ -424,8 +431,8 @@ fn spread(end: u64, queue: &mut PathEdit<'_>) {
         if let Some(piece) = queue.ring.get_mut(place)
             && piece.fastest > fastest
         {
-            piece.ceiling = math::lesser(piece.ceiling, ceiling);
-            piece.last_ceiling = math::lesser(piece.last_ceiling, ceiling);
+            piece.ceiling = math::min(piece.ceiling, ceiling);
+            piece.last_ceiling = math::min(piece.last_ceiling, ceiling);
             piece.fastest = fastest;
             queue.changed = queue.changed.min(place);
         }

@@ -27,22 +27,22 @@ pub(crate) struct Circle {
 
 impl Circle {
     /// The radius after so much, over that at the start.
-    pub(crate) fn grown(&self, x: f64) -> f64 {
+    pub(crate) fn radius_ratio(&self, x: f64) -> f64 {
         1.0 + self.growth * x
     }
 
     /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within
     /// half of that angle.
-    pub(crate) fn is_far(&self, distance: f64) -> bool {
+    pub(crate) fn is_beyond_influence(&self, distance: f64) -> bool {
         2.0 * self.turn * distance >= core::f64::consts::FRAC_PI_2
     }
 
     /// What turns of p, p' and p'' at x.
     #[inline(never)]
-    fn motion(&self, x: f64) -> [[f64; 3]; 3] {
+    fn derivatives(&self, x: f64) -> [[f64; 3]; 3] {
         let [mut position, mut first, mut second] = [[0.0; 3]; 3];
-        let (sine, cosine) = math::turned(self.turn * x);
-        let grown = self.grown(x);
+        let (sine, cosine) = math::sin_cos(self.turn * x);
+        let grown = self.radius_ratio(x);
         let square = self.turn * self.turn * grown;
         let vectors = self.cosine.iter().zip(&self.sine);
         let places = position.iter_mut().zip(&mut first).zip(&mut second);
@@ -58,8 +58,8 @@ impl Circle {
 
     /// Lets it begin further on.
     fn begin_at(&mut self, from: f64) {
-        let (sine, cosine) = math::turned(self.turn * from);
-        let grown = self.grown(from);
+        let (sine, cosine) = math::sin_cos(self.turn * from);
+        let grown = self.radius_ratio(from);
         self.growth /= grown;
         for (along, across) in self.cosine.iter_mut().zip(&mut self.sine) {
             let (was_along, was_across) = (*along, *across);
@@ -177,7 +177,7 @@ impl PathElement {
 
     /// p, p' and p'' at x, of so many leading axes.
     #[inline]
-    pub(crate) fn motion<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {
+    pub(crate) fn derivatives<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {
         let [mut position, mut first, mut second] = [[0.0; N]; 3];
         let half = 0.5 * x;
         let places = position.iter_mut().zip(&mut first).zip(&mut second);
@@ -188,7 +188,7 @@ impl PathElement {
             *second = *bend;
         }
         if let Some(circle) = &self.circle {
-            let turned = circle.motion(x);
+            let turned = circle.derivatives(x);
             for (sum, turned) in [&mut position, &mut first, &mut second].into_iter().zip(&turned) {
                 for (sum, turned) in sum.iter_mut().zip(turned) {
                     *sum += turned;
@@ -200,19 +200,19 @@ impl PathElement {
 
     /// p' and p'' at x, of so many leading axes.
     #[inline]
-    pub(crate) fn swing<const N: usize>(&self, x: f64) -> ([f64; N], [f64; N]) {
-        let [_, first, second] = self.motion(x);
+    pub(crate) fn tangent_and_curvature<const N: usize>(&self, x: f64) -> ([f64; N], [f64; N]) {
+        let [_, first, second] = self.derivatives(x);
         (first, second)
     }
 
     /// p'(x).
-    pub(crate) fn tangent(&self, x: f64) -> Axes {
+    pub(crate) fn tangent_at(&self, x: f64) -> Axes {
         let mut tangent = Axes::default();
         if self.axes <= 3 {
-            let [_, first, _] = self.motion::<3>(x);
+            let [_, first, _] = self.derivatives::<3>(x);
             lead(&mut tangent, &first);
         } else {
-            [_, tangent, _] = self.motion(x);
+            [_, tangent, _] = self.derivatives(x);
         }
         tangent
     }
@@ -242,7 +242,7 @@ impl PathElement {
     #[inline]
     fn cut_axes<const N: usize>(&mut self, from: f64, to: f64) {
         if to < self.length {
-            let [end, _, _] = self.motion::<N>(to);
+            let [end, _, _] = self.derivatives::<N>(to);
             lead(&mut self.end, &end);
             self.exit = 1.0;
         }

@@ -106,9 +106,9 @@ impl Planner {
         if self.aborting || self.ring.room() < 8 || waiting > u64::from(self.dynamics.queue) {
             return Err(NotQueued::Full);
         }
-        let resolved = resolve(segment, self.course.new_leg(), &self.limits)?;
+        let resolved = resolve(segment, self.course.new_segment(), &self.limits)?;
         if self.late && self.ahead.is_ready(self.motion.at) {
-            self.late = !self.motion.permits(&self.ring, &self.limits);
+            self.late = !self.motion.can_follow(&self.ring, &self.limits);
         }
         let mut queue = PathEdit {
             ring: &mut self.ring,
@@ -122,32 +122,34 @@ impl Planner {
             self.met = self.switches.end();
         }
         match resolved {
-            ResolvedSegment::ZeroLength if segment.blend == Blend::ExactStop => self.course.stop(),
+            ResolvedSegment::ZeroLength if segment.blend == Blend::ExactStop => {
+                self.course.stop_at_end()
+            }
             ResolvedSegment::ZeroLength => {}
             ResolvedSegment::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
             ResolvedSegment::Moves => {
                 self.queued = self.queued.saturating_add(1);
                 let last = self.switches.get(self.switches.end().wrapping_sub(1));
                 let awaited = last.is_some_and(|(segment, _)| *segment == self.queued);
-                let (leg, _) = self.course.new_leg();
+                let (leg, _) = self.course.new_segment();
                 (leg.whole.index, leg.apart) = (self.queued, self.apart || awaited);
                 self.apart = false;
                 if segment.probing {
-                    self.course.stop();
+                    self.course.stop_at_end();
                 }
                 self.course.add(&mut queue);
-                if self.course.follows() {
-                    self.follow();
+                if self.course.follows_spindle() {
+                    self.note_spindle_sync();
                 }
             }
         }
-        self.ahead.work(
+        self.ahead.advance(
             &mut self.ring,
             self.motion.at,
             &self.limits,
             (LOOK_AHEAD_WORK_PER_SEGMENT, false),
         );
-        self.ahead.look_round(self.motion.at);
+        self.ahead.note_quiet_after_queueing(self.motion.at);
         Ok(())
     }
 
@@ -175,7 +177,7 @@ impl Planner {
     pub fn switched(&mut self) -> Option<OutputSwitch> {
         let first = self.switches.first();
         let (segment, switch) = *self.switches.get(first)?;
-        if segment > self.motion.begun && !(first < self.met && self.is_over()) {
+        if segment > self.motion.begun && !(first < self.met && self.is_at_end()) {
             return None;
         }
         self.switches.drop_first();
@@ -184,19 +186,19 @@ impl Planner {
 
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
-        let wish = self.wish(input);
-        self.motion.cycle(&self.ring, &self.limits, &wish);
-        self.look(&wish, input);
-        output.tripped = self.probed(input.probe);
+        let wish = self.cycle_request(input);
+        self.motion.advance_cycle(&self.ring, &self.limits, &wish);
+        self.advance_look_ahead(&wish, input);
+        output.tripped = self.probe_tripped(input.probe);
         self.aborting |= output.tripped;
-        self.show(output);
+        self.write_output(output);
         output.phase = self.phase(&wish);
         if output.phase == Phase::Idle {
             // Whatever comes next begins at rest here, also if the motion has run back by then.
             self.course.close();
         }
         if self.aborting && self.motion.speed <= 0.0 {
-            self.forget(&output.position);
+            self.clear_queue(&output.position);
         }
         output.phase
     }
@@ -208,7 +210,7 @@ impl Planner {
 
     /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg
     /// and anew with the one after.
-    fn follow(&mut self) {
+    fn note_spindle_sync(&mut self) {
         let end = self.ring.end();
         let follows =
             |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == FeedBasis::PerTurn);
@@ -221,7 +223,7 @@ impl Planner {
     /// Forgets pieces that lie far behind the motion, if there is need.
     fn make_room(&mut self) {
         while self.ring.room() < 16
-            && !self.retrace.is_asked_for()
+            && !self.retrace.is_requested()
             && !self.motion.backwards
             && self.ring.first().saturating_add(REVERSE_ELEMENTS_MIN) < self.motion.at
         {
@@ -230,43 +232,44 @@ impl Planner {
     }
 
     /// What the outside asks for.
-    fn wish(&mut self, input: &InputParameter) -> CycleRequest {
+    fn cycle_request(&mut self, input: &InputParameter) -> CycleRequest {
         let back = input.adaptive_feed < 0.0;
         // What is no number is 0.
-        let adaptive = math::lesser(1.0, math::greater(0.0, input.adaptive_feed.abs()));
-        let feed = math::greater(0.0, input.feed_override * adaptive);
-        let rapid = math::lesser(1.0, math::greater(0.0, input.rapid_override)) * adaptive;
+        let adaptive = math::min(1.0, math::max(0.0, input.adaptive_feed.abs()));
+        let feed = math::max(0.0, input.feed_override * adaptive);
+        let rapid = math::min(1.0, math::max(0.0, input.rapid_override)) * adaptive;
         let follows = self.motion.at < self.followed;
         let turns = if follows {
-            math::greater(0.0, feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle)
+            math::max(0.0, feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle)
         } else {
             0.0
         };
         self.turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
-        self.turn_round(back);
+        self.update_direction(back);
         let turning = self.motion.backwards != back;
         let rest =
             self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
         let planned = !follows && self.ahead.plans_for(feed, rapid, self.motion.at);
-        let ease = if planned { 1.0 } else { self.ease(feed, rapid, follows.then_some(turns)) };
+        let ease =
+            if planned { 1.0 } else { self.speed_sq_factor(feed, rapid, follows.then_some(turns)) };
         CycleRequest { feed, rapid, turns, rest, planned, ease }
     }
 
     /// What speeds of look-ahead are multiplied by, squared.
     #[cold]
     #[inline(never)]
-    fn ease(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
-        let planned = self.ahead.planned();
+    fn speed_sq_factor(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
+        let planned = self.ahead.highest_scale();
         let turns = turns.unwrap_or(planned.turns);
-        OverrideScale { feed, rapid, turns }.ease(planned)
+        OverrideScale { feed, rapid, turns }.speed_sq_factor(planned)
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
     #[inline]
-    fn turn_round(&mut self, back: bool) {
+    fn update_direction(&mut self, back: bool) {
         if back || self.motion.backwards {
-            self.turn(back);
+            self.change_direction(back);
         } else {
             self.retrace.forget();
         }
@@ -274,31 +277,31 @@ impl Planner {
 
     #[cold]
     #[inline(never)]
-    fn turn(&mut self, back: bool) {
+    fn change_direction(&mut self, back: bool) {
         if back && !self.motion.backwards {
             let may_turn = self.retrace.may_turn(&mut self.ring, self.motion.at);
             self.motion.backwards = may_turn && self.motion.speed <= 0.0;
         } else if !back && self.motion.speed <= 0.0 {
             self.motion.backwards = false;
-            self.ahead.returned(&self.ring, self.motion.at);
+            self.ahead.resume_after_retrace(&self.ring, self.motion.at);
             self.retrace.forget();
         }
-        self.motion.back_to = self.retrace.end();
+        self.motion.back_to = self.retrace.reverse_end();
     }
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
     #[inline]
-    fn look(&mut self, wish: &CycleRequest, input: &InputParameter) {
+    fn advance_look_ahead(&mut self, wish: &CycleRequest, input: &InputParameter) {
         let at = self.motion.at;
         let planned = wish.planned && at >= self.followed;
-        if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_asked_for()) {
-            self.look_on(wish, input);
+        if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_requested()) {
+            self.advance_look_ahead_and_retrace(wish, input);
         }
     }
 
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
-    fn look_on(&mut self, wish: &CycleRequest, input: &InputParameter) {
+    fn advance_look_ahead_and_retrace(&mut self, wish: &CycleRequest, input: &InputParameter) {
         let (work, back) = match self.motion.effort {
             0..=3 => (LOOK_AHEAD_WORK_PER_CYCLE, 2),
             4 | 5 => (LOOK_AHEAD_WORK_PER_CYCLE - 1, 1),
@@ -310,29 +313,29 @@ impl Planner {
         let scale = OverrideScale {
             feed: wish.feed,
             rapid: wish.rapid,
-            turns: self.turns_to_plan_for(wish.turns),
+            turns: self.spindle_speed_to_plan(wish.turns),
         };
         let other = input.adaptive_feed >= 0.0 && scale != self.ahead.scale;
-        if other && self.ahead.is_far(at) {
+        if other && self.ahead.may_rescale(at) {
             self.ahead.rescale(scale, &self.ring, at);
             self.late = true;
-        } else if self.ahead.pressing(at) {
-            self.ahead.work(&mut self.ring, at, &self.limits, (work, true));
+        } else if self.ahead.is_urgent(at) {
+            self.ahead.advance(&mut self.ring, at, &self.limits, (work, true));
         } else {
-            self.ahead.settled();
+            self.ahead.note_quiet();
         }
-        if !self.retrace.is_asked_for() {
+        if !self.retrace.is_requested() {
             return;
         }
         for _ in 0..back {
             let motion = (at, self.motion.backwards);
-            self.retrace.work(&mut self.ring, motion, self.ahead.scale, &self.limits);
+            self.retrace.advance(&mut self.ring, motion, self.ahead.scale, &self.limits);
         }
     }
 
     /// Turns per second to plan for: others than before where something follows the spindle, and its speed has
     /// changed by more than it wavers.
-    fn turns_to_plan_for(&self, turns: f64) -> f64 {
+    fn spindle_speed_to_plan(&self, turns: f64) -> f64 {
         let planned = self.ahead.scale.turns;
         let near =
             turns <= planned && turns >= planned * (1.0 - 2.0 * SPINDLE_SPEED_TOLERANCE_RATIO);
@@ -344,17 +347,17 @@ impl Planner {
     }
 
     /// Whether the probe has changed in a probing segment.
-    fn probed(&mut self, probe: bool) -> bool {
+    fn probe_tripped(&mut self, probe: bool) -> bool {
         let changed = probe != self.probe;
         self.probe = probe;
         changed && self.ring.get(self.motion.at).is_some_and(|piece| piece.probing)
     }
 
-    fn show(&self, output: &mut OutputParameter) {
+    fn write_output(&self, output: &mut OutputParameter) {
         output.segment = self.motion.number;
         match self.ring.get(self.motion.at) {
-            Some(piece) if piece.axes <= 3 => self.show_on::<3>(piece, output),
-            Some(piece) => self.show_on::<9>(piece, output),
+            Some(piece) if piece.axes <= 3 => self.write_output_on::<3>(piece, output),
+            Some(piece) => self.write_output_on::<9>(piece, output),
             None => {
                 output.position = self.position;
                 (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
@@ -365,13 +368,13 @@ impl Planner {
 
     /// Where the motion is on a piece on which so many leading axes may move.
     #[inline]
-    fn show_on<const N: usize>(&self, piece: &PathElement, output: &mut OutputParameter) {
+    fn write_output_on<const N: usize>(&self, piece: &PathElement, output: &mut OutputParameter) {
         let motion = &self.motion;
         let sense = if motion.backwards { -1.0 } else { 1.0 };
         let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
         let square = squared(speed);
         let mut sum = 0.0;
-        let [place, mut first, mut second] = piece.motion::<N>(motion.x);
+        let [place, mut first, mut second] = piece.derivatives::<N>(motion.x);
         for (first, second) in first.iter_mut().zip(&mut second) {
             *second = *first * change + *second * square;
             *first *= speed;
@@ -394,7 +397,7 @@ impl Planner {
             return if wish.rest { Phase::Holding } else { Phase::Moving };
         }
         let Some(piece) = self.ring.get(motion.at) else { return Phase::Idle };
-        if self.is_over() {
+        if self.is_at_end() {
             return Phase::Idle;
         }
         let dwells = matches!(piece.law, AccelerationModel::Dwell(_));
@@ -407,7 +410,7 @@ impl Planner {
     }
 
     /// Whether the motion rests at the end of all that is queued.
-    fn is_over(&self) -> bool {
+    fn is_at_end(&self) -> bool {
         let motion = &self.motion;
         let Some(piece) = self.ring.get(motion.at) else { return true };
         let over = match piece.law {
@@ -422,7 +425,7 @@ impl Planner {
     }
 
     /// Forgets the queue, at rest.
-    fn forget(&mut self, position: &Axes) {
+    fn clear_queue(&mut self, position: &Axes) {
         self.position = *position;
         self.ring.clear();
         self.switches.clear();

@@ -5,7 +5,9 @@
 //! follows, in stretches that begin farther and farther behind. What earlier runs left is worth nothing, since the
 //! path may have changed.
 
-use crate::entry_speed::{OVERRIDE_MIN, OverrideScale, backward, caps};
+use crate::entry_speed::{
+    OVERRIDE_MIN, OverrideScale, max_reverse_entry_speed_sq, speed_sq_limits,
+};
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::path_element::PathElement;
@@ -33,7 +35,7 @@ struct ReversePass {
 impl Retrace {
     /// Whether the motion is to run back.
     #[inline]
-    pub(crate) fn is_asked_for(&self) -> bool {
+    pub(crate) fn is_requested(&self) -> bool {
         self.planned.is_some()
     }
 
@@ -50,7 +52,7 @@ impl Retrace {
     }
 
     /// The piece to whose beginning the motion may run back.
-    pub(crate) fn end(&self) -> u64 {
+    pub(crate) fn reverse_end(&self) -> u64 {
         match self.planned {
             Some(ReversePass { next, known: Some(known), .. }) if next < known => known,
             Some(ReversePass { from, .. }) => from,
@@ -61,7 +63,7 @@ impl Retrace {
     /// Plans the next piece up to the motion; where all are planned and it runs back, begins farther behind.
     #[cold]
     #[inline(never)]
-    pub(crate) fn work(
+    pub(crate) fn advance(
         &mut self,
         ring: &mut Ring<PathElement>,
         (at, backwards): (u64, bool),
@@ -103,13 +105,18 @@ impl ReversePass {
         let before = place.checked_sub(1).and_then(|before| ring.get(before));
         let Some(piece) = ring.get(place) else { return };
         let exit = match before {
-            Some(before) => math::lesser(before.back * squared(before.exit), piece.entry),
+            Some(before) => math::min(before.back * squared(before.exit), piece.entry),
             None => 0.0,
         };
         // It is planned for one speed, and so for some where the motion turned at rest.
         let slowest =
             OverrideScale { feed: OVERRIDE_MIN, rapid: OVERRIDE_MIN, turns: OVERRIDE_MIN };
-        let back = backward(piece, exit, caps(piece, scale.most(slowest)), limits);
+        let back = max_reverse_entry_speed_sq(
+            piece,
+            exit,
+            speed_sq_limits(piece, scale.max(slowest)),
+            limits,
+        );
         // The motion may be there by now, and relies on what is known.
         if self.known.is_some_and(|known| known <= place) && back <= piece.back {
             self.next = at.saturating_add(1);
