@@ -16,33 +16,33 @@ impl MotionState {
     /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
     pub(crate) fn strongest_braking(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         limits: &Limits,
         left: f64,
     ) -> f64 {
-        let Some(circle) = &piece.circle else { return 0.0 };
-        let (remaining, way) = (self.remaining(piece), self.speed * left);
+        let Some(circle) = &element.circle else { return 0.0 };
+        let (remaining, way) = (self.remaining(element), self.speed * left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
         if passes
-            || piece.breaks
-            || self.braked
-            || self.effort > CYCLE_WORK_MAX
+            || element.has_tangent_break
+            || self.found_braking
+            || self.work > CYCLE_WORK_MAX
             || self.speed <= 0.0
         {
             return 0.0;
         }
         let far = math::min(way, remaining);
         // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
-        let kept = 1.0 - squared(circle.turn * far) / 8.0;
+        let kept = 1.0 - squared(circle.angle_rate * far) / 8.0;
         if kept < 0.9 {
             return 0.0;
         }
-        self.braked = true;
-        self.effort = self.effort.saturating_add(ARC_BRAKING_WORK);
-        if piece.axes <= 3 {
-            self.strongest_braking_of::<3>(piece, far, (limits, kept))
+        self.found_braking = true;
+        self.work = self.work.saturating_add(ARC_BRAKING_WORK);
+        if element.axis_count <= 3 {
+            self.strongest_braking_of::<3>(element, far, (limits, kept))
         } else {
-            self.strongest_braking_of::<9>(piece, far, (limits, kept))
+            self.strongest_braking_of::<9>(element, far, (limits, kept))
         }
     }
 
@@ -50,13 +50,13 @@ impl MotionState {
     #[inline(never)]
     fn strongest_braking_of<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         far: f64,
         (limits, kept): (&Limits, f64),
     ) -> f64 {
         let y = squared(self.speed);
         let (sense, ahead) =
-            if self.backwards { (-1.0, self.x - far) } else { (1.0, self.x + far) };
+            if self.is_reversed { (-1.0, self.x - far) } else { (1.0, self.x + far) };
         // At the squares of two speeds, between which it is no more.
         let least = |(first, second): ([f64; N], [f64; N]), y: f64, other: f64| {
             let mut least = [0.0; N];
@@ -68,8 +68,8 @@ impl MotionState {
             }
             least.into_iter().fold(f64::NEG_INFINITY, math::max)
         };
-        let now = least(piece.tangent_and_curvature(self.x), y, y);
+        let now = least(element.tangent_and_curvature(self.x), y, y);
         let later = math::max(0.0, y + 2.0 * now * far);
-        math::max(now, least(piece.tangent_and_curvature(ahead), y, later))
+        math::max(now, least(element.tangent_and_curvature(ahead), y, later))
     }
 }

@@ -46,24 +46,26 @@ impl<const N: usize> Default for BlendLimits<N> {
 /// forward, or back from its end.
 #[inline]
 pub(crate) fn max_entry_speed_sq(
-    piece: &PathElement,
+    element: &PathElement,
     forward: bool,
     most: (f64, f64),
     limits: &Limits,
 ) -> f64 {
-    if forward && piece.axes <= 3 {
-        piece.strips.max_entry_speed_sq(piece, most, limits)
+    if forward && element.axis_count <= 3 {
+        element.blend_limits.max_entry_speed_sq(element, most, limits)
     } else {
-        highest_exact(piece, forward, most, limits)
+        highest_exact(element, forward, most, limits)
     }
 }
 
 #[inline(never)]
-fn highest_exact(piece: &PathElement, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
-    if piece.axes > 3 {
-        AxisInequalities::<9>::new(piece, forward, limits).max_entry_speed_sq(piece, most, limits)
+fn highest_exact(element: &PathElement, forward: bool, most: (f64, f64), limits: &Limits) -> f64 {
+    if element.axis_count > 3 {
+        AxisInequalities::<9>::new(element, forward, limits)
+            .max_entry_speed_sq(element, most, limits)
     } else {
-        AxisInequalities::<3>::new(piece, forward, limits).max_entry_speed_sq(piece, most, limits)
+        AxisInequalities::<3>::new(element, forward, limits)
+            .max_entry_speed_sq(element, most, limits)
     }
 }
 
@@ -105,12 +107,12 @@ fn walk_edge<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f
 
 impl<const N: usize> AxisInequalities<N> {
     #[inline]
-    fn new(piece: &PathElement, forward: bool, limits: &Limits) -> Self {
-        let (rate, bend) = (leading(&piece.rate), leading(&piece.bend));
-        let last = each(&rate, &bend, |rate, bend| rate + piece.length * bend);
+    fn new(element: &PathElement, forward: bool, limits: &Limits) -> Self {
+        let (rate, bend) = (leading(&element.tangent), leading(&element.curvature));
+        let last = each(&rate, &bend, |rate, bend| rate + element.length * bend);
         let (first, last) =
             if forward { (rate, last) } else { (last.map(|rate| -rate), rate.map(|rate| -rate)) };
-        let double = 2.0 * piece.length;
+        let double = 2.0 * element.length;
         Self {
             entering: [each(&first, &last, |f, l| 2.0 * l - 3.0 * f), last.map(|l| -l)],
             leaving: [first, each(&first, &last, |f, l| 3.0 * l - 2.0 * f)],
@@ -122,7 +124,7 @@ impl<const N: usize> AxisInequalities<N> {
     #[inline]
     fn max_entry_speed_sq(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         (exit, cap): (f64, f64),
         limits: &Limits,
     ) -> f64 {
@@ -131,7 +133,7 @@ impl<const N: usize> AxisInequalities<N> {
         }
         let mut strips = BlendLimits::default();
         self.write_limits(&mut strips);
-        strips.highest_on_edge(piece, exit, limits)
+        strips.highest_on_edge(element, exit, limits)
     }
 
     /// Whether they allow an entry and an exit.
@@ -183,9 +185,9 @@ impl<const N: usize> AxisInequalities<N> {
 
 impl BlendLimits<3> {
     /// Looks at a bend of up to three axes, run forward.
-    pub(crate) fn compute(piece: &mut PathElement, limits: &Limits) {
-        let ends = AxisInequalities::new(piece, true, limits);
-        let strips = &mut piece.strips;
+    pub(crate) fn compute(element: &mut PathElement, limits: &Limits) {
+        let ends = AxisInequalities::new(element, true, limits);
+        let strips = &mut element.blend_limits;
         ends.write_limits(strips);
         let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
         let rows = strips.slopes.as_flattened().iter().zip(strips.limits.as_flattened());
@@ -202,7 +204,7 @@ impl BlendLimits<3> {
     #[inline]
     fn max_entry_speed_sq(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         (exit, cap): (f64, f64),
         limits: &Limits,
     ) -> f64 {
@@ -222,11 +224,16 @@ impl BlendLimits<3> {
                 return high;
             }
         }
-        self.highest_exact(piece, (exit, cap), limits)
+        self.highest_exact(element, (exit, cap), limits)
     }
 
     #[inline(never)]
-    fn highest_exact(&self, piece: &PathElement, (exit, cap): (f64, f64), limits: &Limits) -> f64 {
+    fn highest_exact(
+        &self,
+        element: &PathElement,
+        (exit, cap): (f64, f64),
+        limits: &Limits,
+    ) -> f64 {
         let exit = math::min(exit, self.most);
         let low = least(&self.bounds(|limit, slope| limit + slope * exit));
         let high = least(&self.bounds(|limit, slope| limit - slope * exit));
@@ -234,17 +241,17 @@ impl BlendLimits<3> {
         if -low <= high && (self.falls || high >= cap) {
             return high;
         }
-        self.highest_on_edge(piece, exit, limits)
+        self.highest_on_edge(element, exit, limits)
     }
 }
 
 impl<const N: usize> BlendLimits<N> {
     #[inline]
-    fn highest_on_edge(&self, piece: &PathElement, exit: f64, limits: &Limits) -> f64 {
+    fn highest_on_edge(&self, element: &PathElement, exit: f64, limits: &Limits) -> f64 {
         let exit = math::min(exit, self.most);
         walk_edge(self, exit).unwrap_or_else(|| {
             // As fast at the end as at the start is possible, if that is slow enough.
-            let balanced = limits.planned.iter().zip(&piece.bend).take(N);
+            let balanced = limits.planned.iter().zip(&element.curvature).take(N);
             balanced.fold(exit, |least, (limit, bend)| math::min(least, limit / bend.abs()))
         })
     }

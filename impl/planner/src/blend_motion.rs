@@ -27,43 +27,45 @@ const SPEED_SQ_GAIN_STEP_RATIO: f64 = 0.03;
 impl MotionState {
     pub(crate) fn advance_on_blend<const N: usize>(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
         let ElementEnd { exit, remaining, .. } = end;
         let mut most = f64::NEG_INFINITY;
-        if !wish.rest {
-            let ceiling = if self.backwards { piece.ceiling } else { piece.last_ceiling };
-            let eased = ElementEnd { exit: math::min(wish.ease * exit, ceiling), ..end };
+        if !request.must_stop {
+            let ceiling =
+                if self.is_reversed { element.start_limit_sq } else { element.end_limit_sq };
+            let eased =
+                ElementEnd { exit: math::min(request.speed_sq_factor * exit, ceiling), ..end };
             let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
             // override that is too late.
-            let eases = wish.rapid < 1.0;
+            let eases = request.rapid < 1.0;
             let fastest = if eases {
-                self.speed_limit_within_cycle(piece, remaining, left)
+                self.speed_limit_within_cycle(element, remaining, left)
             } else {
-                piece.fastest
+                element.speed_limit
             };
-            let asked = (target_speed(piece, fastest, wish) - self.speed) / left;
+            let asked = (target_speed(element, fastest, request) - self.speed) / left;
             most = math::min(asked, met);
             let both = (most, asked);
             if let Some(even) =
-                self.sustainable_or_faster::<N>(piece, eased, both, (limits, wish), left)
+                self.sustainable_or_faster::<N>(element, eased, both, (limits, request), left)
             {
-                return self.accelerate(piece, even, ElementEnd { open: false, ..end }, left);
+                return self.accelerate(element, even, ElementEnd { is_open: false, ..end }, left);
             }
         }
-        let low = self.min_acceleration_of::<N>(piece, remaining, limits);
+        let low = self.min_acceleration_of::<N>(element, remaining, limits);
         let exit = self
-            .exit_after_late_override(piece, end, |far| low > -squared(self.speed) / (2.0 * far));
-        let end = ElementEnd { exit, open: false, ..end };
-        if let Some(kept) = self.near_limit::<N>(piece, remaining, (most, low), limits) {
-            return self.accelerate(piece, kept, end, left);
+            .exit_after_late_override(element, end, |far| low > -squared(self.speed) / (2.0 * far));
+        let end = ElementEnd { exit, is_open: false, ..end };
+        if let Some(kept) = self.near_limit::<N>(element, remaining, (most, low), limits) {
+            return self.accelerate(element, kept, end, left);
         }
-        let least = self.min_within_cycle::<N>(piece, (remaining, low), limits, left);
-        self.accelerate(piece, math::max(most, least), end, left)
+        let least = self.min_within_cycle::<N>(element, (remaining, low), limits, left);
+        self.accelerate(element, math::max(most, least), end, left)
     }
 
     /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one
@@ -71,16 +73,16 @@ impl MotionState {
     #[inline]
     pub(crate) fn sustainable_or_faster<const N: usize>(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
         (most, asked): (f64, f64),
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<f64> {
-        let even = self.sustainable::<N>(piece, end.remaining, most, limits)?;
+        let even = self.sustainable::<N>(element, end.remaining, most, limits)?;
         let lasts = LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < end.remaining;
-        if lasts && even < asked && self.effort <= CYCLE_WORK_MAX && self.gains_by_speed(piece) {
-            return Some(self.faster::<N>(piece, end, even, (limits, wish), left));
+        if lasts && even < asked && self.work <= CYCLE_WORK_MAX && self.gains_by_speed(element) {
+            return Some(self.faster::<N>(element, end, even, (limits, request), left));
         }
         Some(even)
     }
@@ -90,19 +92,19 @@ impl MotionState {
     #[inline]
     pub(crate) fn sustainable<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         asked: f64,
         limits: &Limits,
     ) -> Option<f64> {
         if asked > 0.0 {
-            if !self.may_coast::<N>(piece, limits) {
+            if !self.may_coast::<N>(element, limits) {
                 return None;
             }
-            let most = self.max_acceleration_of::<N>(piece, remaining, limits);
+            let most = self.max_acceleration_of::<N>(element, remaining, limits);
             return Some(math::max(math::min(asked, most), 0.0));
         }
-        self.is_allowed::<N>(piece, remaining, asked, limits).then_some(asked)
+        self.is_allowed::<N>(element, remaining, asked, limits).then_some(asked)
     }
 
     /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is
@@ -110,7 +112,7 @@ impl MotionState {
     #[inline]
     pub(crate) fn near_limit<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         (asked, low): (f64, f64),
         limits: &Limits,
@@ -118,7 +120,7 @@ impl MotionState {
         if asked < low {
             return None;
         }
-        let high = self.max_acceleration_of::<N>(piece, remaining, limits);
+        let high = self.max_acceleration_of::<N>(element, remaining, limits);
         Some(math::min(asked, math::max(high, low)))
     }
 
@@ -127,47 +129,47 @@ impl MotionState {
     #[inline(never)]
     fn min_within_cycle<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         (remaining, mut least): (f64, f64),
         limits: &Limits,
         left: f64,
     ) -> f64 {
-        let times = if self.effort < CYCLE_WORK_MAX - 1 { 2 } else { 1 };
+        let times = if self.work < CYCLE_WORK_MAX - 1 { 2 } else { 1 };
         for _ in 0..times {
             let last = math::max(0.0, self.speed + least * left);
             let way = 0.5 * (self.speed + last) * left;
             if way >= remaining {
                 break;
             }
-            let now = self.min_acceleration_of::<N>(piece, way, limits);
+            let now = self.min_acceleration_of::<N>(element, way, limits);
             least = math::min(now, least);
         }
         least
     }
 
     /// The highest speed that the axes allow so far ahead.
-    fn speed_limit_ahead(&self, piece: &PathElement, ahead: f64) -> f64 {
-        let rise = piece.last_ceiling - piece.ceiling;
+    fn speed_limit_ahead(&self, element: &PathElement, ahead: f64) -> f64 {
+        let rise = element.end_limit_sq - element.start_limit_sq;
         if rise.abs() <= 0.0 {
-            return piece.fastest;
+            return element.speed_limit;
         }
-        let x = if self.backwards { self.x - ahead } else { self.x + ahead };
-        math::sqrt(piece.ceiling + rise * x / piece.length)
+        let x = if self.is_reversed { self.x - ahead } else { self.x + ahead };
+        math::sqrt(element.start_limit_sq + rise * x / element.length)
     }
 
     /// The highest speed that the axes allow here and at the end of the cycle.
     #[cold]
     #[inline(never)]
-    fn speed_limit_within_cycle(&self, piece: &PathElement, remaining: f64, left: f64) -> f64 {
+    fn speed_limit_within_cycle(&self, element: &PathElement, remaining: f64, left: f64) -> f64 {
         let near = math::min(self.speed * left, remaining);
-        math::min(self.speed_limit_ahead(piece, 0.0), self.speed_limit_ahead(piece, near))
+        math::min(self.speed_limit_ahead(element, 0.0), self.speed_limit_ahead(element, near))
     }
 
     /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it
     /// is not.
     #[inline]
-    fn gains_by_speed(&self, piece: &PathElement) -> bool {
-        let AccelerationModel::Blend { even: most } = piece.law else { return false };
+    fn gains_by_speed(&self, element: &PathElement) -> bool {
+        let AccelerationModel::Blend { even: most } = element.model else { return false };
         most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
     }
 
@@ -176,30 +178,30 @@ impl MotionState {
     #[inline(never)]
     fn faster<const N: usize>(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
         even: f64,
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        let AccelerationModel::Blend { even: most } = piece.law else { return even };
+        let AccelerationModel::Blend { even: most } = element.model else { return even };
         if even < 0.0 && self.speed + even * left <= 0.0 {
             return even;
         }
         let near = math::min(self.speed * left, end.remaining);
-        let wanted = target_speed(piece, self.speed_limit_ahead(piece, near), wish);
+        let wanted = target_speed(element, self.speed_limit_ahead(element, near), request);
         let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / left;
         // Mostly the motion is as fast as it may be.
         let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
-        let with = (limits, wish);
+        let with = (limits, request);
         if even >= asked
-            || !self.leaves_sustainable::<N>(piece, end, math::min(asked, more), with, left)
+            || !self.leaves_sustainable::<N>(element, end, math::min(asked, more), with, left)
         {
             return even;
         }
-        self.effort = self.effort.saturating_add(TRIALS_WORK);
+        self.work = self.work.saturating_add(TRIALS_WORK);
         let near = math::min(1.5 * near, end.remaining);
-        let mut high = math::min(asked, self.max_acceleration_of::<N>(piece, near, limits));
+        let mut high = math::min(asked, self.max_acceleration_of::<N>(element, near, limits));
         let mut low = even;
         let mut tried = high;
         for _ in 0..ACCELERATION_TRIALS_MAX {
@@ -207,8 +209,8 @@ impl MotionState {
                 break;
             }
             let way = self.distance_after(tried, left);
-            let allowed = way <= near || self.is_allowed::<N>(piece, way, tried, limits);
-            if allowed && self.leaves_sustainable::<N>(piece, end, tried, with, left) {
+            let allowed = way <= near || self.is_allowed::<N>(element, way, tried, limits);
+            if allowed && self.leaves_sustainable::<N>(element, end, tried, with, left) {
                 if tried >= high {
                     return tried;
                 }
@@ -230,10 +232,10 @@ impl MotionState {
     /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
     fn leaves_sustainable<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         ElementEnd { exit, remaining, .. }: ElementEnd,
         acceleration: f64,
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> bool {
         let way = self.distance_after(acceleration, left);
@@ -241,16 +243,18 @@ impl MotionState {
             return false;
         }
         let speed = self.speed + acceleration * left;
-        if speed > target_speed(piece, self.speed_limit_ahead(piece, way), wish) {
+        if speed > target_speed(element, self.speed_limit_ahead(element, way), request) {
             return false;
         }
         let y = squared(speed);
-        let (sense, last) = if self.backwards { (-1.0, 0.0) } else { (1.0, piece.length) };
+        let (sense, last) = if self.is_reversed { (-1.0, 0.0) } else { (1.0, element.length) };
         let x = self.x + sense * way;
         let along = if y > exit { sense * (exit - y) / (2.0 * (remaining - way)) } else { 0.0 };
         let exit = math::min(exit, y);
         let mut used = [0.0; N];
-        for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
+        for (used, (rate, bend)) in
+            used.iter_mut().zip(element.tangent.iter().zip(&element.curvature))
+        {
             let next = along * (rate + x * bend) + bend * y;
             let then = along * (rate + last * bend) + bend * exit;
             *used = math::max(next.abs(), then.abs());
@@ -262,16 +266,18 @@ impl MotionState {
     #[inline]
     fn is_allowed<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         acceleration: f64,
         limits: &Limits,
     ) -> bool {
         let y = squared(self.speed);
         let later = 3.0 * remaining * acceleration;
-        let along = if self.backwards { -acceleration } else { acceleration };
+        let along = if self.is_reversed { -acceleration } else { acceleration };
         let mut used = [0.0; N];
-        for (used, (rate, bend)) in used.iter_mut().zip(piece.rate.iter().zip(&piece.bend)) {
+        for (used, (rate, bend)) in
+            used.iter_mut().zip(element.tangent.iter().zip(&element.curvature))
+        {
             let here = along * (rate + self.x * bend) + bend * y;
             *used = math::max(here.abs(), (here + later * bend).abs());
         }
@@ -280,59 +286,59 @@ impl MotionState {
 
     /// Whether all axes allow the motion to go on without acceleration. Mostly its speed alone tells.
     #[inline]
-    fn may_coast<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
-        let AccelerationModel::Blend { even } = piece.law else { return false };
+    fn may_coast<const N: usize>(&self, element: &PathElement, limits: &Limits) -> bool {
+        let AccelerationModel::Blend { even } = element.model else { return false };
         squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even
-            || self.may_coast_exactly::<N>(piece, limits)
+            || self.may_coast_exactly::<N>(element, limits)
     }
 
     #[cold]
     #[inline(never)]
-    fn may_coast_exactly<const N: usize>(&self, piece: &PathElement, limits: &Limits) -> bool {
+    fn may_coast_exactly<const N: usize>(&self, element: &PathElement, limits: &Limits) -> bool {
         let y = squared(self.speed);
-        let mut axes = piece.bend.iter().zip(&limits.planned).take(N);
+        let mut axes = element.curvature.iter().zip(&limits.planned).take(N);
         axes.all(|(bend, limit)| (bend * y).abs() <= COASTING_LIMIT_RATIO * limit)
     }
 
     /// The greatest acceleration that is planned with up to the end of a bend.
     pub(crate) fn max_acceleration(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         limits: &Limits,
     ) -> f64 {
-        if piece.axes <= 3 {
-            self.max_acceleration_of::<3>(piece, remaining, limits)
+        if element.axis_count <= 3 {
+            self.max_acceleration_of::<3>(element, remaining, limits)
         } else {
-            self.max_acceleration_of::<9>(piece, remaining, limits)
+            self.max_acceleration_of::<9>(element, remaining, limits)
         }
     }
 
     /// The least acceleration that all axes allow up to the end of a bend.
     pub(crate) fn min_acceleration(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         limits: &Limits,
     ) -> f64 {
-        if piece.axes <= 3 {
-            self.min_acceleration_of::<3>(piece, remaining, limits)
+        if element.axis_count <= 3 {
+            self.min_acceleration_of::<3>(element, remaining, limits)
         } else {
-            self.min_acceleration_of::<9>(piece, remaining, limits)
+            self.min_acceleration_of::<9>(element, remaining, limits)
         }
     }
 
     /// The same for so many leading axes.
     fn max_acceleration_of<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         limits: &Limits,
     ) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * remaining);
-        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let sense = if self.is_reversed { -1.0 } else { 1.0 };
         let mut greatest = [0.0; N];
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.planned);
+        let axes = element.tangent.iter().zip(&element.curvature).zip(&limits.planned);
         for (greatest, ((rate, bend), limit)) in greatest.iter_mut().zip(axes) {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
@@ -349,14 +355,14 @@ impl MotionState {
     /// planned with, so that a speed that rounding has made too high comes down again.
     pub(crate) fn min_acceleration_of<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         ahead: f64,
         limits: &Limits,
     ) -> f64 {
         let (y, thrice) = (squared(self.speed), 3.0 * ahead);
-        let sense = if self.backwards { -1.0 } else { 1.0 };
+        let sense = if self.is_reversed { -1.0 } else { 1.0 };
         let mut least = [0.0; N];
-        let axes = piece.rate.iter().zip(&piece.bend).zip(&limits.acceleration);
+        let axes = element.tangent.iter().zip(&element.curvature).zip(&limits.acceleration);
         for (least, ((rate, bend), limit)) in least.iter_mut().zip(axes) {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);

@@ -50,11 +50,11 @@ pub(crate) enum Corner {
 
 /// The break of direction from one leg to the next.
 pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) -> Axes {
-    let mut turn = after.first;
-    for (turn, before) in turn.iter_mut().zip(&before.last) {
-        *turn -= before;
+    let mut change = after.start_tangent;
+    for (change, before) in change.iter_mut().zip(&before.end_tangent) {
+        *change -= before;
     }
-    turn
+    change
 }
 
 impl Corner {
@@ -70,21 +70,21 @@ impl Corner {
         if blend == Blend::ExactStop {
             return Self::Stop;
         }
-        let axes = before.whole.axes.max(after.whole.axes);
-        let turn = tangent_change(before, after);
-        let break_ = norm_of(&turn, axes);
-        if break_ < SMOOTH_BREAK_MAX_RAD {
+        let axes = before.whole.axis_count.max(after.whole.axis_count);
+        let change = tangent_change(before, after);
+        let break_angle = norm_of(&change, axes);
+        if break_angle < SMOOTH_BREAK_MAX_RAD {
             return Self::Smooth;
         }
         let (tolerance, half) = match (blend, after.blend) {
             (Blend::ExactStop, _) => return Self::Stop,
-            (Blend::ExactPath, _) if break_ > EXACT_PATH_BREAK_MAX_RAD => return Self::Stop,
+            (Blend::ExactPath, _) if break_angle > EXACT_PATH_BREAK_MAX_RAD => return Self::Stop,
             (Blend::ExactPath, _) => {
-                return Self::TangentBreak(TangentBreak::between(before, after, &turn, limits));
+                return Self::TangentBreak(TangentBreak::between(before, after, &change, limits));
             }
             // A leg is left by what it allows itself, whatever the other one does.
             (Blend::Within(one), Blend::Within(other)) => {
-                ((one - before.strayed).min(other - after.strayed), false)
+                ((one - before.merge_deviation).min(other - after.merge_deviation), false)
             }
             (Blend::Within(tolerance), Blend::BetweenMidpoints)
             | (Blend::BetweenMidpoints, Blend::Within(tolerance)) => (tolerance, true),
@@ -92,17 +92,17 @@ impl Corner {
             (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
         // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
-        if half && (before.several || after.several) {
+        if half && (before.is_merged || after.is_merged) {
             return Self::Stop;
         }
         // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
-        let paces = [before.whole.pace, after.whole.pace];
-        if paces.contains(&FeedBasis::PerTurn) && paces.contains(&FeedBasis::PerSecond) {
+        let bases = [before.whole.feed_basis, after.whole.feed_basis];
+        if bases.contains(&FeedBasis::PerTurn) && bases.contains(&FeedBasis::PerSecond) {
             return Self::Stop;
         }
         // A blend that is long enough to cost nothing need not be longer.
         let fastest = before.max_speed_sq().min(after.max_speed_sq());
-        let fastest = match paces {
+        let fastest = match bases {
             [FeedBasis::PerTurn, FeedBasis::Rapid] => {
                 fastest.min(squared(ASSUMED_SPINDLE_SPEED * before.whole.feed))
             }
@@ -117,12 +117,12 @@ impl Corner {
             _ => fastest,
         };
         let enough =
-            fastest / (2.0 * BLEND_ACCELERATION_RATIO * least(&limits.acceleration, &turn, axes));
+            fastest / (2.0 * BLEND_ACCELERATION_RATIO * least(&limits.acceleration, &change, axes));
         // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them
         // and other corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
-        let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_).min(enough);
+        let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_angle).min(enough);
         let most = most.min(blended_arc_length_max(before)).min(blended_arc_length_max(after));
         if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
     }
@@ -144,23 +144,23 @@ impl Corner {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct TangentBreak {
     /// The square of the speed at which it may be passed.
-    entry: f64,
+    junction_limit_sq: f64,
     /// How much of each leg half of T takes, millimetres.
-    pub(crate) near: f64,
+    pub(crate) half_length: f64,
     /// The share of all accelerations that remains there.
-    left: f64,
+    acceleration_ratio: f64,
 }
 
 impl TangentBreak {
     fn between(
         before: &NominalSegment,
         after: &NominalSegment,
-        turn: &Axes,
+        change: &Axes,
         limits: &Limits,
     ) -> Self {
         let h = limits.cycle;
         // Per axis c·|direction of the jump|, by which the speed times T is bounded.
-        let jump = 0.5 * least(&limits.planned, turn, turn.len());
+        let jump = 0.5 * least(&limits.planned, change, change.len());
         let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
         let jump = if rounds { ARC_BREAK_USE_RATIO * jump } else { jump };
         // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
@@ -187,42 +187,52 @@ impl TangentBreak {
         }
         let used = if rounds { ARC_BREAK_USE_RATIO * used(speed) } else { used(speed) };
         let near = 0.5 * h * (speed + 0.25 * rise);
-        Self { entry: squared(speed), near, left: 1.0 - used * 2.0 / 3.0 }
+        Self {
+            junction_limit_sq: squared(speed),
+            half_length: near,
+            acceleration_ratio: 1.0 - used * 2.0 / 3.0,
+        }
     }
 
     /// The last part of the leg before it.
-    pub(crate) fn end(&self, leg: &NominalSegment, given: f64) -> PathElement {
-        self.reduced(leg.whole.part(leg.whole.length - given, leg.whole.length))
+    pub(crate) fn end(&self, segment: &NominalSegment, given: f64) -> PathElement {
+        self.reduced(segment.whole.part(segment.whole.length - given, segment.whole.length))
     }
 
     /// The first part of the leg after it.
-    pub(crate) fn start(&self, leg: &NominalSegment, given: f64) -> PathElement {
-        let piece = self.reduced(leg.whole.part(0.0, given));
-        PathElement { entry: self.entry, begins: Some(0.0), ..piece }
+    pub(crate) fn start(&self, segment: &NominalSegment, given: f64) -> PathElement {
+        let element = self.reduced(segment.whole.part(0.0, given));
+        PathElement {
+            junction_limit_sq: self.junction_limit_sq,
+            segment_start: Some(0.0),
+            ..element
+        }
     }
 
-    fn reduced(&self, mut piece: PathElement) -> PathElement {
-        piece.breaks = true;
-        match &mut piece.law {
-            AccelerationModel::Constant { acceleration } => *acceleration *= self.left,
+    fn reduced(&self, mut element: PathElement) -> PathElement {
+        element.has_tangent_break = true;
+        match &mut element.model {
+            AccelerationModel::Constant { acceleration } => {
+                *acceleration *= self.acceleration_ratio
+            }
             AccelerationModel::Arc { acceleration, planned } => {
-                *acceleration *= self.left;
-                *planned *= self.left;
-                piece.ceiling *= self.left;
-                piece.last_ceiling = piece.ceiling;
-                piece.fastest = math::sqrt(piece.ceiling);
+                *acceleration *= self.acceleration_ratio;
+                *planned *= self.acceleration_ratio;
+                element.start_limit_sq *= self.acceleration_ratio;
+                element.end_limit_sq = element.start_limit_sq;
+                element.speed_limit = math::sqrt(element.start_limit_sq);
             }
             AccelerationModel::Blend { .. }
             | AccelerationModel::BlendedArc { .. }
             | AccelerationModel::Dwell(_) => {}
         }
-        piece
+        element
     }
 }
 
 /// The most that a leg may be accelerated along itself.
-fn max_tangential_acceleration(leg: &NominalSegment) -> f64 {
-    match leg.whole.law {
+fn max_tangential_acceleration(segment: &NominalSegment) -> f64 {
+    match segment.whole.model {
         AccelerationModel::Constant { acceleration }
         | AccelerationModel::Arc { acceleration, .. } => acceleration,
         AccelerationModel::Blend { .. }
@@ -232,8 +242,11 @@ fn max_tangential_acceleration(leg: &NominalSegment) -> f64 {
 }
 
 /// The most of an arc that is bent for a corner.
-fn blended_arc_length_max(leg: &NominalSegment) -> f64 {
-    leg.whole.circle.map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.turn)
+fn blended_arc_length_max(segment: &NominalSegment) -> f64 {
+    segment
+        .whole
+        .circle
+        .map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.angle_rate)
 }
 
 /// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it
@@ -249,10 +262,10 @@ fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) 
 }
 
 /// The square of the speed that a leg is asked to have while nobody overrides its feed.
-fn requested_speed_sq(leg: &NominalSegment) -> f64 {
-    match leg.whole.pace {
-        FeedBasis::PerSecond => leg.whole.ceiling.min(squared(leg.whole.feed)),
-        FeedBasis::Rapid | FeedBasis::PerTurn => leg.whole.ceiling,
+fn requested_speed_sq(segment: &NominalSegment) -> f64 {
+    match segment.whole.feed_basis {
+        FeedBasis::PerSecond => segment.whole.start_limit_sq.min(squared(segment.whole.feed)),
+        FeedBasis::Rapid | FeedBasis::PerTurn => segment.whole.start_limit_sq,
     }
 }
 
@@ -285,30 +298,30 @@ pub(crate) fn write_parabola(
 ) {
     let exit = e / d;
     let (mut origin, mut end, mut bend) = (before.whole.end, before.whole.end, Axes::default());
-    for (end, direction) in end.iter_mut().zip(&after.first) {
+    for (end, direction) in end.iter_mut().zip(&after.start_tangent) {
         *end += e * direction;
     }
-    let directions = before.last.iter().zip(&after.first);
+    let directions = before.end_tangent.iter().zip(&after.start_tangent);
     for ((origin, bend), (from, to)) in origin.iter_mut().zip(&mut bend).zip(directions) {
         *origin -= d * from;
         *bend = (exit * to - from) / (2.0 * d);
     }
     // Its strips are laid when it has its law.
     blend.begin_at(&origin);
-    (blend.rate, blend.bend, blend.end) = (before.last, bend, end);
-    (blend.length, blend.exit) = (2.0 * d, exit);
-    blend.axes = before.whole.axes.max(after.whole.axes);
-    blend.begins = Some(d);
-    (blend.feed, blend.pace) = (after.whole.feed, after.whole.pace);
+    (blend.tangent, blend.curvature, blend.end) = (before.end_tangent, bend, end);
+    (blend.length, blend.end_speed_ratio) = (2.0 * d, exit);
+    blend.axis_count = before.whole.axis_count.max(after.whole.axis_count);
+    blend.segment_start = Some(d);
+    (blend.feed, blend.feed_basis) = (after.whole.feed, after.whole.feed_basis);
     (blend.number, blend.index) = (after.whole.number, after.whole.index);
     blend.probing = after.whole.probing;
     limits.assign_model(blend);
     // On its way from one direction to the other a blend has more of what a feed is measured along than one of its
     // legs, and no more than the other.
-    let most = before.felt.max(after.felt);
-    blend.feed *= after.felt / most;
-    take_slower_feed(blend, &before.whole, before.whole.feed * before.felt / most);
-    blend.feed /= blend.exit.max(1.0);
+    let most = before.feed_path_ratio.max(after.feed_path_ratio);
+    blend.feed *= after.feed_path_ratio / most;
+    take_slower_feed(blend, &before.whole, before.whole.feed * before.feed_path_ratio / most);
+    blend.feed /= blend.end_speed_ratio.max(1.0);
 }
 
 /// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners
@@ -316,74 +329,75 @@ pub(crate) fn write_parabola(
 /// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
 #[inline]
 pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
-    let AccelerationModel::Blend { even } = blend.law else { return None };
-    let axes = squared(blend.fastest);
-    let (asked, pressed) = match blend.pace {
+    let AccelerationModel::Blend { even } = blend.model else { return None };
+    let axes = squared(blend.speed_limit);
+    let (asked, pressed) = match blend.feed_basis {
         FeedBasis::PerSecond => (squared(blend.feed), squared(2.0 * blend.feed)),
         FeedBasis::Rapid | FeedBasis::PerTurn => (f64::INFINITY, f64::INFINITY),
     };
-    let flat = norm_of(&blend.bend, blend.axes) * blend.length <= FLAT_BLEND_ANGLE_MAX_RAD;
+    let flat =
+        norm_of(&blend.curvature, blend.axis_count) * blend.length <= FLAT_BLEND_ANGLE_MAX_RAD;
     if !flat && axes >= even.min(asked) {
         return None;
     }
-    let along = least(&limits.acceleration, &blend.rate, blend.axes);
+    let along = least(&limits.acceleration, &blend.tangent, blend.axis_count);
     let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
     if blend.length < 2.0 * far
         || blend.length < along * squared(SPLIT_BLEND_CYCLES_MIN * limits.cycle)
     {
         return None;
     }
-    Some(blend.begins.unwrap_or(0.5 * blend.length))
+    Some(blend.segment_start.unwrap_or(0.5 * blend.length))
 }
 
 /// The last d of the leg before a corner, bent by half of its turn.
 pub(crate) fn blended_end(
-    (leg, after): (&NominalSegment, &NominalSegment),
-    turn: &Axes,
+    (segment, after): (&NominalSegment, &NominalSegment),
+    change: &Axes,
     d: f64,
     limits: &Limits,
 ) -> PathElement {
-    let length = leg.whole.length;
-    let mut piece = leg.whole.part(length - d, length);
+    let length = segment.whole.length;
+    let mut element = segment.whole.part(length - d, length);
     // Where the radius of an arc changes, p' is not quite 1 long at its end.
-    let exit = leg.whole.exit;
-    for ((bend, end), turn) in piece.bend.iter_mut().zip(&mut piece.end).zip(turn) {
-        *bend += exit * turn / (2.0 * d);
-        *end += exit * turn * d / 4.0;
+    let exit = segment.whole.end_speed_ratio;
+    for ((bend, end), change) in element.curvature.iter_mut().zip(&mut element.end).zip(change) {
+        *bend += exit * change / (2.0 * d);
+        *end += exit * change * d / 4.0;
     }
-    piece.feed *= (leg.felt / after.felt).min(1.0);
-    finish_blended_arc(&mut piece, turn, d, limits);
-    piece
+    element.feed *= (segment.feed_path_ratio / after.feed_path_ratio).min(1.0);
+    finish_blended_arc(&mut element, change, d, limits);
+    element
 }
 
 /// The first d of the leg after a corner, bent by the other half.
 pub(crate) fn blended_start(
-    (before, leg): (&NominalSegment, &NominalSegment),
-    turn: &Axes,
+    (before, segment): (&NominalSegment, &NominalSegment),
+    change: &Axes,
     d: f64,
     limits: &Limits,
 ) -> PathElement {
-    let mut piece = leg.whole.part(0.0, d);
-    for (((origin, rate), bend), turn) in
-        piece.origin.iter_mut().zip(&mut piece.rate).zip(&mut piece.bend).zip(turn)
+    let mut element = segment.whole.part(0.0, d);
+    for (((origin, rate), bend), change) in
+        element.origin.iter_mut().zip(&mut element.tangent).zip(&mut element.curvature).zip(change)
     {
-        *origin += turn * d / 4.0;
-        *rate -= turn / 2.0;
-        *bend += turn / (2.0 * d);
+        *origin += change * d / 4.0;
+        *rate -= change / 2.0;
+        *bend += change / (2.0 * d);
     }
-    piece.begins = Some(0.0);
-    piece.feed *= (leg.felt / before.felt).min(1.0);
-    finish_blended_arc(&mut piece, turn, d, limits);
-    piece
+    element.segment_start = Some(0.0);
+    element.feed *= (segment.feed_path_ratio / before.feed_path_ratio).min(1.0);
+    finish_blended_arc(&mut element, change, d, limits);
+    element
 }
 
 /// An arc that is bent may be a little longer than it was, and its feed is along the path.
-fn finish_blended_arc(piece: &mut PathElement, turn: &Axes, d: f64, limits: &Limits) {
-    let last = turn.iter().rposition(|turn| turn.abs() > 0.0);
-    piece.axes = piece.axes.max(last.map_or(0, |last| last.saturating_add(1)));
-    let turned = piece.circle.map_or(0.0, |circle| circle.turn * d);
-    piece.feed /= math::sqrt(1.0 + turned * norm(turn));
-    limits.assign_model(piece);
+fn finish_blended_arc(element: &mut PathElement, change: &Axes, d: f64, limits: &Limits) {
+    let last = change.iter().rposition(|change| change.abs() > 0.0);
+    element.axis_count = element.axis_count.max(last.map_or(0, |last| last.saturating_add(1)));
+    let turned = element.circle.map_or(0.0, |circle| circle.angle_rate * d);
+    element.feed /= math::sqrt(1.0 + turned * norm(change));
+    limits.assign_model(element);
 }
 
 /// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
@@ -398,9 +412,12 @@ fn stricter(before: Blend, after: Blend) -> Blend {
 
 /// A blend has the slower of both feeds.
 fn take_slower_feed(blend: &mut PathElement, other: &PathElement, feed: f64) {
-    blend.rapid = blend.pace == FeedBasis::Rapid || other.pace == FeedBasis::Rapid;
-    if other.pace != FeedBasis::Rapid && (blend.pace == FeedBasis::Rapid || feed < blend.feed) {
+    blend.is_partly_rapid =
+        blend.feed_basis == FeedBasis::Rapid || other.feed_basis == FeedBasis::Rapid;
+    if other.feed_basis != FeedBasis::Rapid
+        && (blend.feed_basis == FeedBasis::Rapid || feed < blend.feed)
+    {
         blend.feed = feed;
-        blend.pace = other.pace;
+        blend.feed_basis = other.feed_basis;
     }
 }

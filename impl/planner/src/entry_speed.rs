@@ -22,7 +22,7 @@ const DECAY_EXPONENT_MAX: f64 = 3.464;
 pub(crate) struct OverrideScale {
     pub(crate) feed: f64,
     pub(crate) rapid: f64,
-    pub(crate) turns: f64,
+    pub(crate) spindle_speed: f64,
 }
 
 impl OverrideScale {
@@ -33,8 +33,8 @@ impl OverrideScale {
     pub(crate) fn speed_sq_factor(self, planned: Self) -> f64 {
         let share = |asked: f64, planned: f64| math::max(OVERRIDE_MIN, asked) / planned;
         let mut ease = math::min(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
-        if planned.turns > 0.0 {
-            ease = math::min(ease, share(self.turns, planned.turns));
+        if planned.spindle_speed > 0.0 {
+            ease = math::min(ease, share(self.spindle_speed, planned.spindle_speed));
         }
         squared(math::min(1.0, ease))
     }
@@ -44,23 +44,23 @@ impl OverrideScale {
         Self {
             feed: math::max(self.feed, other.feed),
             rapid: math::max(self.rapid, other.rapid),
-            turns: math::max(self.turns, other.turns),
+            spindle_speed: math::max(self.spindle_speed, other.spindle_speed),
         }
     }
 }
 
 /// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
 #[inline]
-pub(crate) fn speed_sq_limits(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
-    let (start, end) = if piece.rapid || piece.pace == FeedBasis::Rapid {
-        rapid_speed_sq_limits(piece, scale)
+pub(crate) fn speed_sq_limits(element: &PathElement, scale: OverrideScale) -> (f64, f64) {
+    let (start, end) = if element.is_partly_rapid || element.feed_basis == FeedBasis::Rapid {
+        rapid_speed_sq_limits(element, scale)
     } else {
-        (piece.ceiling, piece.last_ceiling)
+        (element.start_limit_sq, element.end_limit_sq)
     };
-    let feed = match piece.pace {
+    let feed = match element.feed_basis {
         FeedBasis::Rapid => return (start, end),
-        FeedBasis::PerSecond => piece.feed * scale.feed,
-        FeedBasis::PerTurn => piece.feed * scale.turns,
+        FeedBasis::PerSecond => element.feed * scale.feed,
+        FeedBasis::PerTurn => element.feed * scale.spindle_speed,
     };
     let feed = feed * feed;
     (math::min(start, feed), math::min(end, feed))
@@ -68,50 +68,50 @@ pub(crate) fn speed_sq_limits(piece: &PathElement, scale: OverrideScale) -> (f64
 
 #[cold]
 #[inline(never)]
-fn rapid_speed_sq_limits(piece: &PathElement, scale: OverrideScale) -> (f64, f64) {
+fn rapid_speed_sq_limits(element: &PathElement, scale: OverrideScale) -> (f64, f64) {
     let share = scale.rapid * scale.rapid;
-    (piece.ceiling * share, piece.last_ceiling * share)
+    (element.start_limit_sq * share, element.end_limit_sq * share)
 }
 
 /// The highest y at a piece's start from which y at its end is at most `exit`.
 pub(crate) fn max_entry_speed_sq(
-    piece: &PathElement,
+    element: &PathElement,
     exit: f64,
     (cap, last_cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
     let exit = math::min(exit, last_cap);
-    let entry = match piece.law {
+    let entry = match element.model {
         AccelerationModel::Blend { .. } => {
-            blend_limits::max_entry_speed_sq(piece, true, (exit, cap), limits)
+            blend_limits::max_entry_speed_sq(element, true, (exit, cap), limits)
         }
         AccelerationModel::Constant { .. }
         | AccelerationModel::Arc { .. }
         | AccelerationModel::BlendedArc { .. }
         | AccelerationModel::Dwell(_) => {
-            speed_sq_before(piece.law, &piece.circle, exit, piece.length)
+            speed_sq_before(element.model, &element.circle, exit, element.length)
         }
     };
-    math::min(math::min(entry, cap), piece.entry)
+    math::min(math::min(entry, cap), element.junction_limit_sq)
 }
 
 /// The highest y at its end from which, running back, y at its start is at most `exit`.
 pub(crate) fn max_reverse_entry_speed_sq(
-    piece: &PathElement,
+    element: &PathElement,
     exit: f64,
     (first_cap, cap): (f64, f64),
     limits: &Limits,
 ) -> f64 {
     let exit = math::min(exit, first_cap);
-    let entry = match piece.law {
+    let entry = match element.model {
         AccelerationModel::Blend { .. } => {
-            blend_limits::max_entry_speed_sq(piece, false, (exit, cap), limits)
+            blend_limits::max_entry_speed_sq(element, false, (exit, cap), limits)
         }
         AccelerationModel::Constant { .. }
         | AccelerationModel::Arc { .. }
         | AccelerationModel::BlendedArc { .. }
         | AccelerationModel::Dwell(_) => {
-            speed_sq_before(piece.law, &piece.circle, exit, piece.length)
+            speed_sq_before(element.model, &element.circle, exit, element.length)
         }
     };
     math::min(entry, cap)
@@ -119,27 +119,27 @@ pub(crate) fn max_reverse_entry_speed_sq(
 
 /// The highest y some way before an exit, where that has a closed form.
 pub(crate) fn speed_sq_before(
-    law: AccelerationModel,
+    model: AccelerationModel,
     circle: &Option<Circle>,
     exit: f64,
     distance: f64,
 ) -> f64 {
-    match (law, circle) {
+    match (model, circle) {
         (AccelerationModel::Constant { acceleration }, _) => exit + 2.0 * acceleration * distance,
         (AccelerationModel::Arc { planned, .. }, Some(circle)) => {
             // dy/dx = -2·√(planned² - (turn·y)²) gives turn·y = planned·sin(angle).
-            let angle = 2.0 * circle.turn * distance;
-            let share = (circle.turn * exit / planned).min(1.0);
+            let angle = 2.0 * circle.angle_rate * distance;
+            let share = (circle.angle_rate * exit / planned).min(1.0);
             if angle >= core::f64::consts::FRAC_PI_2 {
-                return planned / circle.turn;
+                return planned / circle.angle_rate;
             }
             let (sine, cosine) = math::sin_cos(angle);
             let other = math::sqrt((1.0 - share * share).max(0.0));
             // Beyond the quarter turn the sine would fall again.
             if cosine <= share {
-                planned / circle.turn
+                planned / circle.angle_rate
             } else {
-                planned / circle.turn * (share * cosine + other * sine)
+                planned / circle.angle_rate * (share * cosine + other * sine)
             }
         }
         (AccelerationModel::BlendedArc { most, less }, _) => {

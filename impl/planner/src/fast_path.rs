@@ -30,33 +30,33 @@ impl MotionState {
     #[inline]
     pub(crate) fn advance_fast(
         &mut self,
-        ring: &Ring<PathElement>,
+        elements: &Ring<PathElement>,
         limits: &Limits,
-        wish: &CycleRequest,
+        request: &CycleRequest,
         mut left: f64,
     ) -> f64 {
-        let Some(mut piece) = ring.get(self.at) else { return left };
+        let Some(mut element) = elements.get(self.at) else { return left };
         for _ in 0..ELEMENTS_PER_CYCLE_MAX {
-            let Some(next) = ring.get(self.at.wrapping_add(1)) else { return left };
-            let remaining = piece.length - self.x;
+            let Some(next) = elements.get(self.at.wrapping_add(1)) else { return left };
+            let remaining = element.length - self.x;
             if remaining > 0.0 {
-                let exit = next.reach / squared(piece.exit);
-                if exit <= 0.0 && next.entry > 0.0 {
+                let exit = next.entry_speed_sq / squared(element.end_speed_ratio);
+                if exit <= 0.0 && next.junction_limit_sq > 0.0 {
                     return left;
                 }
                 let Some(easy) =
-                    self.fast_step((piece, next), (exit, remaining), (limits, wish), left)
+                    self.fast_step((element, next), (exit, remaining), (limits, request), left)
                 else {
                     return left;
                 };
                 let end = self.speed + easy.acceleration * left;
                 let from = self.x;
                 let x = from + 0.5 * (self.speed + end) * left;
-                if end > 0.0 && x < piece.length {
+                if end > 0.0 && x < element.length {
                     self.acceleration = easy.acceleration;
                     self.x = x;
                     self.speed = end;
-                    self.begin_segment(piece, from);
+                    self.begin_segment(element, from);
                     return 0.0;
                 }
                 if easy.last <= 0.0 || exit <= 0.0 {
@@ -69,15 +69,15 @@ impl MotionState {
                 }
                 left -= time;
                 self.acceleration = easy.acceleration;
-                self.x = piece.length;
+                self.x = element.length;
                 self.speed = end;
-                self.begin_segment(piece, from);
-            } else if let AccelerationModel::Dwell(_) = piece.law {
+                self.begin_segment(element, from);
+            } else if let AccelerationModel::Dwell(_) = element.model {
                 return left;
             }
-            self.effort = self.effort.saturating_add(1);
-            self.enter(piece);
-            piece = next;
+            self.work = self.work.saturating_add(1);
+            self.enter(element);
+            element = next;
         }
         left
     }
@@ -86,22 +86,22 @@ impl MotionState {
     #[inline]
     fn fast_step(
         &mut self,
-        (piece, next): (&PathElement, &PathElement),
+        (element, next): (&PathElement, &PathElement),
         (exit, remaining): (f64, f64),
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<FastStep> {
         let y = squared(self.speed);
         // Rapid moves are not overridden here.
-        let wanted = match piece.pace {
-            FeedBasis::PerSecond => math::min(piece.fastest, piece.feed * wish.feed),
-            FeedBasis::Rapid => piece.fastest,
+        let wanted = match element.feed_basis {
+            FeedBasis::PerSecond => math::min(element.speed_limit, element.feed * request.feed),
+            FeedBasis::Rapid => element.speed_limit,
             FeedBasis::PerTurn => return None,
         };
         let asked = (wanted - self.speed) / left;
-        match (piece.law, &piece.circle) {
+        match (element.model, &element.circle) {
             (AccelerationModel::Blend { even }, _) => {
-                let exit = math::min(exit, piece.last_ceiling);
+                let exit = math::min(exit, element.end_limit_sq);
                 let met = (exit - y) / (2.0 * remaining);
                 let most = math::min(asked, met);
                 // An axis uses no more than |p'|·|u| + |p''|·y.
@@ -113,31 +113,34 @@ impl MotionState {
                     return Some(FastStep { acceleration: most, last });
                 }
                 let slows =
-                    met <= asked && met <= 0.0 && self.keeps_to_plan((piece, next), exit, even);
+                    met <= asked && met <= 0.0 && self.keeps_to_plan((element, next), exit, even);
                 if slows && !lasts() {
                     return Some(FastStep { acceleration: met, last });
                 }
                 let acceleration = if lasts() {
-                    let end = ElementEnd { exit, remaining, open: false };
+                    let end = ElementEnd { exit, remaining, is_open: false };
                     self.acceleration_on_long_blend(
-                        piece,
+                        element,
                         end,
                         (most, asked),
-                        (limits, wish),
+                        (limits, request),
                         left,
                     )?
                 } else {
-                    self.acceleration_near_limit(piece, remaining, most, limits)?
+                    self.acceleration_near_limit(element, remaining, most, limits)?
                 };
                 Some(FastStep { acceleration, last: y + 2.0 * acceleration * remaining })
             }
             (AccelerationModel::Constant { acceleration }, _) => {
-                let ramp =
-                    constant_window(acceleration, ElementEnd { exit, remaining, open: false }, 1.0);
+                let ramp = constant_window(
+                    acceleration,
+                    ElementEnd { exit, remaining, is_open: false },
+                    1.0,
+                );
                 let acceleration = self.acceleration_towards(
                     &ramp,
                     wanted,
-                    ElementEnd { exit, remaining, open: false },
+                    ElementEnd { exit, remaining, is_open: false },
                     (1.0, left),
                 );
                 let last = y + 2.0 * acceleration * remaining;
@@ -147,7 +150,7 @@ impl MotionState {
                 let end = self.speed + asked * left;
                 let high = math::max(y, squared(end));
                 let after = remaining - 0.5 * (self.speed + end) * left;
-                let used = squared(asked) + squared(circle.turn * high);
+                let used = squared(asked) + squared(circle.angle_rate * high);
                 let easy = used <= squared(most)
                     && (high <= exit * SPEED_SQ_ROUNDING_RATIO
                         || circle.is_beyond_influence(after))
@@ -167,14 +170,14 @@ impl MotionState {
     #[inline]
     fn keeps_to_plan(
         &self,
-        (piece, next): (&PathElement, &PathElement),
+        (element, next): (&PathElement, &PathElement),
         exit: f64,
         even: f64,
     ) -> bool {
-        let planned = exit * self.x + piece.reach * (piece.length - self.x);
-        next.reach >= piece.relied
-            && piece.reach <= even
-            && squared(self.speed) * piece.length <= planned * SPEED_SQ_ROUNDING_RATIO
+        let planned = exit * self.x + element.entry_speed_sq * (element.length - self.x);
+        next.entry_speed_sq >= element.assumed_next_entry_sq
+            && element.entry_speed_sq <= even
+            && squared(self.speed) * element.length <= planned * SPEED_SQ_ROUNDING_RATIO
     }
 
     /// The acceleration on a bend whose axes have little more than is asked of them.
@@ -182,29 +185,29 @@ impl MotionState {
     #[inline(never)]
     fn acceleration_near_limit(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         most: f64,
         limits: &Limits,
     ) -> Option<f64> {
-        if piece.axes <= 3 {
-            self.acceleration_near_limit_of::<3>(piece, remaining, most, limits)
+        if element.axis_count <= 3 {
+            self.acceleration_near_limit_of::<3>(element, remaining, most, limits)
         } else {
-            self.acceleration_near_limit_of::<9>(piece, remaining, most, limits)
+            self.acceleration_near_limit_of::<9>(element, remaining, most, limits)
         }
     }
 
     #[inline]
     fn acceleration_near_limit_of<const N: usize>(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         remaining: f64,
         most: f64,
         limits: &Limits,
     ) -> Option<f64> {
-        self.sustainable::<N>(piece, remaining, most, limits).or_else(|| {
-            let low = self.min_acceleration_of::<N>(piece, remaining, limits);
-            self.near_limit::<N>(piece, remaining, (most, low), limits)
+        self.sustainable::<N>(element, remaining, most, limits).or_else(|| {
+            let low = self.min_acceleration_of::<N>(element, remaining, limits);
+            self.near_limit::<N>(element, remaining, (most, low), limits)
         })
     }
 
@@ -213,17 +216,17 @@ impl MotionState {
     #[inline(never)]
     fn acceleration_on_long_blend(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
         asked: (f64, f64),
         with: (&Limits, &CycleRequest),
         left: f64,
     ) -> Option<f64> {
-        self.effort = self.effort.saturating_add(BLEND_WORK);
-        if piece.axes <= 3 {
-            self.sustainable_or_faster::<3>(piece, end, asked, with, left)
+        self.work = self.work.saturating_add(BLEND_WORK);
+        if element.axis_count <= 3 {
+            self.sustainable_or_faster::<3>(element, end, asked, with, left)
         } else {
-            self.sustainable_or_faster::<9>(piece, end, asked, with, left)
+            self.sustainable_or_faster::<9>(element, end, asked, with, left)
         }
     }
 }

@@ -33,13 +33,13 @@ pub(crate) struct CycleRequest {
     /// Share of the rapid speed.
     pub(crate) rapid: f64,
     /// Turns of the spindle per second, times the share of the programmed feed.
-    pub(crate) turns: f64,
+    pub(crate) spindle_speed: f64,
     /// Whether to come to rest.
-    pub(crate) rest: bool,
+    pub(crate) must_stop: bool,
     /// Whether look-ahead has planned for just these shares.
-    pub(crate) planned: bool,
+    pub(crate) is_planned: bool,
     /// What speeds of look-ahead are multiplied by, squared, where it has planned for more than is asked for.
-    pub(crate) ease: f64,
+    pub(crate) speed_sq_factor: f64,
 }
 
 /// Where the motion is.
@@ -54,21 +54,21 @@ pub(crate) struct MotionState {
     /// Its acceleration in the last part of the cycle, along the direction of motion.
     pub(crate) acceleration: f64,
     /// Whether it runs back.
-    pub(crate) backwards: bool,
+    pub(crate) is_reversed: bool,
     /// The piece to whose beginning it may run back.
-    pub(crate) back_to: u64,
+    pub(crate) reverse_end: u64,
     /// Seconds of a dwell that are over.
-    pub(crate) dwelt: f64,
+    pub(crate) dwell_elapsed: f64,
     /// The segment under way: planner's number and caller's.
     pub(crate) begun: u64,
     pub(crate) number: u64,
     /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as
     /// three, and where all is easy each piece that is passed as one.
-    pub(crate) effort: u32,
+    pub(crate) work: u32,
     /// Whether the least acceleration on an arc has been found in it.
-    pub(crate) braked: bool,
+    pub(crate) found_braking: bool,
     /// Seconds that the rest at the end of the cycle before begins late.
-    pub(crate) owed: f64,
+    pub(crate) time_owed: f64,
 }
 
 /// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per
@@ -89,7 +89,7 @@ pub(crate) struct ElementEnd {
     /// How far it is.
     pub(crate) remaining: f64,
     /// Whether the path goes on without rest there, so that only an override can ask for one.
-    pub(crate) open: bool,
+    pub(crate) is_open: bool,
 }
 
 impl MotionState {
@@ -97,66 +97,67 @@ impl MotionState {
     #[inline]
     pub(crate) fn advance_cycle(
         &mut self,
-        ring: &Ring<PathElement>,
+        elements: &Ring<PathElement>,
         limits: &Limits,
-        wish: &CycleRequest,
+        request: &CycleRequest,
     ) {
         self.acceleration = 0.0;
-        (self.effort, self.braked) = (0, false);
-        let easy = wish.planned && wish.rapid >= 1.0 && !wish.rest && !self.backwards;
-        let mut left = limits.cycle - core::mem::take(&mut self.owed);
+        (self.work, self.found_braking) = (0, false);
+        let easy =
+            request.is_planned && request.rapid >= 1.0 && !request.must_stop && !self.is_reversed;
+        let mut left = limits.cycle - core::mem::take(&mut self.time_owed);
         if easy {
-            left = self.advance_fast(ring, limits, wish, left);
+            left = self.advance_fast(elements, limits, request, left);
         }
         if left > 0.0 {
             // What is not easy has been looked at twice.
-            self.effort = self.effort.saturating_add(u32::from(easy));
-            self.advance(ring, limits, wish, left);
+            self.work = self.work.saturating_add(u32::from(easy));
+            self.advance(elements, limits, request, left);
         }
     }
 
     #[inline(never)]
     fn advance(
         &mut self,
-        ring: &Ring<PathElement>,
+        elements: &Ring<PathElement>,
         limits: &Limits,
-        wish: &CycleRequest,
+        request: &CycleRequest,
         mut left: f64,
     ) {
-        let Some(mut piece) = ring.get(self.at) else { return };
+        let Some(mut element) = elements.get(self.at) else { return };
         for _ in 0..ELEMENTS_PER_CYCLE_MAX {
-            let mut remaining = self.remaining(piece);
+            let mut remaining = self.remaining(element);
             if remaining <= 0.0 {
-                let Some(next) = self.enter_next(ring, piece, &mut left) else { return };
-                piece = next;
-                remaining = self.remaining(piece);
+                let Some(next) = self.enter_next(elements, element, &mut left) else { return };
+                element = next;
+                remaining = self.remaining(element);
             }
-            if let AccelerationModel::Dwell(_) = piece.law {
-                if left > 0.0 && !wish.rest {
+            if let AccelerationModel::Dwell(_) = element.model {
+                if left > 0.0 && !request.must_stop {
                     continue;
                 }
                 return;
             }
-            self.effort = self.effort.saturating_add(match piece.law {
+            self.work = self.work.saturating_add(match element.model {
                 AccelerationModel::Constant { .. } | AccelerationModel::Dwell(_) => 1,
                 AccelerationModel::Blend { .. } => BLEND_WORK,
                 AccelerationModel::Arc { .. } | AccelerationModel::BlendedArc { .. } => 3,
             });
-            let end = self.end(ring, piece, remaining, wish);
+            let end = self.end(elements, element, remaining, request);
             let from = self.x;
-            left -= self.advance_within(piece, end, (limits, wish), left);
-            if !self.backwards {
-                self.note_begin(piece, from);
+            left -= self.advance_within(element, end, (limits, request), left);
+            if !self.is_reversed {
+                self.note_begin(element, from);
             }
-            if left <= 0.0 || self.remaining(piece) > 0.0 {
+            if left <= 0.0 || self.remaining(element) > 0.0 {
                 return;
             }
         }
     }
 
     /// What is left of the piece in the direction of motion.
-    pub(crate) fn remaining(&self, piece: &PathElement) -> f64 {
-        if self.backwards { self.x } else { piece.length - self.x }
+    pub(crate) fn remaining(&self, element: &PathElement) -> f64 {
+        if self.is_reversed { self.x } else { element.length - self.x }
     }
 
     /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is
@@ -164,26 +165,30 @@ impl MotionState {
     #[inline]
     fn end(
         &self,
-        ring: &Ring<PathElement>,
-        piece: &PathElement,
+        elements: &Ring<PathElement>,
+        element: &PathElement,
         remaining: f64,
-        wish: &CycleRequest,
+        request: &CycleRequest,
     ) -> ElementEnd {
-        if self.backwards {
-            let before = ring.get(self.at.wrapping_sub(1));
-            let reach = |before: &PathElement| before.back * squared(before.exit);
-            let exit = before.map_or(0.0, |before| math::min(reach(before), piece.entry));
-            return ElementEnd { exit, remaining, open: false };
+        if self.is_reversed {
+            let before = elements.get(self.at.wrapping_sub(1));
+            let reach = |before: &PathElement| {
+                before.reverse_entry_speed_sq * squared(before.end_speed_ratio)
+            };
+            let exit =
+                before.map_or(0.0, |before| math::min(reach(before), element.junction_limit_sq));
+            return ElementEnd { exit, remaining, is_open: false };
         }
-        let Some(next) = ring.get(self.at.wrapping_add(1)) else {
-            return ElementEnd { exit: 0.0, remaining, open: false };
+        let Some(next) = elements.get(self.at.wrapping_add(1)) else {
+            return ElementEnd { exit: 0.0, remaining, is_open: false };
         };
-        let mut exit = next.reach / squared(piece.exit);
-        if wish.ease < 1.0 {
-            let asked = target_speed(next, next.fastest, wish);
-            exit = math::min(exit, squared(asked / piece.exit) / wish.ease);
+        let mut exit = next.entry_speed_sq / squared(element.end_speed_ratio);
+        if request.speed_sq_factor < 1.0 {
+            let asked = target_speed(next, next.speed_limit, request);
+            exit =
+                math::min(exit, squared(asked / element.end_speed_ratio) / request.speed_sq_factor);
         }
-        ElementEnd { exit, remaining, open: next.entry > 0.0 }
+        ElementEnd { exit, remaining, is_open: next.junction_limit_sq > 0.0 }
     }
 
     /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
@@ -191,46 +196,46 @@ impl MotionState {
     #[inline]
     pub(crate) fn exit_after_late_override(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
         late: impl Fn(f64) -> bool,
     ) -> f64 {
-        let far = end.remaining * REMAINING_ROUNDING_RATIO + 8.0 * f64::EPSILON * piece.length;
-        if end.open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
+        let far = end.remaining * REMAINING_ROUNDING_RATIO + 8.0 * f64::EPSILON * element.length;
+        if end.is_open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
     }
 
     /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
     fn enter_next<'a>(
         &mut self,
-        ring: &'a Ring<PathElement>,
-        piece: &PathElement,
+        elements: &'a Ring<PathElement>,
+        element: &PathElement,
         left: &mut f64,
     ) -> Option<&'a PathElement> {
-        if self.backwards {
-            let before = self.at.checked_sub(1).filter(|before| *before >= self.back_to)?;
-            let earlier = ring.get(before)?;
+        if self.is_reversed {
+            let before = self.at.checked_sub(1).filter(|before| *before >= self.reverse_end)?;
+            let earlier = elements.get(before)?;
             self.at = before;
-            self.speed /= earlier.exit;
+            self.speed /= earlier.end_speed_ratio;
             self.x = earlier.length;
             return Some(earlier);
         }
-        if let AccelerationModel::Dwell(seconds) = piece.law {
-            let rest = seconds - self.dwelt;
+        if let AccelerationModel::Dwell(seconds) = element.model {
+            let rest = seconds - self.dwell_elapsed;
             if rest > *left {
-                self.dwelt += *left;
+                self.dwell_elapsed += *left;
                 *left = 0.0;
                 return None;
             }
             *left -= math::max(0.0, rest);
-            self.dwelt = seconds;
+            self.dwell_elapsed = seconds;
         }
         let after = self.at.wrapping_add(1);
-        let Some(later) = ring.get(after) else {
+        let Some(later) = elements.get(after) else {
             // Rounding may have brought the motion to the end of all with a little speed left.
             self.speed = 0.0;
             return None;
         };
-        self.enter(piece);
+        self.enter(element);
         Some(later)
     }
 
@@ -238,24 +243,24 @@ impl MotionState {
     #[inline]
     pub(crate) fn enter(&mut self, before: &PathElement) {
         self.at = self.at.wrapping_add(1);
-        self.speed *= before.exit;
+        self.speed *= before.end_speed_ratio;
         self.x = 0.0;
-        self.dwelt = 0.0;
+        self.dwell_elapsed = 0.0;
     }
 
     /// Who is held at the start of a segment has not begun it.
-    fn note_begin(&mut self, piece: &PathElement, from: f64) {
+    fn note_begin(&mut self, element: &PathElement, from: f64) {
         if self.x > from {
-            self.begin_segment(piece, from);
+            self.begin_segment(element, from);
         }
     }
 
     /// A segment has begun if its start was passed.
     #[inline]
-    pub(crate) fn begin_segment(&mut self, piece: &PathElement, from: f64) {
-        if piece.begins.is_some_and(|begins| from <= begins && begins <= self.x) {
-            self.begun = self.begun.max(piece.index);
-            self.number = piece.number;
+    pub(crate) fn begin_segment(&mut self, element: &PathElement, from: f64) {
+        if element.segment_start.is_some_and(|begins| from <= begins && begins <= self.x) {
+            self.begun = self.begun.max(element.index);
+            self.number = element.number;
         }
     }
 
@@ -263,52 +268,55 @@ impl MotionState {
     #[inline]
     fn advance_within(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
         asked: (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        match piece.law {
-            AccelerationModel::Blend { .. } if piece.axes <= 3 => {
-                self.advance_on_blend::<3>(piece, end, asked, left)
+        match element.model {
+            AccelerationModel::Blend { .. } if element.axis_count <= 3 => {
+                self.advance_on_blend::<3>(element, end, asked, left)
             }
-            AccelerationModel::Blend { .. } => self.advance_on_blend::<9>(piece, end, asked, left),
+            AccelerationModel::Blend { .. } => {
+                self.advance_on_blend::<9>(element, end, asked, left)
+            }
             AccelerationModel::Constant { .. }
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
-            | AccelerationModel::Dwell(_) => self.advance_along(piece, end, asked, left),
+            | AccelerationModel::Dwell(_) => self.advance_along(element, end, asked, left),
         }
     }
 
     #[inline]
     fn advance_along(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
-        (limits, wish): (&Limits, &CycleRequest),
+        (limits, request): (&Limits, &CycleRequest),
         left: f64,
     ) -> f64 {
-        let mut low = self.strongest_model_braking(piece, limits.cycle);
+        let mut low = self.strongest_model_braking(element, limits.cycle);
         let mut wanted = f64::NEG_INFINITY;
-        if !wish.rest {
-            wanted = target_speed(piece, piece.fastest, wish);
+        if !request.must_stop {
+            wanted = target_speed(element, element.speed_limit, request);
         }
         let most = low;
         if self.speed + low * left > wanted {
             // Whoever lowers an override wants all of the brakes, as for a hold.
-            low = math::min(low, self.strongest_braking(piece, limits, left));
+            low = math::min(low, self.strongest_braking(element, limits, left));
         }
         let mut acceleration = low;
         if (wanted - self.speed) / left > low {
-            let ramp = self.window(piece, end, wish.ease, (left, limits.cycle), most);
+            let ramp =
+                self.window(element, end, request.speed_sq_factor, (left, limits.cycle), most);
             acceleration = self.acceleration_towards(
                 &AccelerationWindow { low, ..ramp },
                 wanted,
                 end,
-                (wish.ease, left),
+                (request.speed_sq_factor, left),
             );
         }
-        self.accelerate(piece, acceleration, end, left)
+        self.accelerate(element, acceleration, end, left)
     }
 
     /// The acceleration towards a speed that a ramp allows.
@@ -318,7 +326,7 @@ impl MotionState {
         ramp: &AccelerationWindow,
         wanted: f64,
         ElementEnd { exit, remaining, .. }: ElementEnd,
-        (ease, left): (f64, f64),
+        (speed_sq_factor, left): (f64, f64),
     ) -> f64 {
         // The speed at the end of the cycle at which look-ahead's bound is just met.
         let half = 0.5 * ramp.slope * left;
@@ -335,7 +343,7 @@ impl MotionState {
         }
         // The end comes first.
         let y = squared(self.speed);
-        let mut most = (ease * exit - y) / (2.0 * remaining);
+        let mut most = (speed_sq_factor * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
             most = math::min(most, (wanted - self.speed) / left);
         } else {
@@ -346,14 +354,14 @@ impl MotionState {
 
     /// The least acceleration that the law of a piece without a bend allows.
     #[inline]
-    fn strongest_model_braking(&self, piece: &PathElement, cycle: f64) -> f64 {
-        match (piece.law, &piece.circle) {
+    fn strongest_model_braking(&self, element: &PathElement, cycle: f64) -> f64 {
+        match (element.model, &element.circle) {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 -tangential_acceleration_left(acceleration, circle, squared(self.speed))
             }
             (AccelerationModel::BlendedArc { most, less }, _) => {
                 -math::max(0.0, most - less * squared(self.speed))
-                    * unplanned_ratio(piece, less, cycle)
+                    * unplanned_ratio(element, less, cycle)
             }
             (AccelerationModel::Constant { acceleration }, _) => -acceleration / PLANNED_RATIO,
             (
@@ -367,24 +375,24 @@ impl MotionState {
 
     fn window(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         end: ElementEnd,
-        ease: f64,
+        speed_sq_factor: f64,
         (left, cycle): (f64, f64),
         lowest: f64,
     ) -> AccelerationWindow {
-        match (piece.law, &piece.circle) {
+        match (element.model, &element.circle) {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 let rest = |y: f64| tangential_acceleration_left(acceleration, circle, y);
-                self.window_on_arc(piece, end, (ease, left), lowest, rest)
+                self.window_on_arc(element, end, (speed_sq_factor, left), lowest, rest)
             }
             (AccelerationModel::BlendedArc { most, less }, _) => {
-                let all = unplanned_ratio(piece, less, cycle);
+                let all = unplanned_ratio(element, less, cycle);
                 let rest = |y: f64| math::max(0.0, most - less * y) * all;
-                self.window_on_arc(piece, end, (ease, left), lowest, rest)
+                self.window_on_arc(element, end, (speed_sq_factor, left), lowest, rest)
             }
             (AccelerationModel::Constant { acceleration }, _) => {
-                constant_window(acceleration, end, ease)
+                constant_window(acceleration, end, speed_sq_factor)
             }
             (
                 AccelerationModel::Arc { .. }
@@ -398,17 +406,19 @@ impl MotionState {
     /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
     fn window_on_arc(
         &self,
-        piece: &PathElement,
+        element: &PathElement,
         ElementEnd { exit, remaining, .. }: ElementEnd,
-        (ease, left): (f64, f64),
+        (speed_sq_factor, left): (f64, f64),
         lowest: f64,
         rest: impl Fn(f64) -> f64,
     ) -> AccelerationWindow {
         let (y, most) = (squared(self.speed), -lowest);
         let far = math::min((self.speed + 0.5 * most * left) * left, remaining);
-        let high = rest(math::min(y + 2.0 * most * far, piece.ceiling));
-        let bound = ease * speed_sq_before(piece.law, &piece.circle, exit, remaining);
-        let later = ease * speed_sq_before(piece.law, &piece.circle, exit, remaining - far);
+        let high = rest(math::min(y + 2.0 * most * far, element.start_limit_sq));
+        let bound =
+            speed_sq_factor * speed_sq_before(element.model, &element.circle, exit, remaining);
+        let later = speed_sq_factor
+            * speed_sq_before(element.model, &element.circle, exit, remaining - far);
         let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
         AccelerationWindow { low: lowest, high, bound, slope }
     }
@@ -417,7 +427,7 @@ impl MotionState {
     #[inline(always)]
     pub(crate) fn accelerate(
         &mut self,
-        piece: &PathElement,
+        element: &PathElement,
         acceleration: f64,
         ahead: ElementEnd,
         left: f64,
@@ -430,14 +440,14 @@ impl MotionState {
             self.move_by(travel);
             self.speed = end;
             // Rounding may bring it to the end all the same.
-            if ahead.exit <= 0.0 && self.remaining(piece) <= 0.0 {
+            if ahead.exit <= 0.0 && self.remaining(element) <= 0.0 {
                 self.stop_at_end(end, left);
             }
             return left;
         }
         let y = squared(self.speed);
-        let exit = self.exit_after_late_override(piece, ahead, |far| {
-            y > speed_sq_before(piece.law, &piece.circle, 0.0, far)
+        let exit = self.exit_after_late_override(element, ahead, |far| {
+            y > speed_sq_before(element.model, &element.circle, 0.0, far)
         });
         let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
@@ -455,7 +465,7 @@ impl MotionState {
             let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
             let time = math::max(time, brakes);
             if time <= left {
-                self.x = if self.backwards { 0.0 } else { piece.length };
+                self.x = if self.is_reversed { 0.0 } else { element.length };
                 self.speed = if exit > 0.0 { end } else { 0.0 };
                 return time;
             }
@@ -478,31 +488,36 @@ impl MotionState {
     #[cold]
     fn stop_at_end(&mut self, end: f64, left: f64) {
         let takes = -end / self.acceleration;
-        self.owed = math::min(math::max(0.0, takes), left);
+        self.time_owed = math::min(math::max(0.0, takes), left);
         self.speed = 0.0;
     }
 
     fn move_by(&mut self, distance: f64) {
-        self.x += if self.backwards { -distance } else { distance };
+        self.x += if self.is_reversed { -distance } else { distance };
     }
 
     /// Whether a piece that was changed at its end can still be kept to from here.
-    pub(crate) fn can_follow(&self, ring: &Ring<PathElement>, limits: &Limits) -> bool {
-        let Some(piece) = ring.get(self.at) else { return true };
-        self.can_reach_end_at(piece, exit_speed_sq(ring, piece, self.at), limits)
+    pub(crate) fn can_follow(&self, elements: &Ring<PathElement>, limits: &Limits) -> bool {
+        let Some(element) = elements.get(self.at) else { return true };
+        self.can_reach_end_at(element, exit_speed_sq(elements, element, self.at), limits)
     }
 
     /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
-    pub(crate) fn can_reach_end_at(&self, piece: &PathElement, exit: f64, limits: &Limits) -> bool {
+    pub(crate) fn can_reach_end_at(
+        &self,
+        element: &PathElement,
+        exit: f64,
+        limits: &Limits,
+    ) -> bool {
         let y = squared(self.speed);
-        if y <= 0.0 || self.backwards {
+        if y <= 0.0 || self.is_reversed {
             return true;
         }
-        let remaining = self.remaining(piece);
-        match piece.law {
+        let remaining = self.remaining(element);
+        match element.model {
             AccelerationModel::Blend { .. } => {
-                let low = self.min_acceleration(piece, remaining, limits);
-                let high = self.max_acceleration(piece, remaining, limits);
+                let low = self.min_acceleration(element, remaining, limits);
+                let high = self.max_acceleration(element, remaining, limits);
                 let high = high.min((exit - y) / (2.0 * remaining));
                 low <= high + 1e-9 * (1.0 - low)
             }
@@ -510,7 +525,7 @@ impl MotionState {
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
             | AccelerationModel::Dwell(_) => {
-                y <= speed_sq_before(piece.law, &piece.circle, exit, remaining) * (1.0 + 1e-9)
+                y <= speed_sq_before(element.model, &element.circle, exit, remaining) * (1.0 + 1e-9)
             }
         }
     }
@@ -518,22 +533,26 @@ impl MotionState {
 
 /// The ramp where the acceleration is the same everywhere.
 #[inline]
-pub(crate) fn constant_window(acceleration: f64, end: ElementEnd, ease: f64) -> AccelerationWindow {
-    let slope = -2.0 * acceleration * ease;
-    let bound = ease * end.exit - slope * end.remaining;
+pub(crate) fn constant_window(
+    acceleration: f64,
+    end: ElementEnd,
+    speed_sq_factor: f64,
+) -> AccelerationWindow {
+    let slope = -2.0 * acceleration * speed_sq_factor;
+    let bound = speed_sq_factor * end.exit - slope * end.remaining;
     AccelerationWindow { low: -acceleration / PLANNED_RATIO, high: acceleration, bound, slope }
 }
 
 /// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
 #[inline]
 fn tangential_acceleration_left(acceleration: f64, circle: &Circle, y: f64) -> f64 {
-    math::sqrt((squared(acceleration) - squared(circle.turn * y)).max(0.0))
+    math::sqrt((squared(acceleration) - squared(circle.angle_rate * y)).max(0.0))
 }
 
 /// What the axes can do on an arc that is bent, over what is planned with.
 #[inline]
-fn unplanned_ratio(piece: &PathElement, less: f64, cycle: f64) -> f64 {
-    1.0 / (PLANNED_RATIO - less * piece.fastest * cycle)
+fn unplanned_ratio(element: &PathElement, less: f64, cycle: f64) -> f64 {
+    1.0 / (PLANNED_RATIO - less * element.speed_limit * cycle)
 }
 
 fn clamped(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
@@ -541,11 +560,11 @@ fn clamped(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
 }
 
 /// The speed that a piece is asked to have where its axes allow so much.
-pub(crate) fn target_speed(piece: &PathElement, fastest: f64, wish: &CycleRequest) -> f64 {
-    let axes = if piece.rapid { fastest * wish.rapid } else { fastest };
-    match piece.pace {
-        FeedBasis::Rapid => fastest * wish.rapid,
-        FeedBasis::PerSecond => math::min(axes, piece.feed * wish.feed),
-        FeedBasis::PerTurn => math::min(axes, piece.feed * wish.turns),
+pub(crate) fn target_speed(element: &PathElement, fastest: f64, request: &CycleRequest) -> f64 {
+    let axes = if element.is_partly_rapid { fastest * request.rapid } else { fastest };
+    match element.feed_basis {
+        FeedBasis::Rapid => fastest * request.rapid,
+        FeedBasis::PerSecond => math::min(axes, element.feed * request.feed),
+        FeedBasis::PerTurn => math::min(axes, element.feed * request.spindle_speed),
     }
 }

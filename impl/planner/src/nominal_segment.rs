@@ -27,19 +27,19 @@ pub(crate) struct NominalSegment {
     /// All of it, with its law.
     pub(crate) whole: PathElement,
     /// p' at its ends.
-    pub(crate) first: Axes,
-    pub(crate) last: Axes,
+    pub(crate) start_tangent: Axes,
+    pub(crate) end_tangent: Axes,
     /// What may happen at its end.
     pub(crate) blend: Blend,
     /// How fast that runs which its feed is measured along, over the parameter, at most.
-    pub(crate) felt: f64,
+    pub(crate) feed_path_ratio: f64,
     /// How much of it the corner at its start has taken.
-    pub(crate) taken: f64,
+    pub(crate) start_trim: f64,
     /// Whether it is made of several segments, and how far these may be from it, and it from them, millimetres.
-    pub(crate) several: bool,
-    pub(crate) strayed: f64,
+    pub(crate) is_merged: bool,
+    pub(crate) merge_deviation: f64,
     /// Whether its start is to stay where it is.
-    pub(crate) apart: bool,
+    pub(crate) is_separate: bool,
 }
 
 /// What a segment is once its end is known.
@@ -55,10 +55,10 @@ pub(crate) enum ResolvedSegment {
 /// Reads a segment that begins at a position, into a leg if it is one.
 pub(crate) fn resolve(
     segment: &Segment,
-    (leg, start): (&mut NominalSegment, &Axes),
+    (merged, start): (&mut NominalSegment, &Axes),
     limits: &Limits,
 ) -> Result<ResolvedSegment, NotQueued> {
-    let whole = &mut leg.whole;
+    let whole = &mut merged.whole;
     whole.begin_at(start);
     match segment.path {
         Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
@@ -72,9 +72,9 @@ pub(crate) fn resolve(
         Blend::Within(tolerance) => tolerance >= 0.0,
         Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
     };
-    let felt = feed_path_ratios(whole);
-    leg.felt = felt.1;
-    if !tolerated || !set_feed(whole, segment.feed, felt) {
+    let ratios = feed_path_ratios(whole);
+    merged.feed_path_ratio = ratios.1;
+    if !tolerated || !set_feed(whole, segment.feed, ratios) {
         return Err(NotQueued::Malformed);
     }
     if whole.length <= ZERO_LENGTH_MM {
@@ -87,18 +87,19 @@ pub(crate) fn resolve(
     } else {
         limits.assign_model(whole);
     }
-    let may_move = whole.ceiling > 0.0 && whole.ceiling < f64::INFINITY;
+    let may_move = whole.start_limit_sq > 0.0 && whole.start_limit_sq < f64::INFINITY;
     if !may_move {
         return Err(NotQueued::Malformed);
     }
-    leg.first = whole.rate;
-    leg.last = whole.rate;
+    merged.start_tangent = whole.tangent;
+    merged.end_tangent = whole.tangent;
     if whole.circle.is_some() {
-        leg.first = whole.tangent_at(0.0);
-        leg.last = whole.tangent_at(whole.length).map(|rate| rate / whole.exit);
+        merged.start_tangent = whole.tangent_at(0.0);
+        merged.end_tangent =
+            whole.tangent_at(whole.length).map(|rate| rate / whole.end_speed_ratio);
     }
-    leg.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
-    (leg.taken, leg.strayed, leg.several) = (0.0, 0.0, false);
+    merged.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
+    (merged.start_trim, merged.merge_deviation, merged.is_merged) = (0.0, 0.0, false);
     Ok(ResolvedSegment::Moves)
 }
 
@@ -112,15 +113,17 @@ impl NominalSegment {
         if squared(length) > squared(limits.cycle) * self.max_speed_sq() {
             return false;
         }
-        let lines = one.circle.is_none() && other.circle.is_none() && one.axes.max(other.axes) <= 3;
+        let lines = one.circle.is_none()
+            && other.circle.is_none()
+            && one.axis_count.max(other.axis_count) <= 3;
         let alike = lines && self.has_same_feed(next) && self.blend == next.blend;
         let mut bends = 0.0;
-        for (last, first) in self.last.iter().zip(&next.first) {
+        for (last, first) in self.end_tangent.iter().zip(&next.start_tangent) {
             bends += squared(first - last);
         }
         alike
-            && one.pace != FeedBasis::PerTurn
-            && !next.apart
+            && one.feed_basis != FeedBasis::PerTurn
+            && !next.is_separate
             && bends <= squared(MERGE_ANGLE_MAX_RAD)
     }
 
@@ -129,7 +132,7 @@ impl NominalSegment {
     pub(crate) fn has_same_feed(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
         let near = (one.feed - other.feed).abs() <= FEED_TOLERANCE_RATIO * one.feed.min(other.feed);
-        one.pace == other.pace && (near || one.feed.to_bits() == other.feed.to_bits())
+        one.feed_basis == other.feed_basis && (near || one.feed.to_bits() == other.feed.to_bits())
     }
 
     /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
@@ -142,28 +145,28 @@ impl NominalSegment {
         }
         // The end that is dropped is so far from the line: what of the old direction is not along the new one.
         let (mut along, mut across) = (0.0, 0.0);
-        for (new, old) in whole.rate.iter().zip(&self.last) {
+        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
             along += new * old;
         }
-        for (new, old) in whole.rate.iter().zip(&self.last) {
+        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
             across += squared(old - along * new);
         }
-        self.strayed += length * math::sqrt(across);
-        if self.strayed > MERGE_DEVIATION_RATIO_MAX * tolerance {
+        self.merge_deviation += length * math::sqrt(across);
+        if self.merge_deviation > MERGE_DEVIATION_RATIO_MAX * tolerance {
             return false;
         }
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
         limits.assign_line_model(whole);
-        (self.first, self.last) = (whole.rate, whole.rate);
-        self.several = true;
+        (self.start_tangent, self.end_tangent) = (whole.tangent, whole.tangent);
+        self.is_merged = true;
         true
     }
 
     /// The highest square of speed that it is ever run at, overrides up to 2.
     pub(crate) fn max_speed_sq(&self) -> f64 {
-        match self.whole.pace {
-            FeedBasis::PerSecond => self.whole.ceiling.min(squared(2.0 * self.whole.feed)),
-            FeedBasis::Rapid | FeedBasis::PerTurn => self.whole.ceiling,
+        match self.whole.feed_basis {
+            FeedBasis::PerSecond => self.whole.start_limit_sq.min(squared(2.0 * self.whole.feed)),
+            FeedBasis::Rapid | FeedBasis::PerTurn => self.whole.start_limit_sq,
         }
     }
 }
@@ -171,7 +174,7 @@ impl NominalSegment {
 fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
     whole.end = *end;
     let mut sum = 0.0;
-    let motion = whole.rate.iter_mut().zip(&whole.origin).zip(end);
+    let motion = whole.tangent.iter_mut().zip(&whole.origin).zip(end);
     for ((rate, start), end) in motion {
         *rate = end - start;
         sum += *rate * *rate;
@@ -183,9 +186,9 @@ fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
     }
     if sum > 0.0 {
         let inverse = 1.0 / whole.length;
-        whole.rate = whole.rate.map(|value| value * inverse);
+        whole.tangent = whole.tangent.map(|value| value * inverse);
     }
-    whole.axes = used_axis_count(&whole.rate);
+    whole.axis_count = used_axis_count(&whole.tangent);
     Ok(())
 }
 
@@ -236,38 +239,38 @@ fn set_arc(
     for (origin, radius) in whole.origin.iter_mut().zip(&radius) {
         *origin -= radius;
     }
-    whole.rate = even.map(|value| value / length);
-    let (turn, growth) = (angle.abs() / length, (grown - 1.0) / length);
-    whole.circle = Some(Circle { cosine: radius, sine: across, turn, growth });
-    whole.axes = used_axis_count(&whole.rate);
+    whole.tangent = even.map(|value| value / length);
+    let (angle_rate, growth) = (angle.abs() / length, (grown - 1.0) / length);
+    whole.circle = Some(Circle { cosine: radius, sine: across, angle_rate, growth });
+    whole.axis_count = used_axis_count(&whole.tangent);
     (whole.end, whole.length) = (*end, length);
-    whole.exit = norm(&whole.tangent_at(length));
+    whole.end_speed_ratio = norm(&whole.tangent_at(length));
     Ok(())
 }
 
 /// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
 fn set_feed(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool {
-    let (pace, speed) = match feed {
+    let (feed_basis, speed) = match feed {
         Feed::Rapid => (FeedBasis::Rapid, f64::INFINITY),
         Feed::PerSecond(feed) => (FeedBasis::PerSecond, feed / most),
         Feed::InTime(seconds) => (FeedBasis::PerSecond, whole.length / seconds * least / most),
         Feed::PerTurn(feed) => (FeedBasis::PerTurn, feed / most),
     };
-    whole.pace = pace;
+    whole.feed_basis = feed_basis;
     whole.feed = speed;
-    let nowhere = whole.length <= 0.0;
-    nowhere || speed > 0.0
+    let has_no_length = whole.length <= 0.0;
+    has_no_length || speed > 0.0
 }
 
 /// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
 fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
-    let [x, y, z, a, b, c, u, v, w] = whole.rate;
+    let [x, y, z, a, b, c, u, v, w] = whole.tangent;
     let even = squared(x) + squared(y) + squared(z);
     let linear = match &whole.circle {
         None => (even, even),
         Some(circle) => {
             let radius = dot(&circle.cosine, &circle.cosine);
-            let turning = |grown: f64| squared(circle.turn * grown) + squared(circle.growth);
+            let turning = |grown: f64| squared(circle.angle_rate * grown) + squared(circle.growth);
             let (start, end) = (turning(1.0), turning(circle.radius_ratio(whole.length)));
             (even + radius * start.min(end), even + radius * start.max(end))
         }

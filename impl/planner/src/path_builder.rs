@@ -29,14 +29,14 @@ const END_TRIM_RATIO_MAX: f64 = 0.96875;
 /// A leg whose end may still change.
 #[derive(Clone, Copy, Debug, Default)]
 struct OpenSegment {
-    leg: NominalSegment,
+    segment: NominalSegment,
     /// The number of its first own piece, and whether the corners have left it one.
-    main: u64,
-    own: bool,
+    first_element: u64,
+    has_element: bool,
     /// The corner before it.
     corner: Corner,
     /// How much of the leg before it and of itself that corner has.
-    given: (f64, f64),
+    corner_lengths: (f64, f64),
 }
 
 /// The end of the path.
@@ -45,103 +45,107 @@ pub(crate) struct PathBuilder {
     /// Where the last segment ends.
     pub(crate) end: Axes,
     /// The last two legs and room for a new one; `turn` is where the older one lies.
-    legs: [OpenSegment; 3],
-    turn: u8,
+    open_segments: [OpenSegment; 3],
+    oldest: u8,
     /// How many of them there are since the path last closed.
-    open: u8,
+    open_count: u8,
 }
 
 /// What a change of the path is made with.
 #[derive(Debug)]
 pub(crate) struct PathEdit<'a> {
-    pub(crate) ring: &'a mut Ring<PathElement>,
-    pub(crate) ahead: &'a mut LookAhead,
+    pub(crate) elements: &'a mut Ring<PathElement>,
+    pub(crate) look_ahead: &'a mut LookAhead,
     pub(crate) motion: &'a MotionState,
     pub(crate) limits: &'a Limits,
     /// The first piece that has been changed, or that has been lowered for it.
-    pub(crate) changed: u64,
+    pub(crate) first_changed: u64,
     /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned
     /// says nothing of it then.
-    pub(crate) late: bool,
+    pub(crate) motion_exceeds_plan: bool,
 }
 
 impl PathBuilder {
     pub(crate) fn new(end: Axes) -> Self {
-        Self { end, legs: [OpenSegment::default(); 3], turn: 0, open: 0 }
+        Self { end, open_segments: [OpenSegment::default(); 3], oldest: 0, open_count: 0 }
     }
 
     /// The path ends at rest here, for what comes next.
     pub(crate) fn close(&mut self) {
-        self.open = 0;
+        self.open_count = 0;
     }
 
     /// The corner after the last leg comes to rest, if it is not made yet.
     pub(crate) fn stop_at_end(&mut self) {
-        let (_, last, _) = in_order(&mut self.legs, self.turn);
-        last.leg.blend = Blend::ExactStop;
+        let (_, last, _) = in_order(&mut self.open_segments, self.oldest);
+        last.segment.blend = Blend::ExactStop;
     }
 
     /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
     pub(crate) fn follows_spindle(&self) -> bool {
-        self.legs.iter().any(|open| open.leg.whole.pace == FeedBasis::PerTurn)
+        self.open_segments.iter().any(|open| open.segment.whole.feed_basis == FeedBasis::PerTurn)
     }
 
     /// Seconds of rest at the end of the path.
-    pub(crate) fn dwell(&mut self, seconds: f64, queue: &mut PathEdit<'_>) {
-        let mut rest =
-            PathElement { origin: self.end, end: self.end, exit: 1.0, ..PathElement::default() };
-        rest.law = AccelerationModel::Dwell(seconds);
-        rest.axes = self.end.len();
-        queue.ring.push(&rest);
+    pub(crate) fn dwell(&mut self, seconds: f64, edit: &mut PathEdit<'_>) {
+        let mut rest = PathElement {
+            origin: self.end,
+            end: self.end,
+            end_speed_ratio: 1.0,
+            ..PathElement::default()
+        };
+        rest.model = AccelerationModel::Dwell(seconds);
+        rest.axis_count = self.end.len();
+        edit.elements.push(&rest);
         self.close();
     }
 
     /// Where the next leg is to be written, and where it begins.
     pub(crate) fn new_segment(&mut self) -> (&mut NominalSegment, &Axes) {
-        let (_, _, next) = in_order(&mut self.legs, self.turn);
-        (&mut next.leg, &self.end)
+        let (_, _, next) = in_order(&mut self.open_segments, self.oldest);
+        (&mut next.segment, &self.end)
     }
 
     /// Adds the leg that was written.
     #[inline]
-    pub(crate) fn add(&mut self, queue: &mut PathEdit<'_>) {
-        queue.changed = u64::MAX;
-        let (before, last, next) = in_order(&mut self.legs, self.turn);
-        self.end = next.leg.whole.end;
-        if self.open > 0 && merge_next(before, last, next, queue) {
+    pub(crate) fn add(&mut self, edit: &mut PathEdit<'_>) {
+        edit.first_changed = u64::MAX;
+        let (before, last, next) = in_order(&mut self.open_segments, self.oldest);
+        self.end = next.segment.whole.end;
+        if self.open_count > 0 && merge_next(before, last, next, edit) {
             return;
         }
         next.corner = Corner::Stop;
-        if self.open > 0 {
-            next.corner = Corner::between(&last.leg, &next.leg, queue.limits);
+        if self.open_count > 0 {
+            next.corner = Corner::between(&last.segment, &next.segment, edit.limits);
         }
         let made = match next.corner {
             Corner::Stop => false,
             Corner::Smooth | Corner::TangentBreak(_) | Corner::Blend { .. } => {
-                self.open > 1 && enlarge_previous_corner(before, last, next, queue)
-                    || make_corner(last, next, queue)
+                self.open_count > 1 && enlarge_previous_corner(before, last, next, edit)
+                    || make_corner(last, next, edit)
             }
         };
         if !made {
             next.corner = Corner::Stop;
-            next.given = (0.0, 0.0);
-            next.leg.taken = 0.0;
-            next.main = queue.ring.end();
-            push_own_element(next, 0.0, queue);
-            update_look_ahead(queue);
+            next.corner_lengths = (0.0, 0.0);
+            next.segment.start_trim = 0.0;
+            next.first_element = edit.elements.end();
+            push_own_element(next, 0.0, edit);
+            update_look_ahead(edit);
         }
-        self.turn = if self.turn == 2 { 0 } else { self.turn.saturating_add(1) };
-        self.open = self.open.saturating_add(1).min(2);
+        self.oldest = if self.oldest == 2 { 0 } else { self.oldest.saturating_add(1) };
+        self.open_count = self.open_count.saturating_add(1).min(2);
     }
 }
 
 /// The leg before the last, the last and the next.
 fn in_order(
-    legs: &mut [OpenSegment; 3],
-    turn: u8,
+    segments: &mut [OpenSegment; 3],
+    oldest: u8,
 ) -> (&mut OpenSegment, &mut OpenSegment, &mut OpenSegment) {
-    let [one, two, three] = legs;
-    match turn {
+    let [one, two, three] = segments;
+    match oldest {
         0 => (one, two, three),
         1 => (two, three, one),
         _ => (three, one, two),
@@ -153,43 +157,43 @@ fn merge_next(
     before: &mut OpenSegment,
     last: &mut OpenSegment,
     next: &OpenSegment,
-    queue: &mut PathEdit<'_>,
+    edit: &mut PathEdit<'_>,
 ) -> bool {
-    if !last.leg.can_merge_with(&next.leg, queue.limits) {
+    if !last.segment.can_merge_with(&next.segment, edit.limits) {
         return false;
     }
     let old = *last;
-    if !last.leg.merge(&next.leg, queue.limits) {
-        last.leg = old.leg;
+    if !last.segment.merge(&next.segment, edit.limits) {
+        last.segment = old.segment;
         return false;
     }
     if last.corner == Corner::Stop {
-        let motion = queue.motion;
-        let begun = motion.at > last.main
-            || motion.at == last.main && (motion.x > 0.0 || motion.speed > 0.0);
+        let motion = edit.motion;
+        let begun = motion.at > last.first_element
+            || motion.at == last.first_element && (motion.x > 0.0 || motion.speed > 0.0);
         if begun {
-            last.leg = old.leg;
+            last.segment = old.segment;
         } else {
-            push_own_element(last, 0.0, queue);
-            update_look_ahead(queue);
+            push_own_element(last, 0.0, edit);
+            update_look_ahead(edit);
         }
         return !begun;
     }
-    last.corner = Corner::between(&before.leg, &last.leg, queue.limits);
+    last.corner = Corner::between(&before.segment, &last.segment, edit.limits);
     let given = provisional_lengths(before, last);
-    if last.corner == Corner::Stop || !can_end_earlier(before, given.0, queue) {
+    if last.corner == Corner::Stop || !can_end_earlier(before, given.0, edit) {
         *last = old;
         return false;
     }
-    remake_corner_and_next(before, last, given, queue);
-    if is_accepted(queue) {
+    remake_corner_and_next(before, last, given, edit);
+    if is_accepted(edit) {
         return true;
     }
     *last = old;
-    remake_corner(before, last, queue);
-    push_own_element(last, 0.0, queue);
-    update_look_ahead(queue);
-    queue.changed = u64::MAX;
+    remake_corner(before, last, edit);
+    push_own_element(last, 0.0, edit);
+    update_look_ahead(edit);
+    edit.first_changed = u64::MAX;
     false
 }
 
@@ -199,84 +203,88 @@ fn enlarge_previous_corner(
     before: &mut OpenSegment,
     last: &mut OpenSegment,
     next: &mut OpenSegment,
-    queue: &mut PathEdit<'_>,
+    edit: &mut PathEdit<'_>,
 ) -> bool {
     let Corner::Blend { most, half: false } = last.corner else { return false };
-    let length = last.leg.whole.length;
+    let length = last.segment.whole.length;
     let left = match next.corner {
         Corner::Blend { most, .. } => length - most,
-        Corner::TangentBreak(kink) => length - kink.near.min(0.5 * length),
+        Corner::TangentBreak(tangent_break) => length - tangent_break.half_length.min(0.5 * length),
         Corner::Stop | Corner::Smooth => length * END_TRIM_RATIO_MAX,
     };
     let after = left.max(0.5 * length);
     let given = corner_lengths(
         most,
         (available_length(before), after),
-        are_lines(&before.leg, &last.leg),
-        before.leg.whole.exit,
+        are_lines(&before.segment, &last.segment),
+        before.segment.whole.end_speed_ratio,
     );
-    if given.0 <= last.given.0 * (1.0 + 1e-9) || !can_end_earlier(before, given.0, queue) {
+    if given.0 <= last.corner_lengths.0 * (1.0 + 1e-9) || !can_end_earlier(before, given.0, edit) {
         return false;
     }
-    let old = last.given;
-    last.given = given;
-    remake_corner(before, last, queue);
-    remake_corner_and_next(last, next, provisional_lengths(last, next), queue);
-    if is_accepted(queue) {
+    let old = last.corner_lengths;
+    last.corner_lengths = given;
+    remake_corner(before, last, edit);
+    remake_corner_and_next(last, next, provisional_lengths(last, next), edit);
+    if is_accepted(edit) {
         return true;
     }
-    last.given = old;
-    remake_corner(before, last, queue);
-    push_own_element(last, 0.0, queue);
-    update_look_ahead(queue);
+    last.corner_lengths = old;
+    remake_corner(before, last, edit);
+    push_own_element(last, 0.0, edit);
+    update_look_ahead(edit);
     false
 }
 
 /// Makes the corner between the last leg and the next.
-fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, queue: &mut PathEdit<'_>) -> bool {
+fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, edit: &mut PathEdit<'_>) -> bool {
     let given = provisional_lengths(last, next);
-    if !can_end_earlier(last, given.0, queue) {
+    if !can_end_earlier(last, given.0, edit) {
         return false;
     }
-    remake_corner_and_next(last, next, given, queue);
-    if is_accepted(queue) {
+    remake_corner_and_next(last, next, given, edit);
+    if is_accepted(edit) {
         return true;
     }
-    push_own_element(last, 0.0, queue);
-    update_look_ahead(queue);
+    push_own_element(last, 0.0, edit);
+    update_look_ahead(edit);
     false
 }
 
 /// What a form of the path has lowered is computed anew for the one that takes its place.
-fn update_look_ahead(queue: &mut PathEdit<'_>) -> u64 {
-    let places = (queue.changed, queue.motion.at);
-    queue.changed = queue.ahead.recompute(queue.ring, places, queue.limits);
-    queue.changed
+fn update_look_ahead(edit: &mut PathEdit<'_>) -> u64 {
+    let places = (edit.first_changed, edit.motion.at);
+    edit.first_changed = edit.look_ahead.recompute(edit.elements, places, edit.limits);
+    edit.first_changed
 }
 
 /// Whether the motion can keep to a changed path.
-fn is_accepted(queue: &mut PathEdit<'_>) -> bool {
-    let changed = queue.changed;
-    let first = update_look_ahead(queue);
-    if queue.late {
-        return axes_allow(queue.ring, queue.motion, changed, queue.limits);
+fn is_accepted(edit: &mut PathEdit<'_>) -> bool {
+    let changed = edit.first_changed;
+    let first = update_look_ahead(edit);
+    if edit.motion_exceeds_plan {
+        return axes_allow(edit.elements, edit.motion, changed, edit.limits);
     }
-    first > queue.motion.at.saturating_add(1) || queue.motion.can_follow(queue.ring, queue.limits)
+    first > edit.motion.at.saturating_add(1) || edit.motion.can_follow(edit.elements, edit.limits)
 }
 
 /// Whether a leg can end so much earlier: it must not be over.
-fn can_end_earlier(open: &OpenSegment, given: f64, queue: &PathEdit<'_>) -> bool {
-    let left = open.leg.whole.length - open.leg.taken - given;
-    let motion = queue.motion;
-    motion.at < open.main
-        || motion.at == open.main && open.own && motion.x < left - ELEMENT_LENGTH_MIN_MM
+fn can_end_earlier(open: &OpenSegment, given: f64, edit: &PathEdit<'_>) -> bool {
+    let left = open.segment.whole.length - open.segment.start_trim - given;
+    let motion = edit.motion;
+    motion.at < open.first_element
+        || motion.at == open.first_element
+            && open.has_element
+            && motion.x < left - ELEMENT_LENGTH_MIN_MM
 }
 
 /// How much of a leg is left for the corner at its end.
 fn available_length(open: &OpenSegment) -> f64 {
     match open.corner {
-        Corner::TangentBreak(_) | Corner::Blend { .. } => open.leg.whole.length - open.leg.taken,
-        Corner::Stop | Corner::Smooth => open.leg.whole.length * END_TRIM_RATIO_MAX,
+        Corner::TangentBreak(_) | Corner::Blend { .. } => {
+            open.segment.whole.length - open.segment.start_trim
+        }
+        Corner::Stop | Corner::Smooth => open.segment.whole.length * END_TRIM_RATIO_MAX,
     }
 }
 
@@ -288,24 +296,31 @@ fn are_lines(before: &NominalSegment, after: &NominalSegment) -> bool {
 fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
-        Corner::TangentBreak(kink) => {
+        Corner::TangentBreak(tangent_break) => {
             // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
-            let half = |leg: &NominalSegment| kink.near.min(0.5 * leg.whole.length);
-            (half(&last.leg).min(available_length(last)), half(&next.leg))
+            let half = |segment: &NominalSegment| {
+                tangent_break.half_length.min(0.5 * segment.whole.length)
+            };
+            (half(&last.segment).min(available_length(last)), half(&next.segment))
         }
         Corner::Blend { most, half } => {
             let before = available_length(last);
-            let before = if half { before.min(0.5 * last.leg.whole.length) } else { before };
-            let rooms = (before, 0.5 * next.leg.whole.length);
-            corner_lengths(most, rooms, are_lines(&last.leg, &next.leg), last.leg.whole.exit)
+            let before = if half { before.min(0.5 * last.segment.whole.length) } else { before };
+            let rooms = (before, 0.5 * next.segment.whole.length);
+            corner_lengths(
+                most,
+                rooms,
+                are_lines(&last.segment, &next.segment),
+                last.segment.whole.end_speed_ratio,
+            )
         }
     }
 }
 
 /// Makes the end of a leg anew and the corner after it.
-fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, queue: &mut PathEdit<'_>) {
-    push_own_element(before, last.given.0, queue);
-    push_corner(&before.leg, last, queue);
+fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, edit: &mut PathEdit<'_>) {
+    push_own_element(before, last.corner_lengths.0, edit);
+    push_corner(&before.segment, last, edit);
 }
 
 /// Makes the end of the last leg anew, the corner after it, and the next leg.
@@ -313,128 +328,128 @@ fn remake_corner_and_next(
     last: &mut OpenSegment,
     next: &mut OpenSegment,
     given: (f64, f64),
-    queue: &mut PathEdit<'_>,
+    edit: &mut PathEdit<'_>,
 ) {
-    next.given = given;
-    remake_corner(last, next, queue);
-    push_own_element(next, 0.0, queue);
+    next.corner_lengths = given;
+    remake_corner(last, next, edit);
+    push_own_element(next, 0.0, edit);
 }
 
 /// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
-fn push_own_element(open: &mut OpenSegment, given: f64, queue: &mut PathEdit<'_>) {
-    queue.ring.truncate(open.main);
-    queue.changed = queue.changed.min(open.main);
-    let whole = &open.leg.whole;
-    let (from, to) = (open.leg.taken, whole.length - given);
-    open.own = to - from > ELEMENT_LENGTH_MIN_MM;
-    if !open.own {
+fn push_own_element(open: &mut OpenSegment, given: f64, edit: &mut PathEdit<'_>) {
+    edit.elements.truncate(open.first_element);
+    edit.first_changed = edit.first_changed.min(open.first_element);
+    let whole = &open.segment.whole;
+    let (from, to) = (open.segment.start_trim, whole.length - given);
+    open.has_element = to - from > ELEMENT_LENGTH_MIN_MM;
+    if !open.has_element {
         return;
     }
-    let Some(piece) = queue.ring.append() else { return };
-    *piece = *whole;
+    let Some(element) = edit.elements.append() else { return };
+    *element = *whole;
     if from > 0.0 || given > 0.0 {
-        piece.cut(from, to);
+        element.cut(from, to);
     }
     match open.corner {
-        Corner::Stop => (piece.entry, piece.begins) = (0.0, Some(0.0)),
-        Corner::Smooth => piece.begins = Some(0.0),
+        Corner::Stop => (element.junction_limit_sq, element.segment_start) = (0.0, Some(0.0)),
+        Corner::Smooth => element.segment_start = Some(0.0),
         Corner::TangentBreak(_) | Corner::Blend { .. } => {}
     }
-    limit_crowded_speed(queue.ring.end(), queue);
+    limit_crowded_speed(edit.elements.end(), edit);
 }
 
-fn push_corner(before: &NominalSegment, after: &mut OpenSegment, queue: &mut PathEdit<'_>) {
-    after.leg.taken = 0.0;
-    let (d, e) = after.given;
-    if let Corner::TangentBreak(kink) = &after.corner {
-        push(&kink.end(before, d), queue);
-        push(&kink.start(&after.leg, e), queue);
-        after.leg.taken = e;
+fn push_corner(before: &NominalSegment, after: &mut OpenSegment, edit: &mut PathEdit<'_>) {
+    after.segment.start_trim = 0.0;
+    let (d, e) = after.corner_lengths;
+    if let Corner::TangentBreak(tangent_break) = &after.corner {
+        push(&tangent_break.end(before, d), edit);
+        push(&tangent_break.start(&after.segment, e), edit);
+        after.segment.start_trim = e;
     }
     if let Corner::Blend { .. } = after.corner {
-        if are_lines(before, &after.leg) {
-            push_blend((before, &after.leg), (d, e), queue);
+        if are_lines(before, &after.segment) {
+            push_blend((before, &after.segment), (d, e), edit);
         } else {
-            let turn = tangent_change(before, &after.leg);
-            push(&blended_end((before, &after.leg), &turn, d, queue.limits), queue);
-            push(&blended_start((before, &after.leg), &turn, e, queue.limits), queue);
+            let change = tangent_change(before, &after.segment);
+            push(&blended_end((before, &after.segment), &change, d, edit.limits), edit);
+            push(&blended_start((before, &after.segment), &change, e, edit.limits), edit);
         }
-        after.leg.taken = e;
+        after.segment.start_trim = e;
     }
-    after.main = queue.ring.end();
+    after.first_element = edit.elements.end();
 }
 
 /// Appends the blend of two lines.
 fn push_blend(
     (before, after): (&NominalSegment, &NominalSegment),
     given: (f64, f64),
-    queue: &mut PathEdit<'_>,
+    edit: &mut PathEdit<'_>,
 ) {
-    let Some(blend) = queue.ring.append() else { return };
-    write_parabola((before, after), given, queue.limits, blend);
-    let middle = split_place(blend, queue.limits);
-    let first = queue.ring.end().wrapping_sub(1);
+    let Some(blend) = edit.elements.append() else { return };
+    write_parabola((before, after), given, edit.limits, blend);
+    let middle = split_place(blend, edit.limits);
+    let first = edit.elements.end().wrapping_sub(1);
     if let Some(middle) = middle
-        && let Some(second) = queue.ring.append_copy()
+        && let Some(second) = edit.elements.append_copy()
     {
         second.cut(middle, second.length);
-        second.begins = Some(0.0);
-        queue.limits.assign_model(second);
-        if let Some(first) = queue.ring.get_mut(first) {
+        second.segment_start = Some(0.0);
+        edit.limits.assign_model(second);
+        if let Some(first) = edit.elements.get_mut(first) {
             first.cut(0.0, middle);
-            queue.limits.assign_model(first);
+            edit.limits.assign_model(first);
         }
-        finish_element(first, queue);
-        finish_element(first.wrapping_add(1), queue);
+        finish_element(first, edit);
+        finish_element(first.wrapping_add(1), edit);
     } else {
-        finish_element(first, queue);
+        finish_element(first, edit);
     }
 }
 
-fn push(piece: &PathElement, queue: &mut PathEdit<'_>) {
-    queue.ring.push(piece);
-    finish_element(queue.ring.end().wrapping_sub(1), queue);
+fn push(element: &PathElement, edit: &mut PathEdit<'_>) {
+    edit.elements.push(element);
+    finish_element(edit.elements.end().wrapping_sub(1), edit);
 }
 
 /// What a piece gets once it has its place.
-fn finish_element(place: u64, queue: &mut PathEdit<'_>) {
-    if let Some(piece) = queue.ring.get_mut(place)
-        && matches!(piece.law, AccelerationModel::Blend { .. })
-        && piece.axes <= 3
+fn finish_element(place: u64, edit: &mut PathEdit<'_>) {
+    if let Some(element) = edit.elements.get_mut(place)
+        && matches!(element.model, AccelerationModel::Blend { .. })
+        && element.axis_count <= 3
     {
-        BlendLimits::compute(piece, queue.limits);
+        BlendLimits::compute(element, edit.limits);
     }
-    limit_crowded_speed(place.wrapping_add(1), queue);
+    limit_crowded_speed(place.wrapping_add(1), edit);
 }
 
 /// Limits the speed of the last pieces before an end where too many would fit into a cycle.
-fn limit_crowded_speed(end: u64, queue: &mut PathEdit<'_>) {
-    let Some(last) = queue.ring.get(end.wrapping_sub(1)) else { return };
+fn limit_crowded_speed(end: u64, edit: &mut PathEdit<'_>) {
+    let Some(last) = edit.elements.get(end.wrapping_sub(1)) else { return };
     // A piece that takes a cycle by itself is no part of a crowd.
-    if last.length >= last.fastest * queue.limits.cycle {
+    if last.length >= last.speed_limit * edit.limits.cycle {
         return;
     }
     let first = end.saturating_sub(ELEMENTS_PER_CROWDED_CYCLE);
-    let (mut length, mut most) = (last.length, last.fastest);
+    let (mut length, mut most) = (last.length, last.speed_limit);
     for place in first..end.wrapping_sub(1) {
         // Without so many before it there is no crowd.
-        let Some(piece) = queue.ring.get(place) else { return };
-        length += piece.length;
-        most = math::max(most, piece.fastest);
+        let Some(element) = edit.elements.get(place) else { return };
+        length += element.length;
+        most = math::max(most, element.speed_limit);
     }
-    if length >= most * queue.limits.cycle {
+    if length >= most * edit.limits.cycle {
         return;
     }
-    let fastest = length / queue.limits.cycle;
+    let fastest = length / edit.limits.cycle;
     let ceiling = squared(fastest);
-    for place in first.max(queue.motion.at.saturating_add(1))..end {
-        if let Some(piece) = queue.ring.get_mut(place)
-            && piece.fastest > fastest
+    for place in first.max(edit.motion.at.saturating_add(1))..end {
+        if let Some(element) = edit.elements.get_mut(place)
+            && element.speed_limit > fastest
         {
-            piece.ceiling = math::min(piece.ceiling, ceiling);
-            piece.last_ceiling = math::min(piece.last_ceiling, ceiling);
-            piece.fastest = fastest;
-            queue.changed = queue.changed.min(place);
+            element.start_limit_sq = math::min(element.start_limit_sq, ceiling);
+            element.end_limit_sq = math::min(element.end_limit_sq, ceiling);
+            element.speed_limit = fastest;
+            edit.first_changed = edit.first_changed.min(place);
         }
     }
 }

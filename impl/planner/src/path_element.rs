@@ -18,7 +18,7 @@ pub(crate) struct Circle {
     /// A quarter turn further.
     pub(crate) sine: [f64; 3],
     /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
-    pub(crate) turn: f64,
+    pub(crate) angle_rate: f64,
     /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that
     /// is rounded is never quite on the circle of its start, and the distance from the axis changes evenly between
     /// them.
@@ -34,21 +34,21 @@ impl Circle {
     /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within
     /// half of that angle.
     pub(crate) fn is_beyond_influence(&self, distance: f64) -> bool {
-        2.0 * self.turn * distance >= core::f64::consts::FRAC_PI_2
+        2.0 * self.angle_rate * distance >= core::f64::consts::FRAC_PI_2
     }
 
     /// What turns of p, p' and p'' at x.
     #[inline(never)]
     fn derivatives(&self, x: f64) -> [[f64; 3]; 3] {
         let [mut position, mut first, mut second] = [[0.0; 3]; 3];
-        let (sine, cosine) = math::sin_cos(self.turn * x);
+        let (sine, cosine) = math::sin_cos(self.angle_rate * x);
         let grown = self.radius_ratio(x);
-        let square = self.turn * self.turn * grown;
+        let square = self.angle_rate * self.angle_rate * grown;
         let vectors = self.cosine.iter().zip(&self.sine);
         let places = position.iter_mut().zip(&mut first).zip(&mut second);
         for (((place, first), second), (start, quarter)) in places.zip(vectors) {
             let along = start * cosine + quarter * sine;
-            let across = self.turn * (quarter * cosine - start * sine);
+            let across = self.angle_rate * (quarter * cosine - start * sine);
             *place = grown * along;
             *first = grown * across + self.growth * along;
             *second = 2.0 * self.growth * across - square * along;
@@ -58,7 +58,7 @@ impl Circle {
 
     /// Lets it begin further on.
     fn begin_at(&mut self, from: f64) {
-        let (sine, cosine) = math::sin_cos(self.turn * from);
+        let (sine, cosine) = math::sin_cos(self.angle_rate * from);
         let grown = self.radius_ratio(from);
         self.growth /= grown;
         for (along, across) in self.cosine.iter_mut().zip(&mut self.sine) {
@@ -121,42 +121,42 @@ pub(crate) enum FeedBasis {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PathElement {
     pub(crate) origin: Axes,
-    pub(crate) rate: Axes,
-    pub(crate) bend: Axes,
+    pub(crate) tangent: Axes,
+    pub(crate) curvature: Axes,
     pub(crate) circle: Option<Circle>,
     /// p(length), as programmed where it was.
     pub(crate) end: Axes,
     pub(crate) length: f64,
     /// |p'| at the end: how much faster than its parameter the next one's runs.
-    pub(crate) exit: f64,
+    pub(crate) end_speed_ratio: f64,
     /// How many of the leading axes take part.
-    pub(crate) axes: usize,
-    pub(crate) law: AccelerationModel,
+    pub(crate) axis_count: usize,
+    pub(crate) model: AccelerationModel,
     /// What the axes allow at both ends of a bend of up to three, run forward.
-    pub(crate) strips: BlendLimits<3>,
+    pub(crate) blend_limits: BlendLimits<3>,
     /// Highest square of the parameter's speed that the axes allow, where the piece begins.
-    pub(crate) ceiling: f64,
+    pub(crate) start_limit_sq: f64,
     /// The same where it ends; between these it changes evenly.
-    pub(crate) last_ceiling: f64,
+    pub(crate) end_limit_sq: f64,
     /// The root of the higher one.
-    pub(crate) fastest: f64,
+    pub(crate) speed_limit: f64,
     /// Programmed speed of the parameter, per second or per turn.
     pub(crate) feed: f64,
-    pub(crate) pace: FeedBasis,
+    pub(crate) feed_basis: FeedBasis,
     /// Whether it is also part of a rapid move, so that the rapid override applies too.
-    pub(crate) rapid: bool,
+    pub(crate) is_partly_rapid: bool,
     /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
-    pub(crate) reach: f64,
+    pub(crate) entry_speed_sq: f64,
     /// What the next piece's was when that was found.
-    pub(crate) relied: f64,
+    pub(crate) assumed_next_entry_sq: f64,
     /// The same for entering it from its end, running back.
-    pub(crate) back: f64,
+    pub(crate) reverse_entry_speed_sq: f64,
     /// The square of the speed at which it may be entered at most, from either side: 0 where the motion rests there.
-    pub(crate) entry: f64,
+    pub(crate) junction_limit_sq: f64,
     /// Where in it a segment begins.
-    pub(crate) begins: Option<f64>,
+    pub(crate) segment_start: Option<f64>,
     /// Whether a break of direction at its end takes a share of what the axes can do.
-    pub(crate) breaks: bool,
+    pub(crate) has_tangent_break: bool,
     /// Whether it ends where the probe changes.
     pub(crate) probing: bool,
     /// Which segment that is, or which was under way: the caller's number and the planner's.
@@ -168,11 +168,12 @@ impl PathElement {
     /// Becomes a piece that begins at a position and leads nowhere yet, with nothing of what it was.
     pub(crate) fn begin_at(&mut self, start: &Axes) {
         self.origin = *start;
-        self.bend = Axes::default();
+        self.curvature = Axes::default();
         self.circle = None;
-        (self.exit, self.entry) = (1.0, f64::INFINITY);
-        (self.reach, self.relied, self.back) = (0.0, 0.0, 0.0);
-        (self.begins, self.rapid, self.breaks) = (None, false, false);
+        (self.end_speed_ratio, self.junction_limit_sq) = (1.0, f64::INFINITY);
+        (self.entry_speed_sq, self.assumed_next_entry_sq, self.reverse_entry_speed_sq) =
+            (0.0, 0.0, 0.0);
+        (self.segment_start, self.is_partly_rapid, self.has_tangent_break) = (None, false, false);
     }
 
     /// p, p' and p'' at x, of so many leading axes.
@@ -181,7 +182,7 @@ impl PathElement {
         let [mut position, mut first, mut second] = [[0.0; N]; 3];
         let half = 0.5 * x;
         let places = position.iter_mut().zip(&mut first).zip(&mut second);
-        let terms = self.origin.iter().zip(&self.rate).zip(&self.bend);
+        let terms = self.origin.iter().zip(&self.tangent).zip(&self.curvature);
         for (((place, first), second), ((origin, rate), bend)) in places.zip(terms) {
             *place = origin + x * (rate + half * bend);
             *first = rate + x * bend;
@@ -208,7 +209,7 @@ impl PathElement {
     /// p'(x).
     pub(crate) fn tangent_at(&self, x: f64) -> Axes {
         let mut tangent = Axes::default();
-        if self.axes <= 3 {
+        if self.axis_count <= 3 {
             let [_, first, _] = self.derivatives::<3>(x);
             lead(&mut tangent, &first);
         } else {
@@ -226,9 +227,9 @@ impl PathElement {
 
     /// Leaves of it the part from one place to another, as if nothing began there.
     pub(crate) fn cut(&mut self, from: f64, to: f64) {
-        self.entry = f64::INFINITY;
-        self.begins = None;
-        if self.axes <= 3 {
+        self.junction_limit_sq = f64::INFINITY;
+        self.segment_start = None;
+        if self.axis_count <= 3 {
             self.cut_axes::<3>(from, to);
         } else {
             self.cut_axes::<9>(from, to);
@@ -244,10 +245,10 @@ impl PathElement {
         if to < self.length {
             let [end, _, _] = self.derivatives::<N>(to);
             lead(&mut self.end, &end);
-            self.exit = 1.0;
+            self.end_speed_ratio = 1.0;
         }
         self.length = to - from;
-        let motion = self.origin.iter_mut().zip(&mut self.rate).zip(&self.bend).take(N);
+        let motion = self.origin.iter_mut().zip(&mut self.tangent).zip(&self.curvature).take(N);
         for ((origin, rate), bend) in motion {
             *origin += from * (*rate + 0.5 * from * bend);
             *rate += from * bend;

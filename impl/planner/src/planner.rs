@@ -30,28 +30,28 @@ const SPINDLE_SPEED_TOLERANCE_RATIO: f64 = 0.02;
 pub struct Planner {
     dynamics: Dynamics,
     limits: Limits,
-    ring: Ring<PathElement>,
-    course: PathBuilder,
-    ahead: LookAhead,
+    elements: Ring<PathElement>,
+    builder: PathBuilder,
+    look_ahead: LookAhead,
     motion: MotionState,
     /// Where the machine is while there are no pieces.
     position: Axes,
     /// Outputs that wait for the segment of that number.
     switches: Ring<(u64, OutputSwitch)>,
     /// The first switch behind the last segment that moves nothing: those before it need not wait for one that does.
-    met: u64,
+    switches_due_at_end: u64,
     /// How many segments that move have been queued.
-    queued: u64,
+    queued_count: u64,
     aborting: bool,
     retrace: Retrace,
-    turns: f64,
+    spindle_turns: f64,
     /// The end of the last piece that follows the spindle.
-    followed: u64,
+    spindle_sync_end: u64,
     probe: bool,
     /// Whether the next segment is to begin where it is programmed to.
-    apart: bool,
+    next_is_separate: bool,
     /// Whether the motion may be faster than it is planned, since an override has changed.
-    late: bool,
+    motion_exceeds_plan: bool,
 }
 
 impl Planner {
@@ -78,21 +78,21 @@ impl Planner {
         Ok(Self {
             dynamics,
             limits: Limits::new(&dynamics),
-            ring: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
-            course: PathBuilder::new(position),
-            ahead: LookAhead::new(OverrideScale { feed: 1.0, rapid: 1.0, turns: 0.0 }),
+            elements: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
+            builder: PathBuilder::new(position),
+            look_ahead: LookAhead::new(OverrideScale { feed: 1.0, rapid: 1.0, spindle_speed: 0.0 }),
             motion: MotionState::default(),
             position,
             switches: Ring::new(queue),
-            met: 0,
-            queued: 0,
+            switches_due_at_end: 0,
+            queued_count: 0,
             aborting: false,
             retrace: Retrace::default(),
-            turns: 0.0,
-            followed: 0,
+            spindle_turns: 0.0,
+            spindle_sync_end: 0,
             probe: false,
-            apart: false,
-            late: false,
+            next_is_separate: false,
+            motion_exceeds_plan: false,
         })
     }
 
@@ -102,61 +102,62 @@ impl Planner {
     /// The queue is full, or the segment is none.
     pub fn queue(&mut self, segment: &Segment) -> Result<(), NotQueued> {
         self.make_room();
-        let waiting = self.queued.saturating_sub(self.motion.begun);
-        if self.aborting || self.ring.room() < 8 || waiting > u64::from(self.dynamics.queue) {
+        let waiting = self.queued_count.saturating_sub(self.motion.begun);
+        if self.aborting || self.elements.room() < 8 || waiting > u64::from(self.dynamics.queue) {
             return Err(NotQueued::Full);
         }
-        let resolved = resolve(segment, self.course.new_segment(), &self.limits)?;
-        if self.late && self.ahead.is_ready(self.motion.at) {
-            self.late = !self.motion.can_follow(&self.ring, &self.limits);
+        let resolved = resolve(segment, self.builder.new_segment(), &self.limits)?;
+        if self.motion_exceeds_plan && self.look_ahead.is_ready(self.motion.at) {
+            self.motion_exceeds_plan = !self.motion.can_follow(&self.elements, &self.limits);
         }
-        let mut queue = PathEdit {
-            ring: &mut self.ring,
-            ahead: &mut self.ahead,
+        let mut edit = PathEdit {
+            elements: &mut self.elements,
+            look_ahead: &mut self.look_ahead,
             motion: &self.motion,
             limits: &self.limits,
-            changed: u64::MAX,
-            late: self.late,
+            first_changed: u64::MAX,
+            motion_exceeds_plan: self.motion_exceeds_plan,
         };
         if let ResolvedSegment::ZeroLength = resolved {
-            self.met = self.switches.end();
+            self.switches_due_at_end = self.switches.end();
         }
         match resolved {
             ResolvedSegment::ZeroLength if segment.blend == Blend::ExactStop => {
-                self.course.stop_at_end()
+                self.builder.stop_at_end()
             }
             ResolvedSegment::ZeroLength => {}
-            ResolvedSegment::Dwell(seconds) => self.course.dwell(seconds, &mut queue),
+            ResolvedSegment::Dwell(seconds) => self.builder.dwell(seconds, &mut edit),
             ResolvedSegment::Moves => {
-                self.queued = self.queued.saturating_add(1);
+                self.queued_count = self.queued_count.saturating_add(1);
                 let last = self.switches.get(self.switches.end().wrapping_sub(1));
-                let awaited = last.is_some_and(|(segment, _)| *segment == self.queued);
-                let (leg, _) = self.course.new_segment();
-                (leg.whole.index, leg.apart) = (self.queued, self.apart || awaited);
-                self.apart = false;
+                let awaited = last.is_some_and(|(segment, _)| *segment == self.queued_count);
+                let (nominal, _) = self.builder.new_segment();
+                (nominal.whole.index, nominal.is_separate) =
+                    (self.queued_count, self.next_is_separate || awaited);
+                self.next_is_separate = false;
                 if segment.probing {
-                    self.course.stop_at_end();
+                    self.builder.stop_at_end();
                 }
-                self.course.add(&mut queue);
-                if self.course.follows_spindle() {
+                self.builder.add(&mut edit);
+                if self.builder.follows_spindle() {
                     self.note_spindle_sync();
                 }
             }
         }
-        self.ahead.advance(
-            &mut self.ring,
+        self.look_ahead.advance(
+            &mut self.elements,
             self.motion.at,
             &self.limits,
             (LOOK_AHEAD_WORK_PER_SEGMENT, false),
         );
-        self.ahead.note_quiet_after_queueing(self.motion.at);
+        self.look_ahead.note_quiet_after_queueing(self.motion.at);
         Ok(())
     }
 
     /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance:
     /// for instance where other overrides act on it.
     pub fn keep_apart(&mut self) {
-        self.apart = true;
+        self.next_is_separate = true;
     }
 
     /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded
@@ -169,7 +170,7 @@ impl Planner {
         if self.aborting || self.switches.room() == 0 {
             return Err(NotQueued::Full);
         }
-        self.switches.push(&(self.queued.saturating_add(1), switch));
+        self.switches.push(&(self.queued_count.saturating_add(1), switch));
         Ok(())
     }
 
@@ -177,7 +178,7 @@ impl Planner {
     pub fn switched(&mut self) -> Option<OutputSwitch> {
         let first = self.switches.first();
         let (segment, switch) = *self.switches.get(first)?;
-        if segment > self.motion.begun && !(first < self.met && self.is_at_end()) {
+        if segment > self.motion.begun && !(first < self.switches_due_at_end && self.is_at_end()) {
             return None;
         }
         self.switches.drop_first();
@@ -186,16 +187,16 @@ impl Planner {
 
     /// Moves on by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
-        let wish = self.cycle_request(input);
-        self.motion.advance_cycle(&self.ring, &self.limits, &wish);
-        self.advance_look_ahead(&wish, input);
+        let request = self.cycle_request(input);
+        self.motion.advance_cycle(&self.elements, &self.limits, &request);
+        self.advance_look_ahead(&request, input);
         output.tripped = self.probe_tripped(input.probe);
         self.aborting |= output.tripped;
         self.write_output(output);
-        output.phase = self.phase(&wish);
+        output.phase = self.phase(&request);
         if output.phase == Phase::Idle {
             // Whatever comes next begins at rest here, also if the motion has run back by then.
-            self.course.close();
+            self.builder.close();
         }
         if self.aborting && self.motion.speed <= 0.0 {
             self.clear_queue(&output.position);
@@ -211,23 +212,24 @@ impl Planner {
     /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg
     /// and anew with the one after.
     fn note_spindle_sync(&mut self) {
-        let end = self.ring.end();
-        let follows =
-            |place: &u64| self.ring.get(*place).is_some_and(|p| p.pace == FeedBasis::PerTurn);
+        let end = self.elements.end();
+        let follows = |place: &u64| {
+            self.elements.get(*place).is_some_and(|p| p.feed_basis == FeedBasis::PerTurn)
+        };
         if let Some(last) = (end.saturating_sub(ELEMENTS_PER_SEGMENT_MAX)..end).rev().find(follows)
         {
-            self.followed = last.saturating_add(1);
+            self.spindle_sync_end = last.saturating_add(1);
         }
     }
 
     /// Forgets pieces that lie far behind the motion, if there is need.
     fn make_room(&mut self) {
-        while self.ring.room() < 16
+        while self.elements.room() < 16
             && !self.retrace.is_requested()
-            && !self.motion.backwards
-            && self.ring.first().saturating_add(REVERSE_ELEMENTS_MIN) < self.motion.at
+            && !self.motion.is_reversed
+            && self.elements.first().saturating_add(REVERSE_ELEMENTS_MIN) < self.motion.at
         {
-            self.ring.drop_first();
+            self.elements.drop_first();
         }
     }
 
@@ -238,37 +240,43 @@ impl Planner {
         let adaptive = math::min(1.0, math::max(0.0, input.adaptive_feed.abs()));
         let feed = math::max(0.0, input.feed_override * adaptive);
         let rapid = math::min(1.0, math::max(0.0, input.rapid_override)) * adaptive;
-        let follows = self.motion.at < self.followed;
-        let turns = if follows {
-            math::max(0.0, feed * (input.spindle_turns - self.turns).abs() / self.limits.cycle)
+        let follows = self.motion.at < self.spindle_sync_end;
+        let spindle_speed = if follows {
+            math::max(
+                0.0,
+                feed * (input.spindle_turns - self.spindle_turns).abs() / self.limits.cycle,
+            )
         } else {
             0.0
         };
-        self.turns = input.spindle_turns;
+        self.spindle_turns = input.spindle_turns;
         self.aborting |= input.hold == Hold::Abort;
         self.update_direction(back);
-        let turning = self.motion.backwards != back;
-        let rest =
-            self.aborting || input.hold != Hold::Run || turning || feed <= 0.0 && rapid <= 0.0;
-        let planned = !follows && self.ahead.plans_for(feed, rapid, self.motion.at);
-        let ease =
-            if planned { 1.0 } else { self.speed_sq_factor(feed, rapid, follows.then_some(turns)) };
-        CycleRequest { feed, rapid, turns, rest, planned, ease }
+        let reverses = self.motion.is_reversed != back;
+        let must_stop =
+            self.aborting || input.hold != Hold::Run || reverses || feed <= 0.0 && rapid <= 0.0;
+        let is_planned = !follows && self.look_ahead.plans_for(feed, rapid, self.motion.at);
+        let speed_sq_factor = if is_planned {
+            1.0
+        } else {
+            self.speed_sq_factor(feed, rapid, follows.then_some(spindle_speed))
+        };
+        CycleRequest { feed, rapid, spindle_speed, must_stop, is_planned, speed_sq_factor }
     }
 
     /// What speeds of look-ahead are multiplied by, squared.
     #[cold]
     #[inline(never)]
-    fn speed_sq_factor(&self, feed: f64, rapid: f64, turns: Option<f64>) -> f64 {
-        let planned = self.ahead.highest_scale();
-        let turns = turns.unwrap_or(planned.turns);
-        OverrideScale { feed, rapid, turns }.speed_sq_factor(planned)
+    fn speed_sq_factor(&self, feed: f64, rapid: f64, spindle_speed: Option<f64>) -> f64 {
+        let planned = self.look_ahead.highest_scale();
+        let spindle_speed = spindle_speed.unwrap_or(planned.spindle_speed);
+        OverrideScale { feed, rapid, spindle_speed }.speed_sq_factor(planned)
     }
 
     /// Turns the motion round when it is at rest and knows how fast it may go.
     #[inline]
     fn update_direction(&mut self, back: bool) {
-        if back || self.motion.backwards {
+        if back || self.motion.is_reversed {
             self.change_direction(back);
         } else {
             self.retrace.forget();
@@ -278,71 +286,71 @@ impl Planner {
     #[cold]
     #[inline(never)]
     fn change_direction(&mut self, back: bool) {
-        if back && !self.motion.backwards {
-            let may_turn = self.retrace.may_turn(&mut self.ring, self.motion.at);
-            self.motion.backwards = may_turn && self.motion.speed <= 0.0;
+        if back && !self.motion.is_reversed {
+            let may_turn = self.retrace.may_turn(&mut self.elements, self.motion.at);
+            self.motion.is_reversed = may_turn && self.motion.speed <= 0.0;
         } else if !back && self.motion.speed <= 0.0 {
-            self.motion.backwards = false;
-            self.ahead.resume_after_retrace(&self.ring, self.motion.at);
+            self.motion.is_reversed = false;
+            self.look_ahead.resume_after_retrace(&self.elements, self.motion.at);
             self.retrace.forget();
         }
-        self.motion.back_to = self.retrace.reverse_end();
+        self.motion.reverse_end = self.retrace.reverse_end();
     }
 
     /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
     #[inline]
-    fn advance_look_ahead(&mut self, wish: &CycleRequest, input: &InputParameter) {
+    fn advance_look_ahead(&mut self, request: &CycleRequest, input: &InputParameter) {
         let at = self.motion.at;
-        let planned = wish.planned && at >= self.followed;
-        if !(planned && self.ahead.is_quiet(at) && !self.retrace.is_requested()) {
-            self.advance_look_ahead_and_retrace(wish, input);
+        let planned = request.is_planned && at >= self.spindle_sync_end;
+        if !(planned && self.look_ahead.is_quiet(at) && !self.retrace.is_requested()) {
+            self.advance_look_ahead_and_retrace(request, input);
         }
     }
 
     /// Does less where the motion itself has had more to do.
     #[inline(never)]
-    fn advance_look_ahead_and_retrace(&mut self, wish: &CycleRequest, input: &InputParameter) {
-        let (work, back) = match self.motion.effort {
+    fn advance_look_ahead_and_retrace(&mut self, request: &CycleRequest, input: &InputParameter) {
+        let (work, back) = match self.motion.work {
             0..=3 => (LOOK_AHEAD_WORK_PER_CYCLE, 2),
             4 | 5 => (LOOK_AHEAD_WORK_PER_CYCLE - 1, 1),
             6 | 7 => (LOOK_AHEAD_WORK_PER_CYCLE - 2, 1),
             _ => return,
         };
         let at = self.motion.at;
-        self.ahead.refresh(&self.ring, at);
+        self.look_ahead.refresh(&self.elements, at);
         let scale = OverrideScale {
-            feed: wish.feed,
-            rapid: wish.rapid,
-            turns: self.spindle_speed_to_plan(wish.turns),
+            feed: request.feed,
+            rapid: request.rapid,
+            spindle_speed: self.spindle_speed_to_plan(request.spindle_speed),
         };
-        let other = input.adaptive_feed >= 0.0 && scale != self.ahead.scale;
-        if other && self.ahead.may_rescale(at) {
-            self.ahead.rescale(scale, &self.ring, at);
-            self.late = true;
-        } else if self.ahead.is_urgent(at) {
-            self.ahead.advance(&mut self.ring, at, &self.limits, (work, true));
+        let other = input.adaptive_feed >= 0.0 && scale != self.look_ahead.scale;
+        if other && self.look_ahead.may_rescale(at) {
+            self.look_ahead.rescale(scale, &self.elements, at);
+            self.motion_exceeds_plan = true;
+        } else if self.look_ahead.is_urgent(at) {
+            self.look_ahead.advance(&mut self.elements, at, &self.limits, (work, true));
         } else {
-            self.ahead.note_quiet();
+            self.look_ahead.note_quiet();
         }
         if !self.retrace.is_requested() {
             return;
         }
         for _ in 0..back {
-            let motion = (at, self.motion.backwards);
-            self.retrace.advance(&mut self.ring, motion, self.ahead.scale, &self.limits);
+            let motion = (at, self.motion.is_reversed);
+            self.retrace.advance(&mut self.elements, motion, self.look_ahead.scale, &self.limits);
         }
     }
 
     /// Turns per second to plan for: others than before where something follows the spindle, and its speed has
     /// changed by more than it wavers.
-    fn spindle_speed_to_plan(&self, turns: f64) -> f64 {
-        let planned = self.ahead.scale.turns;
-        let near =
-            turns <= planned && turns >= planned * (1.0 - 2.0 * SPINDLE_SPEED_TOLERANCE_RATIO);
-        if near || self.motion.at >= self.followed {
+    fn spindle_speed_to_plan(&self, spindle_speed: f64) -> f64 {
+        let planned = self.look_ahead.scale.spindle_speed;
+        let near = spindle_speed <= planned
+            && spindle_speed >= planned * (1.0 - 2.0 * SPINDLE_SPEED_TOLERANCE_RATIO);
+        if near || self.motion.at >= self.spindle_sync_end {
             planned
         } else {
-            turns * (1.0 + SPINDLE_SPEED_TOLERANCE_RATIO)
+            spindle_speed * (1.0 + SPINDLE_SPEED_TOLERANCE_RATIO)
         }
     }
 
@@ -350,14 +358,14 @@ impl Planner {
     fn probe_tripped(&mut self, probe: bool) -> bool {
         let changed = probe != self.probe;
         self.probe = probe;
-        changed && self.ring.get(self.motion.at).is_some_and(|piece| piece.probing)
+        changed && self.elements.get(self.motion.at).is_some_and(|element| element.probing)
     }
 
     fn write_output(&self, output: &mut OutputParameter) {
         output.segment = self.motion.number;
-        match self.ring.get(self.motion.at) {
-            Some(piece) if piece.axes <= 3 => self.write_output_on::<3>(piece, output),
-            Some(piece) => self.write_output_on::<9>(piece, output),
+        match self.elements.get(self.motion.at) {
+            Some(element) if element.axis_count <= 3 => self.write_output_on::<3>(element, output),
+            Some(element) => self.write_output_on::<9>(element, output),
             None => {
                 output.position = self.position;
                 (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
@@ -368,13 +376,13 @@ impl Planner {
 
     /// Where the motion is on a piece on which so many leading axes may move.
     #[inline]
-    fn write_output_on<const N: usize>(&self, piece: &PathElement, output: &mut OutputParameter) {
+    fn write_output_on<const N: usize>(&self, element: &PathElement, output: &mut OutputParameter) {
         let motion = &self.motion;
-        let sense = if motion.backwards { -1.0 } else { 1.0 };
+        let sense = if motion.is_reversed { -1.0 } else { 1.0 };
         let (speed, change) = (sense * motion.speed, sense * motion.acceleration);
         let square = squared(speed);
         let mut sum = 0.0;
-        let [place, mut first, mut second] = piece.derivatives::<N>(motion.x);
+        let [place, mut first, mut second] = element.derivatives::<N>(motion.x);
         for (first, second) in first.iter_mut().zip(&mut second) {
             *second = *first * change + *second * square;
             *first *= speed;
@@ -385,26 +393,28 @@ impl Planner {
         lead(&mut output.velocity, &first);
         lead(&mut output.acceleration, &second);
         // Axes that take no part lie where the piece ends.
-        output.position = piece.end;
-        if motion.x.to_bits() != piece.length.to_bits() {
+        output.position = element.end;
+        if motion.x.to_bits() != element.length.to_bits() {
             lead(&mut output.position, &place);
         }
     }
 
-    fn phase(&self, wish: &CycleRequest) -> Phase {
+    fn phase(&self, request: &CycleRequest) -> Phase {
         let motion = &self.motion;
         if motion.speed > 0.0 {
-            return if wish.rest { Phase::Holding } else { Phase::Moving };
+            return if request.must_stop { Phase::Holding } else { Phase::Moving };
         }
-        let Some(piece) = self.ring.get(motion.at) else { return Phase::Idle };
+        let Some(element) = self.elements.get(motion.at) else { return Phase::Idle };
         if self.is_at_end() {
             return Phase::Idle;
         }
-        let dwells = matches!(piece.law, AccelerationModel::Dwell(_));
-        match piece.pace {
-            _ if wish.rest => Phase::Holding,
+        let dwells = matches!(element.model, AccelerationModel::Dwell(_));
+        match element.feed_basis {
+            _ if request.must_stop => Phase::Holding,
             _ if dwells => Phase::Waiting,
-            FeedBasis::PerTurn if wish.turns <= 0.0 && wish.feed > 0.0 => Phase::Waiting,
+            FeedBasis::PerTurn if request.spindle_speed <= 0.0 && request.feed > 0.0 => {
+                Phase::Waiting
+            }
             FeedBasis::PerTurn | FeedBasis::PerSecond | FeedBasis::Rapid => Phase::Moving,
         }
     }
@@ -412,31 +422,31 @@ impl Planner {
     /// Whether the motion rests at the end of all that is queued.
     fn is_at_end(&self) -> bool {
         let motion = &self.motion;
-        let Some(piece) = self.ring.get(motion.at) else { return true };
-        let over = match piece.law {
-            AccelerationModel::Dwell(seconds) => motion.dwelt >= seconds,
+        let Some(element) = self.elements.get(motion.at) else { return true };
+        let over = match element.model {
+            AccelerationModel::Dwell(seconds) => motion.dwell_elapsed >= seconds,
             AccelerationModel::Constant { .. }
             | AccelerationModel::Blend { .. }
             | AccelerationModel::Arc { .. }
-            | AccelerationModel::BlendedArc { .. } => motion.remaining(piece) <= 0.0,
+            | AccelerationModel::BlendedArc { .. } => motion.remaining(element) <= 0.0,
         };
-        let last = motion.at.saturating_add(1) == self.ring.end();
-        motion.speed <= 0.0 && over && last && !motion.backwards
+        let last = motion.at.saturating_add(1) == self.elements.end();
+        motion.speed <= 0.0 && over && last && !motion.is_reversed
     }
 
     /// Forgets the queue, at rest.
     fn clear_queue(&mut self, position: &Axes) {
         self.position = *position;
-        self.ring.clear();
+        self.elements.clear();
         self.switches.clear();
-        self.ahead = LookAhead::new(self.ahead.scale);
+        self.look_ahead = LookAhead::new(self.look_ahead.scale);
         self.motion = MotionState {
-            at: self.ring.end(),
-            begun: self.queued,
+            at: self.elements.end(),
+            begun: self.queued_count,
             number: self.motion.number,
             ..MotionState::default()
         };
-        self.course = PathBuilder::new(self.position);
+        self.builder = PathBuilder::new(self.position);
         self.aborting = false;
         self.retrace.forget();
     }

@@ -40,9 +40,9 @@ impl Retrace {
     }
 
     /// The motion is to turn round; whether it may, at a piece.
-    pub(crate) fn may_turn(&mut self, ring: &mut Ring<PathElement>, at: u64) -> bool {
+    pub(crate) fn may_turn(&mut self, elements: &mut Ring<PathElement>, at: u64) -> bool {
         let near = at.saturating_sub(FIRST_REVERSE_ELEMENTS);
-        let planned = self.planned.get_or_insert_with(|| ReversePass::begin(ring, near, None));
+        let planned = self.planned.get_or_insert_with(|| ReversePass::begin(elements, near, None));
         planned.next > at
     }
 
@@ -65,28 +65,28 @@ impl Retrace {
     #[inline(never)]
     pub(crate) fn advance(
         &mut self,
-        ring: &mut Ring<PathElement>,
+        elements: &mut Ring<PathElement>,
         (at, backwards): (u64, bool),
         scale: OverrideScale,
         limits: &Limits,
     ) {
         let Some(planned) = &mut self.planned else { return };
         if planned.next <= at {
-            planned.plan(ring, at, scale, limits);
-        } else if backwards && planned.from > ring.first() {
+            planned.plan(elements, at, scale, limits);
+        } else if backwards && planned.from > elements.first() {
             let far = at.saturating_sub(planned.from).saturating_add(FIRST_REVERSE_ELEMENTS);
             let from = planned.from.saturating_sub(far);
-            *planned = ReversePass::begin(ring, from, Some(planned.from));
+            *planned = ReversePass::begin(elements, from, Some(planned.from));
         }
     }
 }
 
 impl ReversePass {
     /// For the plan, the path ends where the first piece begins.
-    fn begin(ring: &mut Ring<PathElement>, from: u64, known: Option<u64>) -> Self {
-        let from = from.max(ring.first());
-        if let Some(before) = from.checked_sub(1).and_then(|before| ring.get_mut(before)) {
-            before.back = 0.0;
+    fn begin(elements: &mut Ring<PathElement>, from: u64, known: Option<u64>) -> Self {
+        let from = from.max(elements.first());
+        if let Some(before) = from.checked_sub(1).and_then(|before| elements.get_mut(before)) {
+            before.reverse_entry_speed_sq = 0.0;
         }
         Self { from, next: from, known }
     }
@@ -95,33 +95,37 @@ impl ReversePass {
     /// to the motion.
     fn plan(
         &mut self,
-        ring: &mut Ring<PathElement>,
+        elements: &mut Ring<PathElement>,
         at: u64,
         scale: OverrideScale,
         limits: &Limits,
     ) {
         let place = self.next;
         self.next = place.saturating_add(1);
-        let before = place.checked_sub(1).and_then(|before| ring.get(before));
-        let Some(piece) = ring.get(place) else { return };
+        let before = place.checked_sub(1).and_then(|before| elements.get(before));
+        let Some(element) = elements.get(place) else { return };
         let exit = match before {
-            Some(before) => math::min(before.back * squared(before.exit), piece.entry),
+            Some(before) => math::min(
+                before.reverse_entry_speed_sq * squared(before.end_speed_ratio),
+                element.junction_limit_sq,
+            ),
             None => 0.0,
         };
         // It is planned for one speed, and so for some where the motion turned at rest.
         let slowest =
-            OverrideScale { feed: OVERRIDE_MIN, rapid: OVERRIDE_MIN, turns: OVERRIDE_MIN };
+            OverrideScale { feed: OVERRIDE_MIN, rapid: OVERRIDE_MIN, spindle_speed: OVERRIDE_MIN };
         let back = max_reverse_entry_speed_sq(
-            piece,
+            element,
             exit,
-            speed_sq_limits(piece, scale.max(slowest)),
+            speed_sq_limits(element, scale.max(slowest)),
             limits,
         );
         // The motion may be there by now, and relies on what is known.
-        if self.known.is_some_and(|known| known <= place) && back <= piece.back {
+        if self.known.is_some_and(|known| known <= place) && back <= element.reverse_entry_speed_sq
+        {
             self.next = at.saturating_add(1);
-        } else if let Some(piece) = ring.get_mut(place) {
-            piece.back = back;
+        } else if let Some(element) = elements.get_mut(place) {
+            element.reverse_entry_speed_sq = back;
         }
     }
 }
