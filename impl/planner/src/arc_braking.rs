@@ -18,10 +18,10 @@ impl MotionState {
         &mut self,
         element: &PathElement,
         limits: &Limits,
-        left: f64,
+        time_left: f64,
     ) -> f64 {
         let Some(circle) = &element.circle else { return 0.0 };
-        let (remaining, way) = (self.remaining(element), self.speed * left);
+        let (remaining, way) = (self.remaining(element), self.speed * time_left);
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
         if passes
             || element.has_tangent_break

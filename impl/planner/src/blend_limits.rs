@@ -17,8 +17,8 @@ const ENTRY_COEFFICIENT_MIN: f64 = 1e-12;
 /// What the axes allow at both ends of a bend: |entering·entry + leaving·exit| ≤ limit.
 #[derive(Clone, Copy, Debug)]
 struct AxisInequalities<const N: usize> {
-    entering: [[f64; N]; 2],
-    leaving: [[f64; N]; 2],
+    entry_factors: [[f64; N]; 2],
+    exit_factors: [[f64; N]; 2],
     limit: [f64; N],
 }
 
@@ -28,17 +28,23 @@ pub(crate) struct BlendLimits<const N: usize> {
     slopes: [[f64; N]; 2],
     limits: [[f64; N]; 2],
     /// The highest exit that axes allow which do not limit the entry.
-    most: f64,
+    exit_max: f64,
     /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
-    falls: bool,
+    slopes_fall: bool,
     /// Up to this exit there is an entry that all axes allow, for certain.
-    agreed: f64,
+    feasible_exit_max: f64,
 }
 
 impl<const N: usize> Default for BlendLimits<N> {
     fn default() -> Self {
         let none = [[0.0; N]; 2];
-        Self { slopes: none, limits: none, most: 0.0, falls: false, agreed: 0.0 }
+        Self {
+            slopes: none,
+            limits: none,
+            exit_max: 0.0,
+            slopes_fall: false,
+            feasible_exit_max: 0.0,
+        }
     }
 }
 
@@ -71,17 +77,17 @@ fn highest_exact(element: &PathElement, forward: bool, most: (f64, f64), limits:
 
 /// Walks the edge of what is allowed from the highest exit down, to where the entry is highest.
 #[inline]
-fn walk_edge<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
+fn walk_edge<const N: usize>(blend: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
     for _ in 0..VERTICES_MAX {
         // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
-        let highs = strips.bounds(|limit, slope| limit - slope * exit);
-        let lows = strips.bounds(|limit, slope| limit + slope * exit);
+        let highs = blend.bounds(|limit, slope| limit - slope * exit);
+        let lows = blend.bounds(|limit, slope| limit + slope * exit);
         let high = least(&highs);
-        let slope = strips.slope_of(high, &highs);
+        let slope = blend.slope_of(high, &highs);
         let lowest = least(&lows);
         let low = math::max(0.0, -lowest);
         if low > high * (1.0 + 1e-13) {
-            let lower = if low > 0.0 { strips.slope_of(lowest, &lows) } else { 0.0 };
+            let lower = if low > 0.0 { blend.slope_of(lowest, &lows) } else { 0.0 };
             let step = (low - high) / (lower - slope);
             exit += step;
             if !(step < 0.0 && exit >= 0.0) {
@@ -93,7 +99,7 @@ fn walk_edge<const N: usize>(strips: &BlendLimits<N>, mut exit: f64) -> Option<f
             return Some(math::max(high, 0.0));
         }
         // A lower exit allows a higher entry, down to where the next bound crosses.
-        let (step, next) = strips.next_crossing(&highs, (high, slope));
+        let (step, next) = blend.next_crossing(&highs, (high, slope));
         if exit + step <= 0.0 {
             return Some(math::max(high + slope * exit, 0.0));
         }
@@ -114,8 +120,8 @@ impl<const N: usize> AxisInequalities<N> {
             if forward { (rate, last) } else { (last.map(|rate| -rate), rate.map(|rate| -rate)) };
         let double = 2.0 * element.length;
         Self {
-            entering: [each(&first, &last, |f, l| 2.0 * l - 3.0 * f), last.map(|l| -l)],
-            leaving: [first, each(&first, &last, |f, l| 3.0 * l - 2.0 * f)],
+            entry_factors: [each(&first, &last, |f, l| 2.0 * l - 3.0 * f), last.map(|l| -l)],
+            exit_factors: [first, each(&first, &last, |f, l| 3.0 * l - 2.0 * f)],
             limit: leading(&limits.planned).map(|limit| double * limit),
         }
     }
@@ -131,15 +137,15 @@ impl<const N: usize> AxisInequalities<N> {
         if self.allow(cap, exit) {
             return cap;
         }
-        let mut strips = BlendLimits::default();
-        self.write_limits(&mut strips);
-        strips.highest_on_edge(element, exit, limits)
+        let mut blend = BlendLimits::default();
+        self.write_limits(&mut blend);
+        blend.highest_on_edge(element, exit, limits)
     }
 
     /// Whether they allow an entry and an exit.
     #[inline]
     fn allow(&self, entry: f64, exit: f64) -> bool {
-        self.entering.iter().zip(&self.leaving).all(|(entering, leaving)| {
+        self.entry_factors.iter().zip(&self.exit_factors).all(|(entering, leaving)| {
             let used =
                 each(entering, leaving, |entering, leaving| entering * entry + leaving * exit);
             used.iter().zip(&self.limit).all(|(used, limit)| used.abs() <= *limit)
@@ -147,36 +153,36 @@ impl<const N: usize> AxisInequalities<N> {
     }
 
     #[inline]
-    fn write_limits(&self, strips: &mut BlendLimits<N>) {
-        strips.most = f64::INFINITY;
-        let ends = self.entering.iter().zip(&self.leaving);
+    fn write_limits(&self, bounds: &mut BlendLimits<N>) {
+        bounds.exit_max = f64::INFINITY;
+        let ends = self.entry_factors.iter().zip(&self.exit_factors);
         for ((entering, leaving), (slopes, limits)) in
-            ends.zip(strips.slopes.iter_mut().zip(&mut strips.limits))
+            ends.zip(bounds.slopes.iter_mut().zip(&mut bounds.limits))
         {
             let inverse = entering.map(|entering| 1.0 / entering);
             *slopes = each(leaving, &inverse, |leaving, inverse| leaving * inverse);
             *limits = each(&self.limit, &inverse, |limit, inverse| (limit * inverse).abs());
         }
         if self
-            .entering
+            .entry_factors
             .as_flattened()
             .iter()
             .any(|entering| entering.abs() < ENTRY_COEFFICIENT_MIN)
         {
-            self.separate_exit_limits(strips);
+            self.separate_exit_limits(bounds);
         }
     }
 
     /// Takes out what limits no entry, but the exit.
     #[inline(never)]
-    fn separate_exit_limits(&self, strips: &mut BlendLimits<N>) {
-        let slopes = strips.slopes.as_flattened_mut().iter_mut();
-        let rows = slopes.zip(strips.limits.as_flattened_mut());
-        let ends = self.entering.as_flattened().iter().zip(self.leaving.as_flattened());
+    fn separate_exit_limits(&self, bounds: &mut BlendLimits<N>) {
+        let slopes = bounds.slopes.as_flattened_mut().iter_mut();
+        let rows = slopes.zip(bounds.limits.as_flattened_mut());
+        let ends = self.entry_factors.as_flattened().iter().zip(self.exit_factors.as_flattened());
         for ((row, (entering, leaving)), limit) in rows.zip(ends).zip(self.limit.iter().cycle()) {
             if entering.abs() < ENTRY_COEFFICIENT_MIN {
                 let most = limit / math::max(leaving.abs(), ENTRY_COEFFICIENT_MIN);
-                strips.most = math::min(strips.most, most);
+                bounds.exit_max = math::min(bounds.exit_max, most);
                 (*row.0, *row.1) = (0.0, f64::INFINITY);
             }
         }
@@ -187,17 +193,17 @@ impl BlendLimits<3> {
     /// Looks at a bend of up to three axes, run forward.
     pub(crate) fn compute(element: &mut PathElement, limits: &Limits) {
         let ends = AxisInequalities::new(element, true, limits);
-        let strips = &mut element.blend_limits;
-        ends.write_limits(strips);
+        let bounds = &mut element.blend_limits;
+        ends.write_limits(bounds);
         let (mut falls, mut rises, mut limit) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
-        let rows = strips.slopes.as_flattened().iter().zip(strips.limits.as_flattened());
+        let rows = bounds.slopes.as_flattened().iter().zip(bounds.limits.as_flattened());
         for (slope, least) in rows {
             (falls, rises) = (math::min(falls, *slope), math::max(rises, *slope));
             limit = math::min(limit, *least);
         }
-        strips.falls = rises <= 0.0;
+        bounds.slopes_fall = rises <= 0.0;
         // Whatever the exit, the middles of two strips are no farther apart than their slopes times it.
-        strips.agreed = math::min(strips.most, 2.0 * limit / (rises - falls));
+        bounds.feasible_exit_max = math::min(bounds.exit_max, 2.0 * limit / (rises - falls));
     }
 
     /// Mostly the highest exit has the highest entry.
@@ -208,7 +214,7 @@ impl BlendLimits<3> {
         (exit, cap): (f64, f64),
         limits: &Limits,
     ) -> f64 {
-        if exit <= self.agreed {
+        if exit <= self.feasible_exit_max {
             // Two at a time, whichever axes and ends these are.
             let mut high = [cap; 2];
             let (bounds, _) = self.limits.as_flattened().as_chunks::<2>();
@@ -220,7 +226,7 @@ impl BlendLimits<3> {
             }
             let [one, other] = high;
             let high = math::min(one, other);
-            if self.falls || high >= cap {
+            if self.slopes_fall || high >= cap {
                 return high;
             }
         }
@@ -234,11 +240,11 @@ impl BlendLimits<3> {
         (exit, cap): (f64, f64),
         limits: &Limits,
     ) -> f64 {
-        let exit = math::min(exit, self.most);
+        let exit = math::min(exit, self.exit_max);
         let low = least(&self.bounds(|limit, slope| limit + slope * exit));
         let high = least(&self.bounds(|limit, slope| limit - slope * exit));
         let high = math::min(high, cap);
-        if -low <= high && (self.falls || high >= cap) {
+        if -low <= high && (self.slopes_fall || high >= cap) {
             return high;
         }
         self.highest_on_edge(element, exit, limits)
@@ -248,7 +254,7 @@ impl BlendLimits<3> {
 impl<const N: usize> BlendLimits<N> {
     #[inline]
     fn highest_on_edge(&self, element: &PathElement, exit: f64, limits: &Limits) -> f64 {
-        let exit = math::min(exit, self.most);
+        let exit = math::min(exit, self.exit_max);
         walk_edge(self, exit).unwrap_or_else(|| {
             // As fast at the end as at the start is possible, if that is slow enough.
             let balanced = limits.planned.iter().zip(&element.curvature).take(N);

@@ -30,42 +30,47 @@ impl MotionState {
         element: &PathElement,
         end: ElementEnd,
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> f64 {
-        let ElementEnd { exit, remaining, .. } = end;
+        let ElementEnd { speed_sq: exit, remaining, .. } = end;
         let mut most = f64::NEG_INFINITY;
         if !request.must_stop {
             let ceiling =
                 if self.is_reversed { element.start_limit_sq } else { element.end_limit_sq };
             let eased =
-                ElementEnd { exit: math::min(request.speed_sq_factor * exit, ceiling), ..end };
-            let met = (eased.exit - squared(self.speed)) / (2.0 * remaining);
+                ElementEnd { speed_sq: math::min(request.speed_sq_factor * exit, ceiling), ..end };
+            let met = (eased.speed_sq - squared(self.speed)) / (2.0 * remaining);
             // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
             // override that is too late.
             let eases = request.rapid < 1.0;
             let fastest = if eases {
-                self.speed_limit_within_cycle(element, remaining, left)
+                self.speed_limit_within_cycle(element, remaining, time_left)
             } else {
                 element.speed_limit
             };
-            let asked = (target_speed(element, fastest, request) - self.speed) / left;
+            let asked = (target_speed(element, fastest, request) - self.speed) / time_left;
             most = math::min(asked, met);
             let both = (most, asked);
             if let Some(even) =
-                self.sustainable_or_faster::<N>(element, eased, both, (limits, request), left)
+                self.sustainable_or_faster::<N>(element, eased, both, (limits, request), time_left)
             {
-                return self.accelerate(element, even, ElementEnd { is_open: false, ..end }, left);
+                return self.accelerate(
+                    element,
+                    even,
+                    ElementEnd { is_open: false, ..end },
+                    time_left,
+                );
             }
         }
         let low = self.min_acceleration_of::<N>(element, remaining, limits);
         let exit = self
             .exit_after_late_override(element, end, |far| low > -squared(self.speed) / (2.0 * far));
-        let end = ElementEnd { exit, is_open: false, ..end };
+        let end = ElementEnd { speed_sq: exit, is_open: false, ..end };
         if let Some(kept) = self.near_limit::<N>(element, remaining, (most, low), limits) {
-            return self.accelerate(element, kept, end, left);
+            return self.accelerate(element, kept, end, time_left);
         }
-        let least = self.min_within_cycle::<N>(element, (remaining, low), limits, left);
-        self.accelerate(element, math::max(most, least), end, left)
+        let least = self.min_within_cycle::<N>(element, (remaining, low), limits, time_left);
+        self.accelerate(element, math::max(most, least), end, time_left)
     }
 
     /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one
@@ -77,12 +82,12 @@ impl MotionState {
         end: ElementEnd,
         (most, asked): (f64, f64),
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> Option<f64> {
         let even = self.sustainable::<N>(element, end.remaining, most, limits)?;
         let lasts = LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < end.remaining;
         if lasts && even < asked && self.work <= CYCLE_WORK_MAX && self.gains_by_speed(element) {
-            return Some(self.faster::<N>(element, end, even, (limits, request), left));
+            return Some(self.faster::<N>(element, end, even, (limits, request), time_left));
         }
         Some(even)
     }
@@ -132,12 +137,12 @@ impl MotionState {
         element: &PathElement,
         (remaining, mut least): (f64, f64),
         limits: &Limits,
-        left: f64,
+        time_left: f64,
     ) -> f64 {
         let times = if self.work < CYCLE_WORK_MAX - 1 { 2 } else { 1 };
         for _ in 0..times {
-            let last = math::max(0.0, self.speed + least * left);
-            let way = 0.5 * (self.speed + last) * left;
+            let last = math::max(0.0, self.speed + least * time_left);
+            let way = 0.5 * (self.speed + last) * time_left;
             if way >= remaining {
                 break;
             }
@@ -160,8 +165,13 @@ impl MotionState {
     /// The highest speed that the axes allow here and at the end of the cycle.
     #[cold]
     #[inline(never)]
-    fn speed_limit_within_cycle(&self, element: &PathElement, remaining: f64, left: f64) -> f64 {
-        let near = math::min(self.speed * left, remaining);
+    fn speed_limit_within_cycle(
+        &self,
+        element: &PathElement,
+        remaining: f64,
+        time_left: f64,
+    ) -> f64 {
+        let near = math::min(self.speed * time_left, remaining);
         math::min(self.speed_limit_ahead(element, 0.0), self.speed_limit_ahead(element, near))
     }
 
@@ -169,7 +179,9 @@ impl MotionState {
     /// is not.
     #[inline]
     fn gains_by_speed(&self, element: &PathElement) -> bool {
-        let AccelerationModel::Blend { even: most } = element.model else { return false };
+        let AccelerationModel::Blend { steady_speed_sq: most } = element.model else {
+            return false;
+        };
         most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
     }
 
@@ -182,20 +194,20 @@ impl MotionState {
         end: ElementEnd,
         even: f64,
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> f64 {
-        let AccelerationModel::Blend { even: most } = element.model else { return even };
-        if even < 0.0 && self.speed + even * left <= 0.0 {
+        let AccelerationModel::Blend { steady_speed_sq: most } = element.model else { return even };
+        if even < 0.0 && self.speed + even * time_left <= 0.0 {
             return even;
         }
-        let near = math::min(self.speed * left, end.remaining);
+        let near = math::min(self.speed * time_left, end.remaining);
         let wanted = target_speed(element, self.speed_limit_ahead(element, near), request);
-        let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / left;
+        let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / time_left;
         // Mostly the motion is as fast as it may be.
         let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
         let with = (limits, request);
         if even >= asked
-            || !self.leaves_sustainable::<N>(element, end, math::min(asked, more), with, left)
+            || !self.leaves_sustainable::<N>(element, end, math::min(asked, more), with, time_left)
         {
             return even;
         }
@@ -208,9 +220,9 @@ impl MotionState {
             if tried <= low {
                 break;
             }
-            let way = self.distance_after(tried, left);
+            let way = self.distance_after(tried, time_left);
             let allowed = way <= near || self.is_allowed::<N>(element, way, tried, limits);
-            if allowed && self.leaves_sustainable::<N>(element, end, tried, with, left) {
+            if allowed && self.leaves_sustainable::<N>(element, end, tried, with, time_left) {
                 if tried >= high {
                     return tried;
                 }
@@ -233,16 +245,16 @@ impl MotionState {
     fn leaves_sustainable<const N: usize>(
         &self,
         element: &PathElement,
-        ElementEnd { exit, remaining, .. }: ElementEnd,
+        ElementEnd { speed_sq: exit, remaining, .. }: ElementEnd,
         acceleration: f64,
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> bool {
-        let way = self.distance_after(acceleration, left);
+        let way = self.distance_after(acceleration, time_left);
         if way >= remaining {
             return false;
         }
-        let speed = self.speed + acceleration * left;
+        let speed = self.speed + acceleration * time_left;
         if speed > target_speed(element, self.speed_limit_ahead(element, way), request) {
             return false;
         }
@@ -287,7 +299,9 @@ impl MotionState {
     /// Whether all axes allow the motion to go on without acceleration. Mostly its speed alone tells.
     #[inline]
     fn may_coast<const N: usize>(&self, element: &PathElement, limits: &Limits) -> bool {
-        let AccelerationModel::Blend { even } = element.model else { return false };
+        let AccelerationModel::Blend { steady_speed_sq: even } = element.model else {
+            return false;
+        };
         squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even
             || self.may_coast_exactly::<N>(element, limits)
     }

@@ -329,7 +329,7 @@ pub(crate) fn write_parabola(
 /// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
 #[inline]
 pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
-    let AccelerationModel::Blend { even } = blend.model else { return None };
+    let AccelerationModel::Blend { steady_speed_sq: even } = blend.model else { return None };
     let axes = squared(blend.speed_limit);
     let (asked, pressed) = match blend.feed_basis {
         FeedBasis::PerSecond => (squared(blend.feed), squared(2.0 * blend.feed)),

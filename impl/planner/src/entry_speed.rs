@@ -142,7 +142,7 @@ pub(crate) fn speed_sq_before(
                 planned / circle.angle_rate * (share * cosine + other * sine)
             }
         }
-        (AccelerationModel::BlendedArc { most, less }, _) => {
+        (AccelerationModel::BlendedArc { at_rest: most, loss: less }, _) => {
             // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
             // no steeper than what is left of its way to 1.
             let far = math::min(2.0 * less * distance, DECAY_EXPONENT_MAX);

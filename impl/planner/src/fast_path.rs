@@ -22,7 +22,7 @@ const SPEED_SQ_ROUNDING_RATIO: f64 = 1.0 + 1e-12;
 struct FastStep {
     acceleration: f64,
     /// The square of the speed at which it comes to the end of the piece.
-    last: f64,
+    end_speed_sq: f64,
 }
 
 impl MotionState {
@@ -33,53 +33,56 @@ impl MotionState {
         elements: &Ring<PathElement>,
         limits: &Limits,
         request: &CycleRequest,
-        mut left: f64,
+        mut time_left: f64,
     ) -> f64 {
-        let Some(mut element) = elements.get(self.at) else { return left };
+        let Some(mut element) = elements.get(self.at) else { return time_left };
         for _ in 0..ELEMENTS_PER_CYCLE_MAX {
-            let Some(next) = elements.get(self.at.wrapping_add(1)) else { return left };
+            let Some(next) = elements.get(self.at.wrapping_add(1)) else { return time_left };
             let remaining = element.length - self.x;
             if remaining > 0.0 {
                 let exit = next.entry_speed_sq / squared(element.end_speed_ratio);
                 if exit <= 0.0 && next.junction_limit_sq > 0.0 {
-                    return left;
+                    return time_left;
                 }
-                let Some(easy) =
-                    self.fast_step((element, next), (exit, remaining), (limits, request), left)
-                else {
-                    return left;
+                let Some(step) = self.fast_step(
+                    (element, next),
+                    (exit, remaining),
+                    (limits, request),
+                    time_left,
+                ) else {
+                    return time_left;
                 };
-                let end = self.speed + easy.acceleration * left;
+                let end = self.speed + step.acceleration * time_left;
                 let from = self.x;
-                let x = from + 0.5 * (self.speed + end) * left;
+                let x = from + 0.5 * (self.speed + end) * time_left;
                 if end > 0.0 && x < element.length {
-                    self.acceleration = easy.acceleration;
+                    self.acceleration = step.acceleration;
                     self.x = x;
                     self.speed = end;
                     self.begin_segment(element, from);
                     return 0.0;
                 }
-                if easy.last <= 0.0 || exit <= 0.0 {
-                    return left;
+                if step.end_speed_sq <= 0.0 || exit <= 0.0 {
+                    return time_left;
                 }
-                let end = math::sqrt(easy.last);
+                let end = math::sqrt(step.end_speed_sq);
                 let time = 2.0 * remaining / (self.speed + end);
-                if time >= left {
-                    return left;
+                if time >= time_left {
+                    return time_left;
                 }
-                left -= time;
-                self.acceleration = easy.acceleration;
+                time_left -= time;
+                self.acceleration = step.acceleration;
                 self.x = element.length;
                 self.speed = end;
                 self.begin_segment(element, from);
             } else if let AccelerationModel::Dwell(_) = element.model {
-                return left;
+                return time_left;
             }
             self.work = self.work.saturating_add(1);
             self.enter(element);
             element = next;
         }
-        left
+        time_left
     }
 
     /// The acceleration that is asked for, if that is easily kept.
@@ -89,7 +92,7 @@ impl MotionState {
         (element, next): (&PathElement, &PathElement),
         (exit, remaining): (f64, f64),
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> Option<FastStep> {
         let y = squared(self.speed);
         // Rapid moves are not overridden here.
@@ -98,9 +101,9 @@ impl MotionState {
             FeedBasis::Rapid => element.speed_limit,
             FeedBasis::PerTurn => return None,
         };
-        let asked = (wanted - self.speed) / left;
+        let asked = (wanted - self.speed) / time_left;
         match (element.model, &element.circle) {
-            (AccelerationModel::Blend { even }, _) => {
+            (AccelerationModel::Blend { steady_speed_sq: even }, _) => {
                 let exit = math::min(exit, element.end_limit_sq);
                 let met = (exit - y) / (2.0 * remaining);
                 let most = math::min(asked, met);
@@ -110,52 +113,52 @@ impl MotionState {
                 // On a bend that lasts there may be more than can be kept up to its end.
                 let lasts = || LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < remaining;
                 if used <= FAST_USE_RATIO_MAX && (most >= asked || !lasts()) {
-                    return Some(FastStep { acceleration: most, last });
+                    return Some(FastStep { acceleration: most, end_speed_sq: last });
                 }
                 let slows =
                     met <= asked && met <= 0.0 && self.keeps_to_plan((element, next), exit, even);
                 if slows && !lasts() {
-                    return Some(FastStep { acceleration: met, last });
+                    return Some(FastStep { acceleration: met, end_speed_sq: last });
                 }
                 let acceleration = if lasts() {
-                    let end = ElementEnd { exit, remaining, is_open: false };
+                    let end = ElementEnd { speed_sq: exit, remaining, is_open: false };
                     self.acceleration_on_long_blend(
                         element,
                         end,
                         (most, asked),
                         (limits, request),
-                        left,
+                        time_left,
                     )?
                 } else {
                     self.acceleration_near_limit(element, remaining, most, limits)?
                 };
-                Some(FastStep { acceleration, last: y + 2.0 * acceleration * remaining })
+                Some(FastStep { acceleration, end_speed_sq: y + 2.0 * acceleration * remaining })
             }
             (AccelerationModel::Constant { acceleration }, _) => {
-                let ramp = constant_window(
+                let window = constant_window(
                     acceleration,
-                    ElementEnd { exit, remaining, is_open: false },
+                    ElementEnd { speed_sq: exit, remaining, is_open: false },
                     1.0,
                 );
                 let acceleration = self.acceleration_towards(
-                    &ramp,
+                    &window,
                     wanted,
-                    ElementEnd { exit, remaining, is_open: false },
-                    (1.0, left),
+                    ElementEnd { speed_sq: exit, remaining, is_open: false },
+                    (1.0, time_left),
                 );
                 let last = y + 2.0 * acceleration * remaining;
-                Some(FastStep { acceleration, last })
+                Some(FastStep { acceleration, end_speed_sq: last })
             }
             (AccelerationModel::Arc { acceleration: most, .. }, Some(circle)) => {
-                let end = self.speed + asked * left;
+                let end = self.speed + asked * time_left;
                 let high = math::max(y, squared(end));
-                let after = remaining - 0.5 * (self.speed + end) * left;
+                let after = remaining - 0.5 * (self.speed + end) * time_left;
                 let used = squared(asked) + squared(circle.angle_rate * high);
                 let easy = used <= squared(most)
                     && (high <= exit * SPEED_SQ_ROUNDING_RATIO
                         || circle.is_beyond_influence(after))
                     && after > 0.0;
-                easy.then_some(FastStep { acceleration: asked, last: 0.0 })
+                easy.then_some(FastStep { acceleration: asked, end_speed_sq: 0.0 })
             }
             _ => None,
         }
@@ -172,11 +175,11 @@ impl MotionState {
         &self,
         (element, next): (&PathElement, &PathElement),
         exit: f64,
-        even: f64,
+        steady_speed_sq: f64,
     ) -> bool {
         let planned = exit * self.x + element.entry_speed_sq * (element.length - self.x);
         next.entry_speed_sq >= element.assumed_next_entry_sq
-            && element.entry_speed_sq <= even
+            && element.entry_speed_sq <= steady_speed_sq
             && squared(self.speed) * element.length <= planned * SPEED_SQ_ROUNDING_RATIO
     }
 
@@ -220,13 +223,13 @@ impl MotionState {
         end: ElementEnd,
         asked: (f64, f64),
         with: (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> Option<f64> {
         self.work = self.work.saturating_add(BLEND_WORK);
         if element.axis_count <= 3 {
-            self.sustainable_or_faster::<3>(element, end, asked, with, left)
+            self.sustainable_or_faster::<3>(element, end, asked, with, time_left)
         } else {
-            self.sustainable_or_faster::<9>(element, end, asked, with, left)
+            self.sustainable_or_faster::<9>(element, end, asked, with, time_left)
         }
     }
 }

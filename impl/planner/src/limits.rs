@@ -99,7 +99,7 @@ impl Limits {
             (*start, *end) = if falls { (here, there) } else { (there, here) };
         }
         let even = least(&self.planned, &element.curvature, N);
-        element.model = AccelerationModel::Blend { even };
+        element.model = AccelerationModel::Blend { steady_speed_sq: even };
         element.start_limit_sq = starts.into_iter().fold(f64::INFINITY, math::min);
         element.end_limit_sq = ends.into_iter().fold(f64::INFINITY, math::min);
         element.speed_limit = math::sqrt(math::max(element.start_limit_sq, element.end_limit_sq));
@@ -157,7 +157,7 @@ impl Limits {
         let planned =
             PLANNED_RATIO / (1.0 + less * math::sqrt(element.start_limit_sq) * self.cycle);
         element.model =
-            AccelerationModel::BlendedArc { most: planned * most, less: planned * less };
+            AccelerationModel::BlendedArc { at_rest: planned * most, loss: planned * less };
     }
 }
 

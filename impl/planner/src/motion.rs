@@ -75,17 +75,17 @@ pub(crate) struct MotionState {
 /// unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AccelerationWindow {
-    low: f64,
-    high: f64,
-    bound: f64,
-    slope: f64,
+    min: f64,
+    max: f64,
+    speed_sq: f64,
+    speed_sq_slope: f64,
 }
 
 /// The end of a piece in the direction of motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ElementEnd {
     /// Square of the speed at which the piece may be left there.
-    pub(crate) exit: f64,
+    pub(crate) speed_sq: f64,
     /// How far it is.
     pub(crate) remaining: f64,
     /// Whether the path goes on without rest there, so that only an override can ask for one.
@@ -105,14 +105,14 @@ impl MotionState {
         (self.work, self.found_braking) = (0, false);
         let easy =
             request.is_planned && request.rapid >= 1.0 && !request.must_stop && !self.is_reversed;
-        let mut left = limits.cycle - core::mem::take(&mut self.time_owed);
+        let mut time_left = limits.cycle - core::mem::take(&mut self.time_owed);
         if easy {
-            left = self.advance_fast(elements, limits, request, left);
+            time_left = self.advance_fast(elements, limits, request, time_left);
         }
-        if left > 0.0 {
+        if time_left > 0.0 {
             // What is not easy has been looked at twice.
             self.work = self.work.saturating_add(u32::from(easy));
-            self.advance(elements, limits, request, left);
+            self.advance(elements, limits, request, time_left);
         }
     }
 
@@ -122,18 +122,18 @@ impl MotionState {
         elements: &Ring<PathElement>,
         limits: &Limits,
         request: &CycleRequest,
-        mut left: f64,
+        mut time_left: f64,
     ) {
         let Some(mut element) = elements.get(self.at) else { return };
         for _ in 0..ELEMENTS_PER_CYCLE_MAX {
             let mut remaining = self.remaining(element);
             if remaining <= 0.0 {
-                let Some(next) = self.enter_next(elements, element, &mut left) else { return };
+                let Some(next) = self.enter_next(elements, element, &mut time_left) else { return };
                 element = next;
                 remaining = self.remaining(element);
             }
             if let AccelerationModel::Dwell(_) = element.model {
-                if left > 0.0 && !request.must_stop {
+                if time_left > 0.0 && !request.must_stop {
                     continue;
                 }
                 return;
@@ -145,11 +145,11 @@ impl MotionState {
             });
             let end = self.end(elements, element, remaining, request);
             let from = self.x;
-            left -= self.advance_within(element, end, (limits, request), left);
+            time_left -= self.advance_within(element, end, (limits, request), time_left);
             if !self.is_reversed {
                 self.note_begin(element, from);
             }
-            if left <= 0.0 || self.remaining(element) > 0.0 {
+            if time_left <= 0.0 || self.remaining(element) > 0.0 {
                 return;
             }
         }
@@ -177,10 +177,10 @@ impl MotionState {
             };
             let exit =
                 before.map_or(0.0, |before| math::min(reach(before), element.junction_limit_sq));
-            return ElementEnd { exit, remaining, is_open: false };
+            return ElementEnd { speed_sq: exit, remaining, is_open: false };
         }
         let Some(next) = elements.get(self.at.wrapping_add(1)) else {
-            return ElementEnd { exit: 0.0, remaining, is_open: false };
+            return ElementEnd { speed_sq: 0.0, remaining, is_open: false };
         };
         let mut exit = next.entry_speed_sq / squared(element.end_speed_ratio);
         if request.speed_sq_factor < 1.0 {
@@ -188,7 +188,7 @@ impl MotionState {
             exit =
                 math::min(exit, squared(asked / element.end_speed_ratio) / request.speed_sq_factor);
         }
-        ElementEnd { exit, remaining, is_open: next.junction_limit_sq > 0.0 }
+        ElementEnd { speed_sq: exit, remaining, is_open: next.junction_limit_sq > 0.0 }
     }
 
     /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
@@ -201,7 +201,11 @@ impl MotionState {
         late: impl Fn(f64) -> bool,
     ) -> f64 {
         let far = end.remaining * REMAINING_ROUNDING_RATIO + 8.0 * f64::EPSILON * element.length;
-        if end.is_open && end.exit <= 0.0 && late(far) { f64::MIN_POSITIVE } else { end.exit }
+        if end.is_open && end.speed_sq <= 0.0 && late(far) {
+            f64::MIN_POSITIVE
+        } else {
+            end.speed_sq
+        }
     }
 
     /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
@@ -209,7 +213,7 @@ impl MotionState {
         &mut self,
         elements: &'a Ring<PathElement>,
         element: &PathElement,
-        left: &mut f64,
+        time_left: &mut f64,
     ) -> Option<&'a PathElement> {
         if self.is_reversed {
             let before = self.at.checked_sub(1).filter(|before| *before >= self.reverse_end)?;
@@ -221,12 +225,12 @@ impl MotionState {
         }
         if let AccelerationModel::Dwell(seconds) = element.model {
             let rest = seconds - self.dwell_elapsed;
-            if rest > *left {
-                self.dwell_elapsed += *left;
-                *left = 0.0;
+            if rest > *time_left {
+                self.dwell_elapsed += *time_left;
+                *time_left = 0.0;
                 return None;
             }
-            *left -= math::max(0.0, rest);
+            *time_left -= math::max(0.0, rest);
             self.dwell_elapsed = seconds;
         }
         let after = self.at.wrapping_add(1);
@@ -271,19 +275,19 @@ impl MotionState {
         element: &PathElement,
         end: ElementEnd,
         asked: (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> f64 {
         match element.model {
             AccelerationModel::Blend { .. } if element.axis_count <= 3 => {
-                self.advance_on_blend::<3>(element, end, asked, left)
+                self.advance_on_blend::<3>(element, end, asked, time_left)
             }
             AccelerationModel::Blend { .. } => {
-                self.advance_on_blend::<9>(element, end, asked, left)
+                self.advance_on_blend::<9>(element, end, asked, time_left)
             }
             AccelerationModel::Constant { .. }
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
-            | AccelerationModel::Dwell(_) => self.advance_along(element, end, asked, left),
+            | AccelerationModel::Dwell(_) => self.advance_along(element, end, asked, time_left),
         }
     }
 
@@ -293,7 +297,7 @@ impl MotionState {
         element: &PathElement,
         end: ElementEnd,
         (limits, request): (&Limits, &CycleRequest),
-        left: f64,
+        time_left: f64,
     ) -> f64 {
         let mut low = self.strongest_model_braking(element, limits.cycle);
         let mut wanted = f64::NEG_INFINITY;
@@ -301,55 +305,55 @@ impl MotionState {
             wanted = target_speed(element, element.speed_limit, request);
         }
         let most = low;
-        if self.speed + low * left > wanted {
+        if self.speed + low * time_left > wanted {
             // Whoever lowers an override wants all of the brakes, as for a hold.
-            low = math::min(low, self.strongest_braking(element, limits, left));
+            low = math::min(low, self.strongest_braking(element, limits, time_left));
         }
         let mut acceleration = low;
-        if (wanted - self.speed) / left > low {
-            let ramp =
-                self.window(element, end, request.speed_sq_factor, (left, limits.cycle), most);
+        if (wanted - self.speed) / time_left > low {
+            let window =
+                self.window(element, end, request.speed_sq_factor, (time_left, limits.cycle), most);
             acceleration = self.acceleration_towards(
-                &AccelerationWindow { low, ..ramp },
+                &AccelerationWindow { min: low, ..window },
                 wanted,
                 end,
-                (request.speed_sq_factor, left),
+                (request.speed_sq_factor, time_left),
             );
         }
-        self.accelerate(element, acceleration, end, left)
+        self.accelerate(element, acceleration, end, time_left)
     }
 
     /// The acceleration towards a speed that a ramp allows.
     #[inline]
     pub(crate) fn acceleration_towards(
         &self,
-        ramp: &AccelerationWindow,
+        window: &AccelerationWindow,
         wanted: f64,
-        ElementEnd { exit, remaining, .. }: ElementEnd,
-        (speed_sq_factor, left): (f64, f64),
+        ElementEnd { speed_sq: exit, remaining, .. }: ElementEnd,
+        (speed_sq_factor, time_left): (f64, f64),
     ) -> f64 {
         // The speed at the end of the cycle at which look-ahead's bound is just met.
-        let half = 0.5 * ramp.slope * left;
-        let met = half * half + 4.0 * (ramp.bound + half * self.speed);
+        let half = 0.5 * window.speed_sq_slope * time_left;
+        let met = half * half + 4.0 * (window.speed_sq + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
-        let acceleration = clamped((math::min(wanted, met) - self.speed) / left, ramp);
-        let travel = (self.speed + 0.5 * acceleration * left) * left;
+        let acceleration = clamped((math::min(wanted, met) - self.speed) / time_left, window);
+        let travel = (self.speed + 0.5 * acceleration * time_left) * time_left;
         if met > 0.0 && travel < remaining {
             return acceleration;
         }
         if self.speed <= 0.0 && exit <= 0.0 {
             // So little is left from rest to rest that rounding hides how it is come to: within the cycle.
-            return clamped(2.0 * remaining / squared(left), ramp);
+            return clamped(2.0 * remaining / squared(time_left), window);
         }
         // The end comes first.
         let y = squared(self.speed);
         let mut most = (speed_sq_factor * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
-            most = math::min(most, (wanted - self.speed) / left);
+            most = math::min(most, (wanted - self.speed) / time_left);
         } else {
             most = math::min(most, (squared(wanted) - y) / (2.0 * remaining));
         }
-        clamped(most, ramp)
+        clamped(most, window)
     }
 
     /// The least acceleration that the law of a piece without a bend allows.
@@ -359,7 +363,7 @@ impl MotionState {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 -tangential_acceleration_left(acceleration, circle, squared(self.speed))
             }
-            (AccelerationModel::BlendedArc { most, less }, _) => {
+            (AccelerationModel::BlendedArc { at_rest: most, loss: less }, _) => {
                 -math::max(0.0, most - less * squared(self.speed))
                     * unplanned_ratio(element, less, cycle)
             }
@@ -378,18 +382,18 @@ impl MotionState {
         element: &PathElement,
         end: ElementEnd,
         speed_sq_factor: f64,
-        (left, cycle): (f64, f64),
+        (time_left, cycle): (f64, f64),
         lowest: f64,
     ) -> AccelerationWindow {
         match (element.model, &element.circle) {
             (AccelerationModel::Arc { acceleration, .. }, Some(circle)) => {
                 let rest = |y: f64| tangential_acceleration_left(acceleration, circle, y);
-                self.window_on_arc(element, end, (speed_sq_factor, left), lowest, rest)
+                self.window_on_arc(element, end, (speed_sq_factor, time_left), lowest, rest)
             }
-            (AccelerationModel::BlendedArc { most, less }, _) => {
+            (AccelerationModel::BlendedArc { at_rest: most, loss: less }, _) => {
                 let all = unplanned_ratio(element, less, cycle);
                 let rest = |y: f64| math::max(0.0, most - less * y) * all;
-                self.window_on_arc(element, end, (speed_sq_factor, left), lowest, rest)
+                self.window_on_arc(element, end, (speed_sq_factor, time_left), lowest, rest)
             }
             (AccelerationModel::Constant { acceleration }, _) => {
                 constant_window(acceleration, end, speed_sq_factor)
@@ -399,7 +403,7 @@ impl MotionState {
                 | AccelerationModel::Blend { .. }
                 | AccelerationModel::Dwell(_),
                 _,
-            ) => AccelerationWindow { low: 0.0, high: 0.0, bound: 0.0, slope: 0.0 },
+            ) => AccelerationWindow { min: 0.0, max: 0.0, speed_sq: 0.0, speed_sq_slope: 0.0 },
         }
     }
 
@@ -407,20 +411,20 @@ impl MotionState {
     fn window_on_arc(
         &self,
         element: &PathElement,
-        ElementEnd { exit, remaining, .. }: ElementEnd,
-        (speed_sq_factor, left): (f64, f64),
+        ElementEnd { speed_sq: exit, remaining, .. }: ElementEnd,
+        (speed_sq_factor, time_left): (f64, f64),
         lowest: f64,
         rest: impl Fn(f64) -> f64,
     ) -> AccelerationWindow {
         let (y, most) = (squared(self.speed), -lowest);
-        let far = math::min((self.speed + 0.5 * most * left) * left, remaining);
+        let far = math::min((self.speed + 0.5 * most * time_left) * time_left, remaining);
         let high = rest(math::min(y + 2.0 * most * far, element.start_limit_sq));
         let bound =
             speed_sq_factor * speed_sq_before(element.model, &element.circle, exit, remaining);
         let later = speed_sq_factor
             * speed_sq_before(element.model, &element.circle, exit, remaining - far);
         let slope = if far > 0.0 { (later - bound) / far } else { 0.0 };
-        AccelerationWindow { low: lowest, high, bound, slope }
+        AccelerationWindow { min: lowest, max: high, speed_sq: bound, speed_sq_slope: slope }
     }
 
     /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
@@ -430,20 +434,20 @@ impl MotionState {
         element: &PathElement,
         acceleration: f64,
         ahead: ElementEnd,
-        left: f64,
+        time_left: f64,
     ) -> f64 {
         let remaining = ahead.remaining;
         self.acceleration = acceleration;
-        let end = self.speed + acceleration * left;
-        let travel = 0.5 * (self.speed + end) * left;
+        let end = self.speed + acceleration * time_left;
+        let travel = 0.5 * (self.speed + end) * time_left;
         if end > 0.0 && travel < remaining {
             self.move_by(travel);
             self.speed = end;
             // Rounding may bring it to the end all the same.
-            if ahead.exit <= 0.0 && self.remaining(element) <= 0.0 {
-                self.stop_at_end(end, left);
+            if ahead.speed_sq <= 0.0 && self.remaining(element) <= 0.0 {
+                self.stop_at_end(end, time_left);
             }
-            return left;
+            return time_left;
         }
         let y = squared(self.speed);
         let exit = self.exit_after_late_override(element, ahead, |far| {
@@ -464,7 +468,7 @@ impl MotionState {
             let both = self.speed + end;
             let time = if remaining > 0.0 { 2.0 * remaining / both } else { 0.0 };
             let time = math::max(time, brakes);
-            if time <= left {
+            if time <= time_left {
                 self.x = if self.is_reversed { 0.0 } else { element.length };
                 self.speed = if exit > 0.0 { end } else { 0.0 };
                 return time;
@@ -473,22 +477,22 @@ impl MotionState {
             let travel = -0.5 * y / acceleration;
             self.move_by(math::min(travel, remaining));
             self.speed = 0.0;
-            return left;
+            return time_left;
         }
         self.move_by(math::min(travel, remaining));
         self.speed = math::max(0.0, end);
         if exit <= 0.0 && travel >= remaining {
-            self.stop_at_end(end, left);
+            self.stop_at_end(end, time_left);
         }
-        left
+        time_left
     }
 
     /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that
     /// would still take is less than the place can show, but an axis that turns round needs the time.
     #[cold]
-    fn stop_at_end(&mut self, end: f64, left: f64) {
+    fn stop_at_end(&mut self, end: f64, time_left: f64) {
         let takes = -end / self.acceleration;
-        self.time_owed = math::min(math::max(0.0, takes), left);
+        self.time_owed = math::min(math::max(0.0, takes), time_left);
         self.speed = 0.0;
     }
 
@@ -539,8 +543,13 @@ pub(crate) fn constant_window(
     speed_sq_factor: f64,
 ) -> AccelerationWindow {
     let slope = -2.0 * acceleration * speed_sq_factor;
-    let bound = speed_sq_factor * end.exit - slope * end.remaining;
-    AccelerationWindow { low: -acceleration / PLANNED_RATIO, high: acceleration, bound, slope }
+    let bound = speed_sq_factor * end.speed_sq - slope * end.remaining;
+    AccelerationWindow {
+        min: -acceleration / PLANNED_RATIO,
+        max: acceleration,
+        speed_sq: bound,
+        speed_sq_slope: slope,
+    }
 }
 
 /// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
@@ -555,8 +564,8 @@ fn unplanned_ratio(element: &PathElement, less: f64, cycle: f64) -> f64 {
     1.0 / (PLANNED_RATIO - less * element.speed_limit * cycle)
 }
 
-fn clamped(acceleration: f64, ramp: &AccelerationWindow) -> f64 {
-    math::max(math::min(acceleration, ramp.high), ramp.low)
+fn clamped(acceleration: f64, window: &AccelerationWindow) -> f64 {
+    math::max(math::min(acceleration, window.max), window.min)
 }
 
 /// The speed that a piece is asked to have where its axes allow so much.

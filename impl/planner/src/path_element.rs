@@ -80,7 +80,7 @@ pub(crate) enum AccelerationModel {
     /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
     Blend {
         /// The square of the speed at which it may be passed evenly.
-        even: f64,
+        steady_speed_sq: f64,
     },
     /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
     Arc {
@@ -94,9 +94,9 @@ pub(crate) enum AccelerationModel {
     /// loses: less·v times the cycle at the highest speed.
     BlendedArc {
         /// Per second squared, at rest.
-        most: f64,
+        at_rest: f64,
         /// Per unit of the parameter.
-        less: f64,
+        loss: f64,
     },
     /// No motion for so many seconds.
     Dwell(f64),
