@@ -7,7 +7,7 @@
 use crate::limits::Limits;
 use crate::math;
 use crate::parameters::Axes;
-use crate::path_element::PathElement;
+use crate::path_element::{BlendLimits, PathElement};
 
 /// The most corners of the set that are looked at before a simpler answer is taken.
 const VERTICES_MAX: u32 = 5;
@@ -20,32 +20,6 @@ struct AxisInequalities<const N: usize> {
     entry_factors: [[f64; N]; 2],
     exit_factors: [[f64; N]; 2],
     limit: [f64; N],
-}
-
-/// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct BlendLimits<const N: usize> {
-    slopes: [[f64; N]; 2],
-    limits: [[f64; N]; 2],
-    /// The highest exit that axes allow which do not limit the entry.
-    exit_max: f64,
-    /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
-    slopes_fall: bool,
-    /// Up to this exit there is an entry that all axes allow, for certain.
-    feasible_exit_max: f64,
-}
-
-impl<const N: usize> Default for BlendLimits<N> {
-    fn default() -> Self {
-        let none = [[0.0; N]; 2];
-        Self {
-            slopes: none,
-            limits: none,
-            exit_max: 0.0,
-            slopes_fall: false,
-            feasible_exit_max: 0.0,
-        }
-    }
 }
 
 /// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run

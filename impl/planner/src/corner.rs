@@ -2,10 +2,11 @@
 
 use crate::limits::{Limits, SMOOTH_BREAK_MAX_RAD, least, squared};
 use crate::math;
-use crate::nominal_segment::{NominalSegment, norm, norm_of};
+use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::segment::Blend;
+use crate::vector::{norm, norm_of};
 
 /// The change of direction from which an exact path comes to rest, radians.
 const EXACT_PATH_BREAK_MAX_RAD: f64 = 0.05;

@@ -9,6 +9,7 @@ use crate::blend_limits;
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::path_element::{AccelerationModel, Circle, FeedBasis, PathElement};
+use crate::ring::Ring;
 
 /// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is
 /// eased to.
@@ -158,4 +159,15 @@ pub(crate) fn speed_sq_before(
             _,
         ) => 0.0,
     }
+}
+
+/// The square of the speed at which a piece may be left, by its own parameter.
+pub(crate) fn exit_speed_sq(
+    elements: &Ring<PathElement>,
+    element: &PathElement,
+    place: u64,
+) -> f64 {
+    elements
+        .get(place.wrapping_add(1))
+        .map_or(0.0, |next| next.entry_speed_sq / squared(element.end_speed_ratio))
 }

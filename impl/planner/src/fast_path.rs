@@ -3,11 +3,12 @@
 //! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be
 //! easy, and leaves the rest of the cycle to `step`. What it does, that would do too, but for rounding.
 
+use crate::acceleration_window::constant_window;
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::motion::{
     BLEND_WORK, CycleRequest, ELEMENTS_PER_CYCLE_MAX, ElementEnd, LONG_BLEND_CYCLES_MIN,
-    MotionState, constant_window,
+    MotionState,
 };
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::ring::Ring;

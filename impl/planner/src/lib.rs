@@ -39,6 +39,8 @@
 
 extern crate alloc;
 
+mod acceleration_model;
+mod acceleration_window;
 mod arc_braking;
 mod blend_limits;
 mod blend_motion;
@@ -58,6 +60,9 @@ mod planner;
 mod retrace;
 mod ring;
 mod segment;
+mod segment_merge;
+mod servo_cycle;
+mod vector;
 
 pub use error::{Error, NotQueued};
 pub use parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase};

@@ -385,17 +385,6 @@ impl LookAhead {
     }
 }
 
-/// The square of the speed at which a piece may be left, by its own parameter.
-pub(crate) fn exit_speed_sq(
-    elements: &Ring<PathElement>,
-    element: &PathElement,
-    place: u64,
-) -> f64 {
-    elements
-        .get(place.wrapping_add(1))
-        .map_or(0.0, |next| next.entry_speed_sq / squared(element.end_speed_ratio))
-}
-
 /// The square of the speed at which a piece may be entered, by that of the next one.
 #[inline]
 fn entry_speed_sq(element: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {

@@ -5,19 +5,13 @@ use crate::limits::{Limits, squared};
 use crate::math;
 use crate::parameters::Axes;
 use crate::path_element::{Circle, FeedBasis, PathElement};
-use crate::segment::Blend;
-use crate::segment::{Feed, Path, Segment};
+use crate::segment::{Blend, Feed, Path, Segment};
+use crate::vector::{cross, dot, norm};
 
 /// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
 /// it up.
 const ZERO_LENGTH_MM: f64 = 1e-10;
-/// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
-const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
-/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
-/// equal ones.
-const MERGED_SEGMENTS_MIN: f64 = 4.0;
-/// The change of direction, radians, up to which two segments may become one leg.
-const MERGE_ANGLE_MAX_RAD: f64 = 0.2;
+
 /// By so much two feeds may differ that are one.
 const FEED_TOLERANCE_RATIO: f64 = 1e-12;
 
@@ -104,62 +98,12 @@ pub(crate) fn resolve(
 }
 
 impl NominalSegment {
-    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
-    /// within a cycle.
-    #[inline]
-    pub(crate) fn can_merge_with(&self, next: &Self, limits: &Limits) -> bool {
-        let (one, other) = (&self.whole, &next.whole);
-        let length = (one.length + other.length).max(other.length * MERGED_SEGMENTS_MIN);
-        if squared(length) > squared(limits.cycle) * self.max_speed_sq() {
-            return false;
-        }
-        let lines = one.circle.is_none()
-            && other.circle.is_none()
-            && one.axis_count.max(other.axis_count) <= 3;
-        let alike = lines && self.has_same_feed(next) && self.blend == next.blend;
-        let mut bends = 0.0;
-        for (last, first) in self.end_tangent.iter().zip(&next.start_tangent) {
-            bends += squared(first - last);
-        }
-        alike
-            && one.feed_basis != FeedBasis::PerTurn
-            && !next.is_separate
-            && bends <= squared(MERGE_ANGLE_MAX_RAD)
-    }
-
     /// Whether both have one feed, but for rounding.
     #[inline]
     pub(crate) fn has_same_feed(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
         let near = (one.feed - other.feed).abs() <= FEED_TOLERANCE_RATIO * one.feed.min(other.feed);
         one.feed_basis == other.feed_basis && (near || one.feed.to_bits() == other.feed.to_bits())
-    }
-
-    /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
-    pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
-        let Blend::Within(tolerance) = self.blend else { return false };
-        let whole = &mut self.whole;
-        let length = whole.length;
-        if set_line(whole, &next.whole.end).is_err() {
-            return false;
-        }
-        // The end that is dropped is so far from the line: what of the old direction is not along the new one.
-        let (mut along, mut across) = (0.0, 0.0);
-        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
-            along += new * old;
-        }
-        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
-            across += squared(old - along * new);
-        }
-        self.merge_deviation += length * math::sqrt(across);
-        if self.merge_deviation > MERGE_DEVIATION_RATIO_MAX * tolerance {
-            return false;
-        }
-        (whole.number, whole.index) = (next.whole.number, next.whole.index);
-        limits.assign_line_model(whole);
-        (self.start_tangent, self.end_tangent) = (whole.tangent, whole.tangent);
-        self.is_merged = true;
-        true
     }
 
     /// The highest square of speed that it is ever run at, overrides up to 2.
@@ -171,7 +115,7 @@ impl NominalSegment {
     }
 }
 
-fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
+pub(crate) fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQueued> {
     whole.end = *end;
     let mut sum = 0.0;
     let motion = whole.tangent.iter_mut().zip(&whole.origin).zip(end);
@@ -286,31 +230,4 @@ fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
 fn used_axis_count(rate: &Axes) -> usize {
     let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
     last.map_or(0, |last| last.saturating_add(1)).max(3)
-}
-
-/// The length of a vector of so many leading axes, of which there are three or more.
-#[inline]
-pub(crate) fn norm_of(vector: &Axes, axes: usize) -> f64 {
-    let [x, y, z, ..] = *vector;
-    if axes <= 3 { math::sqrt(x * x + y * y + z * z) } else { norm(vector) }
-}
-
-pub(crate) fn norm(vector: &Axes) -> f64 {
-    let mut sum = 0.0;
-    for value in vector {
-        sum += value * value;
-    }
-    math::sqrt(sum)
-}
-
-fn dot(left: &[f64; 3], right: &[f64; 3]) -> f64 {
-    let [x, y, z] = *left;
-    let [u, v, w] = *right;
-    x * u + y * v + z * w
-}
-
-fn cross(left: &[f64; 3], right: &[f64; 3]) -> [f64; 3] {
-    let [x, y, z] = *left;
-    let [u, v, w] = *right;
-    [y * w - z * v, z * u - x * w, x * v - y * u]
 }

@@ -5,7 +5,6 @@
 //! and the corner is then made anew. A path that has been promised to the motion is never changed so that it could
 //! not be kept to: then the corner keeps the form it has, a stop at worst.
 
-use crate::blend_limits::BlendLimits;
 use crate::corner::{
     Corner, blended_end, blended_start, corner_lengths, split_place, tangent_change, write_parabola,
 };
@@ -15,7 +14,7 @@ use crate::math;
 use crate::motion::MotionState;
 use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
-use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
+use crate::path_element::{AccelerationModel, BlendLimits, FeedBasis, PathElement};
 use crate::ring::Ring;
 use crate::segment::Blend;
 

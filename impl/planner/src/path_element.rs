@@ -6,7 +6,6 @@
 //! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its
 //! direction.
 
-use crate::blend_limits::BlendLimits;
 use crate::math;
 use crate::parameters::{Axes, lead};
 
@@ -115,6 +114,32 @@ pub(crate) enum FeedBasis {
     Rapid,
     PerSecond,
     PerTurn,
+}
+
+/// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BlendLimits<const N: usize> {
+    pub(crate) slopes: [[f64; N]; 2],
+    pub(crate) limits: [[f64; N]; 2],
+    /// The highest exit that axes allow which do not limit the entry.
+    pub(crate) exit_max: f64,
+    /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
+    pub(crate) slopes_fall: bool,
+    /// Up to this exit there is an entry that all axes allow, for certain.
+    pub(crate) feasible_exit_max: f64,
+}
+
+impl<const N: usize> Default for BlendLimits<N> {
+    fn default() -> Self {
+        let none = [[0.0; N]; 2];
+        Self {
+            slopes: none,
+            limits: none,
+            exit_max: 0.0,
+            slopes_fall: false,
+            feasible_exit_max: 0.0,
+        }
+    }
 }
 
 /// A part of the path with one law.

@@ -1,0 +1,154 @@
+//! The acceleration model of an element, and its speed limits, from the limits of the axes.
+
+use crate::limits::{Limits, PLANNED_RATIO, least, squared};
+use crate::math;
+use crate::parameters::Axes;
+use crate::path_element::{AccelerationModel, Circle, PathElement};
+
+/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
+/// Where it hardly bends it is mostly passed at an even speed, where it bends much the motion slows down towards its
+/// corner.
+const NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.95;
+const CORNER_NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.8;
+/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its
+/// angle: an eighth, and more where the radius changes.
+const ARC_BOW_RATIO: f64 = 0.25;
+/// The change of direction from which a bend is a corner, radians.
+const CORNER_ANGLE_MIN_RAD: f64 = 0.1;
+
+impl Limits {
+    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
+    /// the piece.
+    pub(crate) fn assign_model(&self, element: &mut PathElement) {
+        let axes = element.axis_count;
+        let bends = element.curvature.iter().any(|bend| bend.abs() > 0.0);
+        match element.circle {
+            None if !bends => return self.assign_line_model(element),
+            None => {
+                if axes <= 3 {
+                    self.assign_blend_model::<3>(element);
+                } else {
+                    self.assign_blend_model::<9>(element);
+                }
+                return;
+            }
+            Some(circle) if !bends => self.assign_arc_model(element, &circle),
+            Some(circle) => self.assign_blended_arc_model(element, &circle),
+        }
+        element.end_limit_sq = element.start_limit_sq;
+        element.speed_limit = math::sqrt(element.start_limit_sq);
+    }
+
+    /// The same for a line.
+    #[inline]
+    pub(crate) fn assign_line_model(&self, element: &mut PathElement) {
+        let acceleration = least(&self.planned, &element.tangent, element.axis_count);
+        element.model = AccelerationModel::Constant { acceleration };
+        element.start_limit_sq =
+            squared(least(&self.velocity, &element.tangent, element.axis_count));
+        element.end_limit_sq = element.start_limit_sq;
+        element.speed_limit = math::sqrt(element.start_limit_sq);
+    }
+
+    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within
+    /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
+    /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
+    /// is greatest at that end if it does not fall towards it.
+    fn assign_blend_model<const N: usize>(&self, element: &mut PathElement) {
+        let [mut starts, mut ends] = [[0.0; N]; 2];
+        let axes = self.velocity.iter().zip(&element.tangent).zip(&element.curvature);
+        for ((start, end), ((limit, first), bend)) in starts.iter_mut().zip(&mut ends).zip(axes) {
+            let last = first + element.length * bend;
+            let falls = first.abs() > last.abs();
+            let (most, other) = if falls { (*first, last) } else { (last, *first) };
+            // Where an axis does not move, these are no numbers, which are nobody's least.
+            let (here, share) = (squared(limit / most), other / most);
+            // Where it turns round, the other end has a limit that may be lower.
+            let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
+            (*start, *end) = if falls { (here, there) } else { (there, here) };
+        }
+        let even = least(&self.planned, &element.curvature, N);
+        element.model = AccelerationModel::Blend { steady_speed_sq: even };
+        element.start_limit_sq = starts.into_iter().fold(f64::INFINITY, math::min);
+        element.end_limit_sq = ends.into_iter().fold(f64::INFINITY, math::min);
+        element.speed_limit = math::sqrt(math::max(element.start_limit_sq, element.end_limit_sq));
+    }
+
+    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
+    /// need.
+    fn assign_arc_model(&self, element: &mut PathElement, circle: &Circle) {
+        let axes = element.axis_count;
+        let most = max_derivative(element, circle);
+        let acceleration = least(&self.acceleration, &most, axes);
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of
+        // its angle.
+        let angle = math::sqrt(circle.angle_rate * acceleration) * self.cycle;
+        let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
+        element.model = AccelerationModel::Arc { acceleration, planned };
+        element.start_limit_sq =
+            squared(least(&self.velocity, &most, axes)).min(planned / circle.angle_rate);
+    }
+
+    fn assign_blended_arc_model(&self, element: &mut PathElement, circle: &Circle) {
+        let axes = element.axis_count;
+        let [_, mut along, mut across] = element.derivatives::<9>(0.0);
+        let [_, last, last_across] = element.derivatives::<9>(element.length);
+        for ((one, other), (across, then)) in
+            along.iter_mut().zip(&last).zip(across.iter_mut().zip(&last_across))
+        {
+            *one = math::max(one.abs(), other.abs());
+            *across = math::max(across.abs(), then.abs());
+        }
+        // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
+        let bow = ARC_BOW_RATIO * squared(circle.angle_rate * element.length);
+        let amplitudes = amplitudes(circle, element.length);
+        for ((along, across), amplitude) in along.iter_mut().zip(&mut across).zip(&amplitudes) {
+            *along += bow * amplitude;
+            *across += bow * amplitude * circle.angle_rate;
+        }
+        let turned: f64 =
+            element.curvature.iter().map(|bend| squared(2.0 * bend * element.length)).sum();
+        let share = if turned < squared(CORNER_ANGLE_MIN_RAD) {
+            NORMAL_ACCELERATION_RATIO_MAX
+        } else {
+            CORNER_NORMAL_ACCELERATION_RATIO_MAX
+        };
+        let ceiling = share * least(&self.acceleration, &across, axes);
+        element.start_limit_sq = ceiling.min(squared(least(&self.velocity, &along, axes)));
+        let mut left = self.acceleration;
+        for (left, across) in left.iter_mut().zip(&across) {
+            *left -= across * element.start_limit_sq;
+        }
+        // What is allowed at rest and at the ceiling is allowed between them.
+        let most = least(&self.acceleration, &along, axes);
+        let less = (most - least(&left, &along, axes)) / element.start_limit_sq;
+        // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
+        let planned =
+            PLANNED_RATIO / (1.0 + less * math::sqrt(element.start_limit_sq) * self.cycle);
+        element.model =
+            AccelerationModel::BlendedArc { at_rest: planned * most, loss: planned * less };
+    }
+}
+
+/// The most of each axis in p' on an arc.
+fn max_derivative(element: &PathElement, circle: &Circle) -> Axes {
+    let mut greatest = element.tangent.map(f64::abs);
+    for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, element.length)) {
+        *most += amplitude;
+    }
+    greatest
+}
+
+/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) +
+/// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
+fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
+    const SQRT_5: f64 = 2.236_067_977_499_79;
+    let grown = circle.radius_ratio(length).max(1.0);
+    let swing = circle.angle_rate * grown + SQRT_5 * circle.growth.abs();
+    let mut amplitudes = [0.0; 3];
+    for ((amplitude, along), across) in amplitudes.iter_mut().zip(&circle.cosine).zip(&circle.sine)
+    {
+        *amplitude = swing * math::hypotenuse(*along, *across);
+    }
+    amplitudes
+}

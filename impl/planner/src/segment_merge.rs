@@ -1,0 +1,67 @@
+//! Short lines that become one: several segments that would be over within one servo cycle are merged.
+
+use crate::limits::{Limits, squared};
+use crate::math;
+use crate::nominal_segment::{NominalSegment, set_line};
+use crate::path_element::FeedBasis;
+use crate::segment::Blend;
+
+/// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
+const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
+/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
+/// equal ones.
+const MERGED_SEGMENTS_MIN: f64 = 4.0;
+/// The change of direction, radians, up to which two segments may become one leg.
+const MERGE_ANGLE_MAX_RAD: f64 = 0.2;
+
+impl NominalSegment {
+    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
+    /// within a cycle.
+    #[inline]
+    pub(crate) fn can_merge_with(&self, next: &Self, limits: &Limits) -> bool {
+        let (one, other) = (&self.whole, &next.whole);
+        let length = (one.length + other.length).max(other.length * MERGED_SEGMENTS_MIN);
+        if squared(length) > squared(limits.cycle) * self.max_speed_sq() {
+            return false;
+        }
+        let lines = one.circle.is_none()
+            && other.circle.is_none()
+            && one.axis_count.max(other.axis_count) <= 3;
+        let alike = lines && self.has_same_feed(next) && self.blend == next.blend;
+        let mut bends = 0.0;
+        for (last, first) in self.end_tangent.iter().zip(&next.start_tangent) {
+            bends += squared(first - last);
+        }
+        alike
+            && one.feed_basis != FeedBasis::PerTurn
+            && !next.is_separate
+            && bends <= squared(MERGE_ANGLE_MAX_RAD)
+    }
+
+    /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
+    pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
+        let Blend::Within(tolerance) = self.blend else { return false };
+        let whole = &mut self.whole;
+        let length = whole.length;
+        if set_line(whole, &next.whole.end).is_err() {
+            return false;
+        }
+        // The end that is dropped is so far from the line: what of the old direction is not along the new one.
+        let (mut along, mut across) = (0.0, 0.0);
+        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
+            along += new * old;
+        }
+        for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
+            across += squared(old - along * new);
+        }
+        self.merge_deviation += length * math::sqrt(across);
+        if self.merge_deviation > MERGE_DEVIATION_RATIO_MAX * tolerance {
+            return false;
+        }
+        (whole.number, whole.index) = (next.whole.number, next.whole.index);
+        limits.assign_line_model(whole);
+        (self.start_tangent, self.end_tangent) = (whole.tangent, whole.tangent);
+        self.is_merged = true;
+        true
+    }
+}
