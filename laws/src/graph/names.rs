@@ -67,7 +67,10 @@ impl Reader<'_> {
     /// Names inside a macro call, where paths are tokens.
     fn read_tokens(&mut self, tokens: TokenStream) {
         let tokens: Vec<_> = tokens.into_iter().collect();
-        let is = |place: usize, mark: char| matches!(tokens.get(place), Some(TokenTree::Punct(punct)) if punct.as_char() == mark);
+        let is = |place: usize, mark: char| match tokens.get(place) {
+            Some(TokenTree::Punct(punct)) => punct.as_char() == mark,
+            _ => false,
+        };
         let mut place = 0;
         while place < tokens.len() {
             let mut path = Vec::new();

@@ -7,6 +7,7 @@ mod ids;
 mod independence;
 mod licences;
 mod prose;
+mod toolchain;
 
 /// Fails with the list of exceptions to a law, when there are any.
 #[track_caller]
