@@ -1,186 +1,194 @@
-//! Records which rules a run reaches.
-//!
-//! Rules are reached some fifty times in a block, and nearly always they have been reached before. So each has a
-//! slot, and whether it was put down there already is seen by the number that the compiler makes of its id.
+//! Rule coverage: which rules a run reached, and with which outcome. It is never part of what is compared.
 
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
 
-use crate::by_name::{ByName, hash};
-use crate::evidence::{Evidence, Reached};
-use crate::{gpp, nct, rs274};
+use crate::ids::Rule;
 
-/// The id of each rule that a run can reach, a line each: those of the suite's pages, which a test holds against this
-/// list.
-pub const RULES: &str = include_str!("rules.txt");
+/// What a rule said about a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RuleOutcome {
+    /// The block is allowed, and the rule decided what it does.
+    Accepted,
+    /// The block is refused.
+    Refused,
+}
 
-/// Slots of all rules; a power of two.
-const SLOTS: usize = 1 << 14;
-
-/// Bits of a slot that one rule has alone, and that only its id leads to: they tell without a look at the id.
-const ACCEPTED: u8 = 1;
-const REFUSED: u8 = 2;
-/// By so much the bits of any other slot are shifted: to tell whose they are, ids have to be compared.
-const SHARED: u32 = 2;
+/// Words of a set of rules.
+const WORDS: usize = Rule::COUNT.div_ceil(64);
 
 /// The rules that a run has reached so far.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RuleCoverage {
-    /// What has been put down, by slot; empty before anything is.
-    slots: Vec<u8>,
-    /// The slots where something stands.
-    filled: Vec<u16>,
-    /// Whether nothing is put down: what is only looked at reaches no rule.
+    /// Those that decided what an accepted block does, a bit for each.
+    accepted: Bits,
+    /// Those that refused a block.
+    refused: Bits,
+    /// Whether nothing is recorded: the state is a copy, and what is done to it does not count.
     muted: bool,
 }
 
+/// A set of rules.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Bits([u64; WORDS]);
+
+impl Default for Bits {
+    fn default() -> Self {
+        Self([0; WORDS])
+    }
+}
+
+impl Bits {
+    #[inline]
+    fn insert(&mut self, rule: Rule) {
+        self.0[rule.number() / 64] |= 1 << (rule.number() % 64);
+    }
+
+    /// The rules of the set, in the order of their numbers.
+    fn iter(&self) -> impl Iterator<Item = Rule> {
+        (0..).zip(self.0).flat_map(|(word, mut bits)| {
+            std::iter::from_fn(move || {
+                let bit = bits.trailing_zeros();
+                bits &= bits.checked_sub(1)?;
+                Some(Rule::numbered(word * 64 + bit))
+            })
+        })
+    }
+}
+
 impl RuleCoverage {
-    /// One of what is only looked at: nothing that is reached counts.
+    /// A coverage that records nothing, for a state that is only looked at.
     pub(crate) fn muted() -> Self {
         Self { muted: true, ..Self::default() }
     }
 
-    /// Puts nothing down from now on, or puts down again; what it did before.
+    /// Stops or resumes recording; returns whether it was stopped before.
     pub(crate) fn set_muted(&mut self, muted: bool) -> bool {
         std::mem::replace(&mut self.muted, muted)
     }
 
     /// The rule decided what an accepted block does.
     #[inline]
-    pub(crate) fn accepted(&mut self, rule: &str) {
-        self.reached(rule, ACCEPTED);
+    pub(crate) fn accepted(&mut self, rule: impl Into<Rule>) {
+        if !self.muted {
+            self.accepted.insert(rule.into());
+        }
     }
 
     /// The rule refused a block.
     #[inline]
-    pub(crate) fn refused(&mut self, rule: &str) {
-        self.reached(rule, REFUSED);
-    }
-
-    #[inline]
-    fn reached(&mut self, rule: &str, outcome: u8) {
-        let hash = hash(rule);
-        let known = self.slots.get(hash % SLOTS).is_some_and(|slot| slot & outcome != 0);
-        if !known {
-            self.put_down(rule, hash, outcome);
+    pub(crate) fn refused(&mut self, rule: impl Into<Rule>) {
+        if !self.muted {
+            self.refused.insert(rule.into());
         }
     }
 
-    #[inline(never)]
-    fn put_down(&mut self, rule: &str, hash: usize, outcome: u8) {
-        if self.muted {
+    /// All that was reached, ordered by the ids of the rules.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome)> {
+        let all: BTreeSet<_> = self.reached().map(|(rule, outcome)| (rule.id(), outcome)).collect();
+        all.into_iter()
+    }
+
+    /// All that was reached, the accepting rules first.
+    fn reached(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> {
+        let accepted = self.accepted.iter().map(|rule| (rule, RuleOutcome::Accepted));
+        accepted.chain(self.refused.iter().map(|rule| (rule, RuleOutcome::Refused)))
+    }
+}
+
+/// In how many runs each outcome of a rule was reached.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// By the number of the rule; empty before anything was counted.
+    runs: Vec<Runs>,
+}
+
+/// How many runs reached each outcome of a rule.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Runs {
+    accepted: u64,
+    refused: u64,
+}
+
+impl Tally {
+    /// Counts what a run reached.
+    pub fn add(&mut self, coverage: &RuleCoverage) {
+        self.runs.resize(Rule::COUNT, Runs::default());
+        for (rule, outcome) in coverage.reached() {
+            let runs = &mut self.runs[rule.number()];
+            match outcome {
+                RuleOutcome::Accepted => runs.accepted += 1,
+                RuleOutcome::Refused => runs.refused += 1,
+            }
+        }
+    }
+
+    /// Counts what other runs reached.
+    pub fn merge(&mut self, other: &Self) {
+        if self.runs.is_empty() {
+            self.runs.clone_from(&other.runs);
             return;
         }
-        let Some(slot) = REGISTER.rules.slot(rule, hash) else {
-            debug_assert!(false, "model: {rule} is not in the list of rules");
-            return;
-        };
-        if self.slots.is_empty() {
-            self.slots.resize(SLOTS, 0);
+        for (all, runs) in self.runs.iter_mut().zip(&other.runs) {
+            all.accepted += runs.accepted;
+            all.refused += runs.refused;
         }
-        let known = &mut self.slots[slot];
-        if *known == 0 {
-            self.filled.extend(u16::try_from(slot));
-        }
-        *known |= if REGISTER.alone[slot] { outcome } else { outcome << SHARED };
     }
 
-    /// What was put down; nothing of it is left.
-    pub(crate) fn take(&mut self) -> Evidence {
-        let reached = self.filled.drain(..).filter_map(|slot| {
-            let slot = usize::from(slot);
-            let outcomes = std::mem::take(&mut self.slots[slot]);
-            let outcomes = outcomes | outcomes >> SHARED;
-            let (accepted, refused) = (outcomes & ACCEPTED != 0, outcomes & REFUSED != 0);
-            Some(Reached { rule: REGISTER.rules.place(slot)?, accepted, refused })
+    /// How many runs reached an outcome.
+    pub fn runs_with(&self, rule: &str, outcome: RuleOutcome) -> u64 {
+        let runs = Rule::of(rule).and_then(|rule| self.runs.get(rule.number()));
+        let runs = runs.copied().unwrap_or_default();
+        match outcome {
+            RuleOutcome::Accepted => runs.accepted,
+            RuleOutcome::Refused => runs.refused,
+        }
+    }
+
+    /// Every outcome that was reached, and in how many runs; in no order that means anything.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, RuleOutcome, u64)> {
+        let outcomes = Rule::all().zip(&self.runs).flat_map(|(rule, runs)| {
+            let id = rule.id();
+            [(id, RuleOutcome::Accepted, runs.accepted), (id, RuleOutcome::Refused, runs.refused)]
         });
-        Evidence::new(reached.collect())
+        outcomes.filter(|(_, _, runs)| *runs > 0)
     }
 }
-
-/// The id of a rule by its place among all.
-pub(crate) fn id(rule: u16) -> &'static str {
-    REGISTER.rules.name(rule)
-}
-
-/// How many rules there are.
-pub(crate) fn count() -> usize {
-    REGISTER.rules.names().len()
-}
-
-/// The place of a rule among all.
-pub(crate) fn place(rule: &str) -> Option<usize> {
-    let slot = REGISTER.rules.slot(rule, hash(rule))?;
-    REGISTER.rules.place(slot).map(usize::from)
-}
-
-/// All rules with their slots.
-struct Register {
-    rules: ByName<()>,
-    /// Whether the id of just one rule leads to a slot, and this rule has it.
-    alone: Vec<bool>,
-}
-
-static REGISTER: LazyLock<Register> = LazyLock::new(|| {
-    // Some refuse under the id of a choice or quirk.
-    let choices = [rs274::choices::CHOICES, gpp::choices::CHOICES, nct::choices::CHOICES];
-    let choices = choices.into_iter().flatten().map(|(id, _)| *id);
-    let ids = RULES.lines().chain(choices).chain(rs274::choices::QUIRKS.iter().copied());
-    let ids: BTreeSet<_> = ids.collect();
-    let rules = ByName::new(SLOTS, ids.into_iter().map(|id| (id, ())).collect());
-    let mut led_to = vec![0_u16; SLOTS];
-    rules.names().for_each(|id| led_to[hash(id) % SLOTS] += 1);
-    let is_alone = |slot: usize| {
-        let own = rules.place(slot).map(|place| hash(rules.name(place)) % SLOTS);
-        led_to[slot] == 1 && own == Some(slot)
-    };
-    let alone = (0..SLOTS).map(is_alone).collect();
-    Register { rules, alone }
-});
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::RuleOutcome;
+    use crate::ids::rule;
 
     #[test]
-    fn each_rule_is_put_down_as_itself() {
-        for (place, rule) in (0..).zip(REGISTER.rules.names()) {
+    fn each_rule_is_recorded_as_itself() {
+        for rule in Rule::all() {
             let mut coverage = RuleCoverage::default();
             coverage.refused(rule);
             coverage.refused(rule);
-            let refused = [Reached { rule: place, accepted: false, refused: true }];
-            assert_eq!(coverage.take(), Evidence::new(refused.to_vec()), "{rule}");
-            assert_eq!(coverage.take(), Evidence::default());
+            let all: Vec<_> = coverage.iter().collect();
+            assert_eq!(all, [(rule.id(), RuleOutcome::Refused)]);
         }
     }
 
     #[test]
-    fn of_all_rules_none_hides_another() {
-        let mut coverage = RuleCoverage::default();
-        for _ in 0..2 {
-            REGISTER.rules.names().for_each(|rule| coverage.accepted(rule));
-        }
-        let all: Vec<_> = coverage.take().iter().collect();
-        let expected = REGISTER.rules.names().map(|rule| (rule, RuleOutcome::Accepted));
-        let expected: Vec<_> = expected.collect();
-        assert_eq!(all, expected);
-    }
-
-    #[test]
-    fn few_rules_share_a_slot() {
-        let all = count();
-        let alone = REGISTER.alone.iter().filter(|alone| **alone).count();
-        assert!(all - alone < all / 15, "{} of {all}", all - alone);
-    }
-
-    #[test]
-    fn nothing_is_put_down_while_it_is_deaf() {
+    fn nothing_is_recorded_while_it_is_muted() {
         let mut coverage = RuleCoverage::muted();
-        coverage.accepted("text.blanks");
-        assert_eq!(coverage.take(), Evidence::default());
+        coverage.accepted(rule::text::BLANKS);
+        assert_eq!(coverage.iter().count(), 0);
         assert!(coverage.set_muted(false));
-        coverage.accepted("text.blanks");
-        assert_eq!(coverage.take().iter().count(), 1);
+        coverage.accepted(rule::text::BLANKS);
+        assert_eq!(coverage.iter().count(), 1);
+    }
+
+    #[test]
+    fn a_tally_counts_runs_by_rule_and_outcome() {
+        let mut coverage = RuleCoverage::default();
+        coverage.accepted(rule::text::BLANKS);
+        let mut tally = Tally::default();
+        tally.add(&coverage);
+        tally.add(&coverage);
+        assert_eq!(tally.runs_with("text.blanks", RuleOutcome::Accepted), 2);
+        assert_eq!(tally.runs_with("text.blanks", RuleOutcome::Refused), 0);
+        assert_eq!(tally.iter().collect::<Vec<_>>(), [("text.blanks", RuleOutcome::Accepted, 2)]);
     }
 }

@@ -9,17 +9,17 @@
 //! **Invariants.** It reads nothing but the scenario: no clock, no file, no environment, no random source. It panics on
 //! no scenario. It is written from the documents, without reading the production interpreter.
 
-mod by_name;
+mod choices;
 mod coverage;
-mod evidence;
 pub mod gpp;
+pub mod ids;
 mod math;
 pub mod motion;
 pub mod nct;
 pub mod rs274;
 
-pub use coverage::{RULES, RuleCoverage};
-pub use evidence::{Evidence, RuleOutcome, Tally};
+pub use choices::Choices;
+pub use coverage::{RuleCoverage, RuleOutcome, Tally};
 
 pub use rs274::RunCache;
 pub use rs274::modes::Rounding;
@@ -29,22 +29,26 @@ use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 /// What the documents say about a scenario, and the rules that were reached.
 ///
 /// Time and memory are linear in the executed blocks, which the scenario's budget bounds.
-pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
     run_with(&mut RunCache::default(), scenario)
 }
 
 /// The same, faster where many runs follow one another: each keeps what the next one need not make anew. Nothing of
 /// it shows in what a run says.
-pub fn run_with(cache: &mut RunCache, scenario: &Scenario) -> (Outcome, Evidence) {
+pub fn run_with(cache: &mut RunCache, scenario: &Scenario) -> (Outcome, RuleCoverage) {
     run_as(cache, scenario, Rounding::AsComputed)
 }
 
 /// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
-pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, RuleCoverage) {
     run_as(&mut RunCache::default(), scenario, rounding)
 }
 
-fn run_as(cache: &mut RunCache, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+fn run_as(
+    cache: &mut RunCache,
+    scenario: &Scenario,
+    rounding: Rounding,
+) -> (Outcome, RuleCoverage) {
     match scenario.program.language {
         Language::Rs274 => rs274::run(cache, scenario, rounding),
         Language::Gpp => gpp::run(scenario),

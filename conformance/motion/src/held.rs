@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_reference::motion::laws::choices::Choices;
+use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::laws::{Judgement, Law, Verdict, judge_under};
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use gaugeblock_vocabulary::{End, Options, Position, Scenario};
@@ -52,8 +52,8 @@ pub fn held(
     let wrong = |error: String| (case.says.join(", "), error);
     let limits = case.limits().map_err(wrong)?;
     let readings = readings.iter().map(|(id, option)| (id.as_str(), option.as_str()));
-    let readings = Choices::new(readings).map_err(wrong)?;
-    let judgement = judge_under(readings, samples, path, &limits, &case.script());
+    let choices = Choices::of_motion(readings).map_err(wrong)?;
+    let judgement = judge_under(choices, samples, path, &limits, &case.script());
     let mut broken = first_violations(&judgement);
     let mut holds = false;
     for (text, saying) in case.says.iter().zip(case.sayings()) {

@@ -27,8 +27,8 @@ pub fn model_run(
     edition: &Edition,
 ) -> (Outcome, BTreeSet<(String, RuleOutcome)>) {
     let scenario = scenario_of(case, &suite.options(edition), edition);
-    let (outcome, evidence) = gaugeblock_reference::run(&scenario);
-    let reached = evidence.iter().map(|(rule, reached)| {
+    let (outcome, coverage) = gaugeblock_reference::run(&scenario);
+    let reached = coverage.iter().map(|(rule, reached)| {
         let outcome = match reached {
             gaugeblock_reference::RuleOutcome::Accepted => RuleOutcome::Accepted,
             gaugeblock_reference::RuleOutcome::Refused => RuleOutcome::Refused,
@@ -43,8 +43,8 @@ pub fn reached(suite: &Suite, rule: &Rule) -> BTreeSet<RuleOutcome> {
     let mut reached = BTreeSet::new();
     for case in &rule.cases {
         for edition in editions_of(suite, rule, case) {
-            let (_, evidence) = model_run(suite, case, edition);
-            reached.extend(evidence.into_iter().filter(|(id, _)| *id == rule.id).map(|(_, o)| o));
+            let (_, coverage) = model_run(suite, case, edition);
+            reached.extend(coverage.into_iter().filter(|(id, _)| *id == rule.id).map(|(_, o)| o));
             if rule.outcomes.iter().all(|outcome| reached.contains(outcome)) {
                 return reached;
             }

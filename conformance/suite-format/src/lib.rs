@@ -2,6 +2,7 @@
 
 pub mod assertion;
 pub mod files;
+pub mod ids;
 pub mod ledger;
 mod motion;
 mod page;

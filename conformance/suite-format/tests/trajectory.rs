@@ -1,12 +1,12 @@
 //! The pages of the laws of motion: each law has one, with good and bad samples and a program, and the table of
 //! faults is theirs.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::laws::Law;
-use gaugeblock_reference::motion::laws::choices::{CHOICES, Choices};
 use gaugeblock_suite::files::of_folder;
 use gaugeblock_suite::{MotionCase, Rule, Saying, Suite};
 
@@ -60,25 +60,17 @@ fn a_law_that_is_named_is_one() {
 }
 
 #[test]
-fn the_laws_read_exactly_the_choices_of_the_pages() {
-    let suite = suite();
-    let of_pages: BTreeMap<&str, Vec<&str>> = suite
-        .motion_choices
-        .iter()
-        .map(|choice| {
-            (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
-        })
-        .collect();
-    let of_laws: BTreeMap<&str, Vec<&str>> =
-        CHOICES.iter().map(|(id, options)| (*id, options.to_vec())).collect();
-    assert_eq!(of_pages, of_laws);
-    for (id, options) in CHOICES {
-        for option in *options {
-            Choices::new([(*id, *option)]).expect("a listed option is read");
+fn the_laws_take_each_option_of_the_pages_and_no_other() {
+    for choice in &suite().motion_choices {
+        let id = choice.id.as_str();
+        for option in &choice.options {
+            Choices::of_motion([(id, option.name.as_str())]).expect("an option of a page");
         }
-        assert_eq!(Choices::new([(*id, options[0])]), Ok(Choices::default()), "{id}");
-        assert!(Choices::new([(*id, "another")]).is_err());
+        let first = choice.options[0].name.as_str();
+        assert_eq!(Choices::of_motion([(id, first)]), Ok(Choices::default()), "{id}");
+        assert!(Choices::of_motion([(id, "another")]).is_err());
     }
+    assert!(Choices::of_motion([("nct.dwell", "seconds")]).is_err());
 }
 
 /// Each fault that the pages plant, and the laws that must find it, as the table of the room's README has it.

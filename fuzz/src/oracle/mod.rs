@@ -23,12 +23,12 @@ pub use prefix::budget_prefix;
 /// # Errors
 /// The promise that was broken, and the outcome.
 pub fn model_invariants(scenario: &Scenario) -> Result<Outcome, String> {
-    let (outcome, evidence) = gaugeblock_reference::run(scenario);
+    let (outcome, coverage) = gaugeblock_reference::run(scenario);
     let broken = |promise: &str| Err(format!("{promise}:\n{}", outcome.to_text()));
     if let Some(bound) = beyond_budget(scenario, &outcome) {
         return broken(&format!("the budget is kept, in {bound}"));
     }
-    if gaugeblock_reference::run(scenario) != (outcome.clone(), evidence) {
+    if gaugeblock_reference::run(scenario) != (outcome.clone(), coverage) {
         return broken("two runs give the same");
     }
     match Outcome::from_text(&outcome.to_text()) {

@@ -11,6 +11,9 @@ pub use words::{Rules, Word, found_in};
 
 use crate::files;
 
+/// Text of the suite's pages, written into the model by a command.
+const IDS: &str = "reference-model/src/ids/";
+
 /// What a text is part of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
@@ -59,7 +62,7 @@ pub fn all() -> Vec<Text> {
     for (path, text) in files::below("") {
         if path.ends_with(".md") {
             found.push(Text { kind: Kind::Document, line: 1, text: without_code(&text), path });
-        } else if path.ends_with(".rs") && !is_test(&path) {
+        } else if path.ends_with(".rs") && !is_test(&path) && !path.starts_with(IDS) {
             found.extend(code::texts(&path, &text));
         }
     }

@@ -3,7 +3,6 @@
 mod crates;
 mod files;
 mod graph;
-mod ids;
 mod independence;
 mod licences;
 mod prose;

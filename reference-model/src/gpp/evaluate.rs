@@ -10,6 +10,7 @@ use super::run::Run;
 use super::status::too_long;
 use super::syntax::{Condition, Expression, Operator, Reference, Side, Test};
 use super::variables::Value;
+use crate::ids::{choice, rule};
 
 impl Run<'_> {
     /// Rule gpp.index. An index is rounded to the nearest number of a member, and leads to one.
@@ -23,9 +24,9 @@ impl Run<'_> {
         let index = self.number(index)?.round();
         if !(1.0..=f64::from(size)).contains(&index) {
             let message = format!("an index is from 1 to {size}, not {index}");
-            return Err(refuse("gpp.index", FaultKind::IndexOutOfRange, message));
+            return Err(refuse(rule::gpp::INDEX, FaultKind::IndexOutOfRange, message));
         }
-        self.coverage.accepted("gpp.index");
+        self.coverage.accepted(rule::gpp::INDEX);
         let member: usize = index.to_string().parse().expect("index: a whole number in range");
         Ok(first + member - 1)
     }
@@ -39,7 +40,7 @@ impl Run<'_> {
         if let Some(value) = &self.variables.cells[cell].value {
             return Ok(value.clone());
         }
-        if !self.choices.without_value_is_zero {
+        if !self.choices.is(choice::gpp::WithoutValue::Zero) {
             let name = self.variables.shown_name(reference.variable, cell);
             return Err(refuse_form(FaultKind::NoValue, format!("{name} has no value")));
         }
@@ -93,7 +94,7 @@ impl Run<'_> {
                     let name = self.variables.shown_name(reference.variable, cell);
                     self.record.say(Channel::Display, format!("warning: {name} is not modal"));
                 }
-                self.coverage.accepted("gpp.tested");
+                self.coverage.accepted(rule::gpp::TESTED);
                 Ok(self.variables.cells[cell].on)
             }
         }
@@ -117,12 +118,12 @@ impl Run<'_> {
         match test {
             Test::Is(on, reference) => {
                 let cell = self.cell(reference)?;
-                self.coverage.accepted("gpp.tested");
+                self.coverage.accepted(rule::gpp::TESTED);
                 Ok(self.variables.cells[cell].on == *on)
             }
             Test::Compare(one, ways, other) => {
                 let ordering = self.compared(one, other)?;
-                self.coverage.accepted("gpp.comparison");
+                self.coverage.accepted(rule::gpp::COMPARISON);
                 Ok(ways.contains(&ordering))
             }
         }
@@ -155,7 +156,7 @@ impl Run<'_> {
 
     fn read_back(&self, number: f64, format: usize) -> Result<f64, StepError> {
         let format = &self.variables.formats[format];
-        format.read_back(number, self.choices.tie).map_err(|_| too_long())
+        format.read_back(number, self.choices.get::<choice::gpp::Tie>()).map_err(|_| too_long())
     }
 }
 

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::choices::Tie;
+use crate::ids::choice::gpp::Tie;
 
 /// The names of the formats. The first is that of texts.
 pub const NAMES: [&str; 19] = [

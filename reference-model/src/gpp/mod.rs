@@ -14,8 +14,6 @@
 //! | [`mod@run`] | the toolpath processed block by block, statement by statement |
 //!
 //! What a scenario and a trace are in this language says `README.md` beside the pages of its rules.
-
-pub mod choices;
 pub mod evaluate;
 pub mod formats;
 pub mod print;

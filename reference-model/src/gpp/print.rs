@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::Channel;
 use super::refusal::StepError;
 use super::run::Run;
 use super::syntax::{Item, Printer, Reference};
+use crate::ids::{choice, rule};
 
 /// A statement that prints, half way.
 struct Printing {
@@ -53,11 +54,11 @@ impl Run<'_> {
     /// Rule gpp.newline-symbol. The symbol runs its procedure: at each occurrence, or, in the old GPP, when something
     /// is printed after it.
     fn newline(&mut self, printing: &mut Printing) -> Result<(), StepError> {
-        self.coverage.accepted("gpp.newline-symbol");
+        self.coverage.accepted(rule::gpp::NEWLINE_SYMBOL);
         if self.program.procedure.is_empty() {
             return Ok(());
         }
-        if self.choices.lazy_newline {
+        if self.choices.is(choice::gpp::Newline::Lazy) {
             self.newline_waits = true;
             return Ok(());
         }
@@ -92,22 +93,22 @@ impl Run<'_> {
         let cell = self.cell(reference)?;
         let is_modal = self.variables.all[variable].modal;
         if is_modal {
-            self.coverage.accepted("gpp.off-modal");
+            self.coverage.accepted(rule::gpp::OFF_MODAL);
         }
         if !self.variables.cells[cell].on {
-            if is_modal && self.choices.off_modal_left_out {
+            if is_modal && self.choices.is(choice::gpp::OffModal::LeftOut) {
                 return Ok(());
             }
-            self.coverage.accepted("gpp.off-printed");
+            self.coverage.accepted(rule::gpp::OFF_PRINTED);
         }
         let Some(value) = &self.variables.cells[cell].value else {
             let name = self.variables.shown_name(variable, cell);
             self.record.say(Channel::Display, format!("warning: {name} has no value"));
             return Ok(());
         };
-        let text = self.variables.text(variable, value, self.choices.tie);
+        let text = self.variables.text(variable, value, self.choices.get::<choice::gpp::Tie>());
         let text = text.expect("status: what is assigned has a text");
-        self.coverage.accepted("gpp.number-format");
+        self.coverage.accepted(rule::gpp::NUMBER_FORMAT);
         printing.printed.push((variable, cell));
         self.put(printing, &text)
     }
@@ -119,21 +120,21 @@ impl Run<'_> {
         let declared = &self.variables.all[variable];
         let (is_modal, is_member) = (declared.modal, declared.size.is_some());
         if !is_modal {
-            self.coverage.accepted("gpp.non-modal-stays");
+            self.coverage.accepted(rule::gpp::NON_MODAL_STAYS);
             return;
         }
         if is_member {
-            self.coverage.accepted("gpp.modal-members");
-            if self.choices.members_stay_on {
+            self.coverage.accepted(rule::gpp::MODAL_MEMBERS);
+            if self.choices.is(choice::gpp::ArrayMembers::StayOn) {
                 return;
             }
         }
         self.coverage.accepted(match printer {
-            Printer::Output => "gpp.output-turns-off",
-            Printer::Print => "gpp.print-turns-off",
+            Printer::Output => rule::gpp::OUTPUT_TURNS_OFF,
+            Printer::Print => rule::gpp::PRINT_TURNS_OFF,
         });
         if self.variables.is_shared(cell) {
-            self.coverage.accepted("gpp.identical-printed");
+            self.coverage.accepted(rule::gpp::IDENTICAL_PRINTED);
         }
         self.turn(variable, cell, false);
     }

@@ -7,9 +7,9 @@ use gaugeblock_vocabulary::{
     BlockLocation, Bound, Channel, Effect, Event, GppState, Indexed, Program, State, Step, Switch,
 };
 
-use super::choices::Tie;
 use super::refusal::StepError;
 use super::variables::Variables;
+use crate::ids::choice::gpp::Tie;
 
 /// The file that drives a program.
 pub const TOOLPATH: &str = "toolpath";

@@ -1,12 +1,13 @@
 //! Why a program, or a run, does not go on.
 
+use crate::ids::Rule;
 use gaugeblock_vocabulary::{Bound, FaultKind};
 
 /// A statement, or a line of the toolpath, that is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The rule that refuses it; none where it is a matter of form that no document names.
-    pub rule: Option<&'static str>,
+    pub rule: Option<Rule>,
     /// The kind of fault.
     pub kind: FaultKind,
     /// For people: what is wrong.
@@ -25,8 +26,8 @@ pub enum StepError {
 }
 
 /// A refusal by a rule.
-pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> StepError {
-    StepError::Refused(Refusal { rule: Some(rule), kind, message: message.into() })
+pub fn refuse(rule: impl Into<Rule>, kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule: Some(rule.into()), kind, message: message.into() })
 }
 
 /// A refusal that no document names.

@@ -1,16 +1,17 @@
 //! The run: the toolpath processed block by block, and the program's blocks statement by statement.
 
+use crate::ids::choice;
 use gaugeblock_vocabulary::{
     BlockLocation, End, Fault, Language, Outcome, Program as Files, Scenario, Settings, Step,
 };
 
-use super::choices::Choices;
 use super::record::{Record, TOOLPATH};
 use super::refusal::{Refusal, StepError};
 use super::syntax::{self, Action, Condition, Program, Statement};
 use super::toolpath::{self, Processed};
 use super::variables::Variables;
-use crate::{Evidence, RuleCoverage};
+use crate::Choices;
+use crate::RuleCoverage;
 
 /// A program that runs.
 pub(super) struct Run<'a> {
@@ -26,9 +27,9 @@ pub(super) struct Run<'a> {
 }
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
-pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
     let mut coverage = RuleCoverage::default();
-    let choices = Choices::new(&scenario.options);
+    let choices = Choices::known(&scenario.options);
     let toolpath = scenario.program.files.get(TOOLPATH).map_or("", String::as_str);
     let (steps, end) = match compiled(scenario, toolpath, choices, &mut coverage) {
         Ok((program, blocks)) => {
@@ -47,7 +48,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         }
         Err((at, error)) => (Vec::new(), ended(error, at, &mut coverage)),
     };
-    (outcome(steps, end), coverage.take())
+    (outcome(steps, end), coverage)
 }
 
 fn compiled(
@@ -110,7 +111,11 @@ impl Run<'_> {
         for (variable, value) in &block.values {
             self.receive(*variable, value.clone())?;
         }
-        self.record.end(self.at.clone(), &self.variables, self.choices.tie)?;
+        self.record.end(
+            self.at.clone(),
+            &self.variables,
+            self.choices.get::<choice::gpp::Tie>(),
+        )?;
         let program = self.program;
         program.blocks.get(&block.heading).map_or(Ok(()), |block| self.statements(block))
     }
@@ -186,6 +191,6 @@ impl Run<'_> {
     /// The statement at a line has done what it does, up to here.
     pub(super) fn end_step(&mut self, line: u32) -> Result<(), StepError> {
         let block = BlockLocation::new(Files::MAIN, line);
-        self.record.end(block, &self.variables, self.choices.tie)
+        self.record.end(block, &self.variables, self.choices.get::<choice::gpp::Tie>())
     }
 }

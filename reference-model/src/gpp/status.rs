@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::choices::AssignedAgain;
 use super::refusal::{StepError, refuse};
 use super::run::Run;
 use super::syntax::Target;
 use super::variables::{Class, Value};
+use crate::ids::choice::gpp::AssignedAgain;
+use crate::ids::{choice, rule};
 
 impl Run<'_> {
     /// Rules gpp.first-assignment and gpp.assigned. A statement assigns a value: the first one turns the variable on.
@@ -24,9 +25,9 @@ impl Run<'_> {
         let is_first = self.variables.cells[cell].value.is_none();
         let is_changed = self.set_value(variable, cell, value)?;
         if is_first {
-            self.coverage.accepted("gpp.first-assignment");
+            self.coverage.accepted(rule::gpp::FIRST_ASSIGNMENT);
         }
-        let again = match self.choices.assigned_again {
+        let again = match self.choices.get::<AssignedAgain>() {
             AssignedAgain::IfChanged => is_changed,
             AssignedAgain::Always => true,
             AssignedAgain::FirstOnly => false,
@@ -49,12 +50,12 @@ impl Run<'_> {
         let is_changed = self.set_value(variable, cell, value)?;
         match class {
             Some(Class::Presence) => {
-                self.coverage.accepted("gpp.presence");
+                self.coverage.accepted(rule::gpp::PRESENCE);
                 self.turn(variable, cell, true);
             }
             Some(Class::Change) | None => {
                 if !is_first {
-                    self.coverage.accepted("gpp.changed");
+                    self.coverage.accepted(rule::gpp::CHANGED);
                 }
                 if is_first || is_changed {
                     self.turn(variable, cell, true);
@@ -81,19 +82,19 @@ impl Run<'_> {
     /// Rule gpp.changed-by-format. Sets a value; whether it is another one is told by the text in the variable's
     /// format. All that are identical have it, each in a format of its own.
     fn set_value(&mut self, variable: usize, cell: usize, value: Value) -> Result<bool, StepError> {
-        let tie = self.choices.tie;
+        let tie = self.choices.get::<choice::gpp::Tie>();
         let sharing = self.variables.of_cell(cell);
         for place in &sharing {
             self.variables.text(*place, &value, tie).map_err(|_| too_long())?;
         }
         if sharing.len() > 1 {
-            self.coverage.accepted("gpp.identical");
+            self.coverage.accepted(rule::gpp::IDENTICAL);
         }
         let text = |value: &Value| self.variables.text(variable, value, tie).ok();
         let (before, now) = (self.variables.cells[cell].value.as_ref(), &value);
         let is_changed = before.and_then(text) != text(now);
         if before.is_some_and(|before| before != now) && matches!(value, Value::Number(_)) {
-            self.coverage.accepted("gpp.changed-by-format");
+            self.coverage.accepted(rule::gpp::CHANGED_BY_FORMAT);
         }
         self.variables.cells[cell].value = Some(value);
         self.record.touch(cell);
@@ -113,9 +114,9 @@ impl Run<'_> {
             Target::All => (0..self.variables.all.len()).flat_map(|v| self.members(v)).collect(),
         };
         for (variable, cell) in cells {
-            self.coverage.accepted(if on { "gpp.set-on" } else { "gpp.set-off" });
+            self.coverage.accepted(if on { rule::gpp::SET_ON } else { rule::gpp::SET_OFF });
             if !on && !self.variables.all[variable].modal {
-                self.coverage.accepted("gpp.non-modal-off");
+                self.coverage.accepted(rule::gpp::NON_MODAL_OFF);
             }
             self.turn(variable, cell, on);
         }
@@ -133,12 +134,20 @@ impl Run<'_> {
     /// each member of an array its own; identical variables have one together.
     pub(super) fn turn(&mut self, variable: usize, cell: usize, on: bool) {
         let is_member = self.variables.all[variable].size.is_some();
-        self.coverage.accepted(if is_member { "gpp.member-flag" } else { "gpp.set-flag" });
+        self.coverage.accepted(if is_member {
+            rule::gpp::MEMBER_FLAG
+        } else {
+            rule::gpp::SET_FLAG
+        });
         if self.variables.is_shared(cell) {
-            self.coverage.accepted(if on { "gpp.identical-on" } else { "gpp.identical-off" });
+            self.coverage.accepted(if on {
+                rule::gpp::IDENTICAL_ON
+            } else {
+                rule::gpp::IDENTICAL_OFF
+            });
         }
         // Nothing here asks for the modality: OUTPUT and PRINT alone do.
-        self.coverage.accepted("gpp.only-printing");
+        self.coverage.accepted(rule::gpp::ONLY_PRINTING);
         self.variables.cells[cell].on = on;
         self.record.touch(cell);
     }
@@ -147,5 +156,5 @@ impl Run<'_> {
 /// Rule gpp.number-format. More digits before the point than the format has are no number of it.
 pub(super) fn too_long() -> StepError {
     let message = "more digits before the point than the format has";
-    refuse("gpp.number-format", FaultKind::NumberTooLong, message)
+    refuse(rule::gpp::NUMBER_FORMAT, FaultKind::NumberTooLong, message)
 }

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::choices::Choices;
 use super::formats::{self, CHARACTER, Format, MOST_DIGITS, NAMES};
 use super::refusal::{StepError, refuse_form};
 use super::syntax::{Heading, is_keyword};
 use super::text::{LONGEST_NUMBER, LONGEST_TEXT, is_number};
 use super::variables::{Class, Value, Variables, is_system_name};
+use crate::Choices;
 
 /// Most characters of what is printed for zero.
 const LONGEST_ZERO: usize = 16;

@@ -1,13 +1,15 @@
 //! Variables: as they are declared, and what they hold.
 
+use crate::ids::choice;
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::choices::{Choices, Tie};
 use super::formats::{self, CHARACTER, Format};
 use super::refusal::{StepError, refuse_form};
 use super::syntax::Reference;
+use crate::Choices;
+use crate::ids::choice::gpp::Tie;
 
 /// Most variables, members of arrays counted.
 pub const MOST_VARIABLES: usize = 25_000;
@@ -115,7 +117,7 @@ impl Variables {
             size,
             cell: self.cells.len(),
             format,
-            modal: choices.modality_by_format && self.formats[format].modal,
+            modal: choices.is(choice::gpp::DefaultModality::ByFormat) && self.formats[format].modal,
             modality_is_declared: false,
             class,
             is_declared: class.is_none(),
@@ -128,7 +130,8 @@ impl Variables {
     /// Makes every variable as modal as its format is now, where formats have a modality.
     pub fn take_modality_of_formats(&mut self, choices: &Choices) {
         for variable in &mut self.all {
-            variable.modal = choices.modality_by_format && self.formats[variable.format].modal;
+            variable.modal = choices.is(choice::gpp::DefaultModality::ByFormat)
+                && self.formats[variable.format].modal;
         }
     }
 

@@ -6,8 +6,8 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
 
 use super::curve::Curve;
-use super::laws::choices::ToleranceAtChange;
 use super::vector::{AxisVector, direction, dot, from_segment};
+use crate::ids::choice::trajectory::ToleranceAtChange;
 
 /// A moving element.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ impl<'a> Route<'a> {
     /// # Errors
     /// Why it is not known: an element of which only the end is.
     pub(super) fn of(path: &'a ProgrammedPath) -> Result<Self, String> {
-        Self::under(ToleranceAtChange::default(), path)
+        Self::under(ToleranceAtChange::Larger, path)
     }
 
     /// The route of a path, under a reading of which tolerance holds where it changes.

@@ -6,6 +6,7 @@ use super::refusal::{StepError, open, refuse};
 use super::run::Run;
 use super::variables::Locals;
 use super::words::Words;
+use crate::ids::{choice, rule};
 
 /// Most sets of I, J and K.
 const MOST_SETS: usize = 10;
@@ -82,14 +83,14 @@ impl Run<'_> {
             }
             let number = match set_letter {
                 Some(place) => {
-                    let set = sets.next(place, self.choices.by_set);
+                    let set = sets.next(place, self.choices.is(choice::nct::SetAdvance::BySet));
                     if set > MOST_SETS {
                         let message = format!("more than {MOST_SETS} sets of I, J and K");
-                        let rule = "nct.argument-sets";
+                        let rule = rule::nct::ARGUMENT_SETS;
                         return Err(refuse(rule, FaultKind::TooManyArguments, message));
                     }
                     if set > 1 {
-                        self.coverage.accepted("nct.argument-sets");
+                        self.coverage.accepted(rule::nct::ARGUMENT_SETS);
                     }
                     3 * set + place + 1
                 }
@@ -99,7 +100,7 @@ impl Run<'_> {
                 },
             };
             locals[number - 1] = Some(*value);
-            self.coverage.accepted("nct.arguments");
+            self.coverage.accepted(rule::nct::ARGUMENTS);
         }
         Ok(locals)
     }
@@ -113,11 +114,13 @@ impl Run<'_> {
         };
         match number(LETTERS) {
             Some(number) => Ok(Some(number)),
-            None if is_block && self.choices.own_numbers => Ok(number(OTHERS)),
+            None if is_block && self.choices.is(choice::nct::BlockArguments::OwnNumbers) => {
+                Ok(number(OTHERS))
+            }
             None if is_block => Ok(None),
             None => {
                 let message = format!("{letter} is no argument");
-                Err(refuse("nct.arguments", FaultKind::Macro, message))
+                Err(refuse(rule::nct::ARGUMENTS, FaultKind::Macro, message))
             }
         }
     }

@@ -7,6 +7,7 @@ use super::refusal::{StepError, open, refuse, refuse_form};
 use super::run::{Flow, Run};
 use super::variables::Locals;
 use super::words::{Words, word};
+use crate::ids::{Rule, choice, rule};
 
 /// Most repetitions of a call.
 const MOST_REPEATS: u32 = 9999;
@@ -93,9 +94,9 @@ impl Run<'_> {
         }
         if words.first().is_none_or(|(letter, _)| *letter != 'G') || codes.first() != Some(&code) {
             let message = "a word before the code of the call";
-            return Err(refuse("nct.arguments", FaultKind::Macro, message));
+            return Err(refuse(rule::nct::ARGUMENTS, FaultKind::Macro, message));
         }
-        let rule = if code == CALL { "nct.call" } else { "nct.modal-call" };
+        let rule = if code == CALL { rule::nct::CALL } else { rule::nct::MODAL_CALL };
         let program = self.called_program(rule, words)?;
         let repeats = self.repeats(words)?;
         let of_call = |letter: char| matches!(letter, 'P' | 'L');
@@ -112,7 +113,7 @@ impl Run<'_> {
                 _ => Reach::Open,
             };
             self.enter(program, repeats, arguments, reach)?;
-            self.coverage.accepted("nct.call");
+            self.coverage.accepted(rule::nct::CALL);
         } else {
             let by_block = code == BY_BLOCK;
             self.begin_modal(ModalCall { program, repeats, arguments, by_block })?;
@@ -126,7 +127,7 @@ impl Run<'_> {
         if self.modal_calls.last().is_some_and(|last| last.by_block != call.by_block) {
             return Err(open("G66 and G66.1 in force together"));
         }
-        let rule = if call.by_block { "nct.block-last-first" } else { "nct.modal-call" };
+        let rule = if call.by_block { rule::nct::BLOCK_LAST_FIRST } else { rule::nct::MODAL_CALL };
         self.coverage.accepted(rule);
         self.modal_calls.push(call);
         Ok(())
@@ -138,13 +139,13 @@ impl Run<'_> {
     fn cancel(&mut self) -> Result<(), StepError> {
         self.may_change_modal_calls()?;
         let rule = match self.modal_calls.pop() {
-            Some(_) if self.modal_calls.is_empty() => "nct.cancel-earlier",
-            Some(_) => "nct.cancel-last",
-            None if self.choices.cancel_refused => {
+            Some(_) if self.modal_calls.is_empty() => rule::nct::CANCEL_EARLIER,
+            Some(_) => rule::nct::CANCEL_LAST,
+            None if self.choices.is(choice::nct::CancelWithoutCall::Refused) => {
                 let message = "G67 without a modal call";
-                return Err(refuse("nct.cancel-nothing", FaultKind::Macro, message));
+                return Err(refuse(rule::nct::CANCEL_NOTHING, FaultKind::Macro, message));
             }
-            None => "nct.cancel-nothing",
+            None => rule::nct::CANCEL_NOTHING,
         };
         self.coverage.accepted(rule);
         Ok(())
@@ -158,11 +159,7 @@ impl Run<'_> {
     }
 
     /// The number of the program that a block calls. Whether there is one shows when it begins.
-    pub(super) fn called_program(
-        &mut self,
-        rule: &'static str,
-        words: &Words,
-    ) -> Result<i64, StepError> {
+    pub(super) fn called_program(&mut self, rule: Rule, words: &Words) -> Result<i64, StepError> {
         let message = "a call without P";
         let program =
             word(words, 'P').ok_or_else(|| refuse(rule, FaultKind::MissingWord, message))?;
@@ -174,7 +171,7 @@ impl Run<'_> {
     pub(super) fn repeats(&mut self, words: &Words) -> Result<u32, StepError> {
         let Some(repeats) = word(words, 'L') else { return Ok(1) };
         self.once(words, 'L')?;
-        let rule = "nct.repeat";
+        let rule = rule::nct::REPEAT;
         let number = u32::try_from(rounded(repeats)).ok();
         let number = number.filter(|number| (1..=MOST_REPEATS).contains(number));
         let message = format!("L{repeats} is not from 1 to {MOST_REPEATS}");
@@ -202,25 +199,29 @@ impl Run<'_> {
         arguments: Locals,
         reach: Reach,
     ) -> Result<(), StepError> {
-        let most = if self.choices.five_levels { 5 } else { 4 };
+        let most = if self.choices.is(choice::nct::Depth::Five) { 5 } else { 4 };
         if self.variables.level() >= most {
             let message = format!("more than {most} macro levels");
-            return Err(refuse("nct.level-limit", FaultKind::TooManyLevels, message));
+            return Err(refuse(rule::nct::LEVEL_LIMIT, FaultKind::TooManyLevels, message));
         }
         self.begin_program(program, repeats, Kind::Macro(Box::new(arguments)), reach)?;
         let level = self.variables.level();
         self.variables.levels.push(arguments);
-        let rules: &[&'static str] = match level {
-            0 => &["nct.level-rises", "nct.stored-on-call"],
-            _ => &["nct.level-rises", "nct.stored-on-call", "nct.stored-at-each-level"],
+        let rules: &[Rule] = match level {
+            0 => &[rule::nct::LEVEL_RISES, rule::nct::STORED_ON_CALL],
+            _ => &[
+                rule::nct::LEVEL_RISES,
+                rule::nct::STORED_ON_CALL,
+                rule::nct::STORED_AT_EACH_LEVEL,
+            ],
         };
-        rules.iter().for_each(|rule| self.coverage.accepted(rule));
+        rules.iter().for_each(|rule| self.coverage.accepted(*rule));
         if level + 1 == most {
-            self.coverage.accepted("nct.level-limit");
-            self.coverage.accepted("nct.five-sets");
+            self.coverage.accepted(rule::nct::LEVEL_LIMIT);
+            self.coverage.accepted(rule::nct::FIVE_SETS);
         }
         if self.variables.common.iter().any(Option::is_some) {
-            self.coverage.accepted("nct.common");
+            self.coverage.accepted(rule::nct::COMMON);
         }
         Ok(())
     }
@@ -233,10 +234,10 @@ impl Run<'_> {
         reach: Reach,
     ) -> Result<(), StepError> {
         let program = self.programs.find(program)?;
-        let most = if self.choices.five_levels { 15 } else { 8 };
+        let most = if self.choices.is(choice::nct::Depth::Five) { 15 } else { 8 };
         if self.frames.len() > most {
             let message = format!("more than {most} calls within each other");
-            return Err(refuse("nct.level-limit", FaultKind::TooManyLevels, message));
+            return Err(refuse(rule::nct::LEVEL_LIMIT, FaultKind::TooManyLevels, message));
         }
         let modal_calls = self.modal_calls.len();
         self.frames.push(Frame { program, next: 0, kind, repeats, reach, modal_calls });
@@ -245,11 +246,11 @@ impl Run<'_> {
 
     /// Rule nct.sub-call. M98 calls a subprogram at the level that it stands at: it shares the local variables.
     pub(super) fn call_sub(&mut self, words: &Words) -> Result<(), StepError> {
-        let program = self.called_program("nct.sub-call", words)?;
+        let program = self.called_program(rule::nct::SUB_CALL, words)?;
         let repeats = self.repeats(words)?;
         let reach = self.frame().reach;
         self.begin_program(program, repeats, Kind::Sub, reach)?;
-        self.coverage.accepted("nct.sub-call");
+        self.coverage.accepted(rule::nct::SUB_CALL);
         Ok(())
     }
 
@@ -290,13 +291,13 @@ impl Run<'_> {
         self.enter(call.program, call.repeats, arguments, Reach::First(reached - 1))?;
         let in_macro = self.frames.len() > 2 && matches!(self.frames[1].kind, Kind::Macro(_));
         let rule = match (block, in_macro) {
-            (Some(_), false) => "nct.block-last-first",
-            (Some(_), true) => "nct.block-then-earlier",
-            (None, false) => "nct.modal-call",
-            (None, true) => "nct.modal-order",
+            (Some(_), false) => rule::nct::BLOCK_LAST_FIRST,
+            (Some(_), true) => rule::nct::BLOCK_THEN_EARLIER,
+            (None, false) => rule::nct::MODAL_CALL,
+            (None, true) => rule::nct::MODAL_ORDER,
         };
         self.coverage.accepted(rule);
-        self.coverage.accepted("nct.modal-levels");
+        self.coverage.accepted(rule::nct::MODAL_LEVELS);
         Ok(())
     }
 
@@ -318,7 +319,9 @@ impl Run<'_> {
             }
             frame.repeats -= 1;
             frame.next = 0;
-            if let (true, Kind::Macro(arguments)) = (self.choices.reloaded, &frame.kind) {
+            if let (true, Kind::Macro(arguments)) =
+                (self.choices.is(choice::nct::RepeatedLocals::Reloaded), &frame.kind)
+            {
                 *self.variables.locals() = **arguments;
             }
             return Ok(Flow::On);
@@ -328,13 +331,13 @@ impl Run<'_> {
             Kind::Sub => {}
             Kind::Macro(_) => {
                 self.variables.levels.pop();
-                self.coverage.accepted("nct.restored");
-                self.coverage.accepted("nct.any-body");
+                self.coverage.accepted(rule::nct::RESTORED);
+                self.coverage.accepted(rule::nct::ANY_BODY);
             }
         }
         self.frames.pop();
         if let Some(to) = to {
-            self.jump(to, "nct.return-to")?;
+            self.jump(to, rule::nct::RETURN_TO)?;
         }
         Ok(Flow::On)
     }
@@ -347,8 +350,8 @@ impl Run<'_> {
 
     /// Choice nct.main-return.
     fn main_return(&mut self, to: Option<i64>) -> Result<Flow, StepError> {
-        let rule = "nct.main-return";
-        if self.choices.main_return_refused {
+        let rule = rule::nct::MAIN_RETURN;
+        if self.choices.is(choice::nct::MainReturn::Refused) {
             return Err(refuse(rule, FaultKind::OutsideSub, "M99 in the main program"));
         }
         self.coverage.accepted(rule);
@@ -359,7 +362,7 @@ impl Run<'_> {
     }
 
     /// The program in progress goes on at the block of a sequence number.
-    pub(super) fn jump(&mut self, to: i64, rule: &'static str) -> Result<(), StepError> {
+    pub(super) fn jump(&mut self, to: i64, rule: Rule) -> Result<(), StepError> {
         let frame = self.frames.last_mut().expect("calls: the main program is in progress");
         // The block that jumps, or that called, stands before the next one.
         let from = frame.next.saturating_sub(1);

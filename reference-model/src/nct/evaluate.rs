@@ -8,6 +8,7 @@ use super::refusal::{StepError, open, refuse, refuse_form};
 use super::run::Run;
 use super::syntax::{Comparison, Condition, Expression, Function, Operator};
 use super::variables::VariableValue;
+use crate::ids::{choice, rule};
 use crate::math;
 
 impl Run<'_> {
@@ -20,7 +21,7 @@ impl Run<'_> {
             Expression::Variable(number) => {
                 let number = self.variable_number(number)?;
                 let value = self.variables.get(number)?;
-                self.coverage.accepted("nct.variable-numbers");
+                self.coverage.accepted(rule::nct::VARIABLE_NUMBERS);
                 value
             }
             Expression::Affirmed(operand) => Some(self.number(operand)?),
@@ -35,8 +36,8 @@ impl Run<'_> {
                     let operand = self.number(operand)?;
                     result = self.applied(*operator, result, operand)?;
                 }
-                self.coverage.accepted("nct.precedence");
-                self.coverage.accepted("nct.brackets");
+                self.coverage.accepted(rule::nct::PRECEDENCE);
+                self.coverage.accepted(rule::nct::BRACKETS);
                 Some(result)
             }
         })
@@ -45,7 +46,7 @@ impl Run<'_> {
     fn number(&mut self, expression: &Expression) -> Result<f64, StepError> {
         let value = self.value(expression)?;
         if value.is_none() {
-            self.coverage.accepted("nct.vacant");
+            self.coverage.accepted(rule::nct::VACANT);
         }
         Ok(value.unwrap_or(0.0))
     }
@@ -55,7 +56,7 @@ impl Run<'_> {
     /// Rule nct.indirect. It may be computed.
     pub(super) fn variable_number(&mut self, expression: &Expression) -> Result<i64, StepError> {
         if !matches!(expression, Expression::Number(_)) {
-            self.coverage.accepted("nct.indirect");
+            self.coverage.accepted(rule::nct::INDIRECT);
         }
         let Some(number) = self.value(expression)? else {
             return Err(open("a vacant variable as the number of a variable"));
@@ -68,10 +69,19 @@ impl Run<'_> {
         if function == Function::Not {
             return self.bits(operand, 0.0, |operand, _| !operand);
         }
-        self.coverage.accepted("nct.functions");
-        let radians = if self.choices.radians { operand } else { operand.to_radians() };
-        let angle =
-            |degrees: f64| if self.choices.radians { degrees.to_radians() } else { degrees };
+        self.coverage.accepted(rule::nct::FUNCTIONS);
+        let radians = if self.choices.is(choice::nct::Angles::Radians) {
+            operand
+        } else {
+            operand.to_radians()
+        };
+        let angle = |degrees: f64| {
+            if self.choices.is(choice::nct::Angles::Radians) {
+                degrees.to_radians()
+            } else {
+                degrees
+            }
+        };
         let result = match function {
             Function::Cosine => math::cosine(radians),
             Function::Sine => math::sine(radians),
@@ -82,9 +92,13 @@ impl Run<'_> {
             Function::SquareRoot => math::square_root(operand),
             Function::Absolute => operand.abs(),
             Function::Round => operand.round(),
-            Function::Fix if self.choices.floor_and_ceiling => operand.floor(),
+            Function::Fix if self.choices.is(choice::nct::FixFup::FloorAndCeiling) => {
+                operand.floor()
+            }
             Function::Fix => operand.trunc(),
-            Function::Fup if self.choices.floor_and_ceiling => operand.ceil(),
+            Function::Fup if self.choices.is(choice::nct::FixFup::FloorAndCeiling) => {
+                operand.ceil()
+            }
             Function::Fup if operand < 0.0 => operand.floor(),
             Function::Fup => operand.ceil(),
             Function::Logarithm => math::logarithm(operand),
@@ -93,7 +107,7 @@ impl Run<'_> {
         };
         finite(result).map_err(|()| {
             let message = format!("the function has no value at {operand}");
-            refuse("nct.functions", FaultKind::OutOfDomain, message)
+            refuse(rule::nct::FUNCTIONS, FaultKind::OutOfDomain, message)
         })
     }
 
@@ -124,7 +138,7 @@ impl Run<'_> {
         right: f64,
         operation: fn(u32, u32) -> u32,
     ) -> Result<f64, StepError> {
-        let unsigned = self.choices.unsigned;
+        let unsigned = self.choices.is(choice::nct::ThirtyTwoBits::Unsigned);
         let bits = |number: f64| {
             let number = rounded(number);
             if unsigned {
@@ -135,9 +149,9 @@ impl Run<'_> {
         };
         let message = format!("{left} and {right} are not whole numbers of 32 bits");
         let (Some(left), Some(right)) = (bits(left), bits(right)) else {
-            return Err(refuse("nct.bits", FaultKind::OutOfDomain, message));
+            return Err(refuse(rule::nct::BITS, FaultKind::OutOfDomain, message));
         };
-        self.coverage.accepted("nct.bits");
+        self.coverage.accepted(rule::nct::BITS);
         let result = operation(left, right);
         Ok(if unsigned { f64::from(result) } else { f64::from(result.cast_signed()) })
     }
@@ -148,7 +162,7 @@ impl Run<'_> {
         let (Some(left), Some(right)) = (left, right) else {
             return self.vacant_condition(condition.comparison, left, right);
         };
-        self.coverage.accepted("nct.conditions");
+        self.coverage.accepted(rule::nct::CONDITIONS);
         let order = left.partial_cmp(&right).expect("evaluate: numbers are finite");
         Ok(match condition.comparison {
             Comparison::Equal => order.is_eq(),
@@ -184,7 +198,7 @@ impl Run<'_> {
                 return Err(open("LT or LE with a vacant variable"));
             }
         };
-        self.coverage.accepted("nct.vacant-comparison");
+        self.coverage.accepted(rule::nct::VACANT_COMPARISON);
         Ok(holds)
     }
 }

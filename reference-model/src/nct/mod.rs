@@ -20,7 +20,6 @@
 
 pub mod arguments;
 pub mod calls;
-pub mod choices;
 pub mod evaluate;
 pub mod modes;
 pub mod motion;

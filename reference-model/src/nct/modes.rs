@@ -9,6 +9,7 @@ use gaugeblock_vocabulary::{
 
 use super::refusal::{StepError, refuse, refuse_form};
 use super::words::Codes;
+use crate::ids::rule;
 
 /// What is in force.
 #[derive(Clone, Debug)]
@@ -123,7 +124,7 @@ impl Modes {
             })?;
             if !groups.insert((letter, group)) {
                 let message = format!("two {letter} codes of one group");
-                return Err(refuse("nct.modes", FaultKind::ModalConflict, message));
+                return Err(refuse(rule::nct::MODES, FaultKind::ModalConflict, message));
             }
         }
         if block.end && (block.sub || block.back) {

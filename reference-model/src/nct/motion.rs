@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Po
 use super::modes::{Modes, within_reach};
 use super::refusal::{StepError, open, refuse};
 use super::words::{Words, word};
+use crate::ids::rule;
 use crate::math;
 
 /// How far the radii of an arc may be apart, active length unit.
@@ -40,7 +41,7 @@ pub(super) fn perform(
         let Some(axis) = axis(*letter) else { continue };
         if !axes.contains(&axis) {
             let message = format!("the machine has no axis {letter}");
-            return Err(refuse("nct.motion", FaultKind::NoSuchAxis, message));
+            return Err(refuse(rule::nct::MOTION, FaultKind::NoSuchAxis, message));
         }
         let coordinate = end.get_mut(axis);
         *coordinate = match modes.distance {
@@ -84,7 +85,7 @@ fn plane(plane: Plane) -> [(Axis, char); 2] {
 /// Rule nct.arc. The centre counts from the start; R is the radius of the shorter arc, or, below zero, of the longer
 /// one.
 fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, StepError> {
-    let rule = "nct.arc";
+    let rule = rule::nct::ARC;
     let [(first, of_first), (second, of_second)] = plane(modes.plane);
     if let Some((letter, _)) = words
         .iter()
@@ -176,5 +177,5 @@ fn beside_chord(radius: f64, half: f64) -> Option<f64> {
 }
 
 fn bad_arc(message: impl Into<String>) -> StepError {
-    refuse("nct.arc", FaultKind::BadArc, message)
+    refuse(rule::nct::ARC, FaultKind::BadArc, message)
 }

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::choices::Choices;
 use super::refusal::{StepError, open, refuse};
 use super::syntax::{self, Block, Content};
 use super::text;
+use crate::Choices;
+use crate::ids::{Rule, rule};
 
 /// A program: from its number to the next one, or to the end of the text.
 #[derive(Clone, Debug)]
@@ -75,7 +76,7 @@ impl Programs {
             Some(None) => Err(open(format!("program {number} stands several times"))),
             None => {
                 let message = format!("there is no program {number}");
-                Err(refuse("nct.call", FaultKind::UnknownSub, message))
+                Err(refuse(rule::nct::CALL, FaultKind::UnknownSub, message))
             }
         }
     }
@@ -107,7 +108,7 @@ impl Program {
     ///
     /// # Errors
     /// There is no such block in the program, or several; or it stands in a loop in which the jump does not.
-    pub fn find(&self, number: i64, from: usize, rule: &'static str) -> Result<usize, StepError> {
+    pub fn find(&self, number: i64, from: usize, rule: Rule) -> Result<usize, StepError> {
         let known = u32::try_from(number).ok().and_then(|number| self.sequence.get(&number));
         let place = match known {
             Some(Some(place)) => *place,
@@ -140,7 +141,7 @@ fn loops(
     blocks: &[Block],
     block_delete: bool,
 ) -> (BTreeMap<usize, usize>, BTreeMap<usize, StepError>) {
-    let rule = "nct.loop-pairs";
+    let rule = rule::nct::LOOP_PAIRS;
     let (mut pairs, mut faults) = (BTreeMap::new(), BTreeMap::new());
     let mut begun: Vec<(usize, u32)> = Vec::new();
     let is_read = |block: &Block| !(block_delete && block.is_optional);

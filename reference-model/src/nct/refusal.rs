@@ -1,12 +1,13 @@
 //! Why a run does not go on.
 
+use crate::ids::Rule;
 use gaugeblock_vocabulary::{Bound, FaultKind};
 
 /// A block that is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The rule that refuses it; none where it is a matter of form that no document names.
-    pub rule: Option<&'static str>,
+    pub rule: Option<Rule>,
     /// The kind of fault.
     pub kind: FaultKind,
     /// For people: what is wrong.
@@ -27,8 +28,8 @@ pub enum StepError {
 }
 
 /// A refusal by a rule.
-pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> StepError {
-    StepError::Refused(Refusal { rule: Some(rule), kind, message: message.into() })
+pub fn refuse(rule: impl Into<Rule>, kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule: Some(rule.into()), kind, message: message.into() })
 }
 
 /// A refusal that no document names.

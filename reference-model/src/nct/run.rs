@@ -7,7 +7,6 @@ use gaugeblock_vocabulary::{
 };
 
 use super::calls::{Frame, Kind, ModalCall, Reach};
-use super::choices::Choices;
 use super::evaluate::rounded;
 use super::modes::{Block as Codes, Modes};
 use super::motion::{self, OF_ARC, axis, is_arc};
@@ -17,7 +16,9 @@ use super::refusal::{Refusal, StepError, open, refuse, refuse_form};
 use super::syntax::{Content, Expression, Word};
 use super::variables::Variables;
 use super::words::{self, Words, word};
-use crate::{Evidence, RuleCoverage};
+use crate::Choices;
+use crate::RuleCoverage;
+use crate::ids::{choice, rule};
 
 /// A program that runs.
 pub(super) struct Run<'a> {
@@ -48,9 +49,9 @@ pub(super) enum Flow {
 }
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
-pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
+pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
     let mut coverage = RuleCoverage::default();
-    let choices = Choices::new(&scenario.options);
+    let choices = Choices::known(&scenario.options);
     let block_delete = scenario.program.block_delete;
     let programs = Programs::read(&scenario.program.main, block_delete, &choices);
     let modes = Modes::new();
@@ -89,7 +90,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, Evidence) {
         pins: Vec::new(),
         samples: Vec::new(),
     };
-    (outcome, coverage.take())
+    (outcome, coverage)
 }
 
 impl Run<'_> {
@@ -117,11 +118,11 @@ impl Run<'_> {
             let Some(block) = program.blocks.get(place) else {
                 self.at = program.blocks.last().map_or(program.line, |block| block.line);
                 let message = "the program has no end";
-                return Err(refuse("nct.text-end", FaultKind::MissingEnd, message));
+                return Err(refuse(rule::nct::TEXT_END, FaultKind::MissingEnd, message));
             };
             frame.next += 1;
             if block_delete && block.is_optional {
-                self.coverage.accepted("nct.block-delete");
+                self.coverage.accepted(rule::nct::BLOCK_DELETE);
                 continue;
             }
             self.begin(block.line)?;
@@ -151,9 +152,9 @@ impl Run<'_> {
                 let number = self.variable_number(number)?;
                 let value = self.value(value)?;
                 self.variables.set(number, value)?;
-                self.coverage.accepted("nct.statement-form");
+                self.coverage.accepted(rule::nct::STATEMENT_FORM);
                 if value.is_none() {
-                    self.coverage.accepted("nct.vacant");
+                    self.coverage.accepted(rule::nct::VACANT);
                 }
             }
             Content::Goto(to) => self.go_to(to)?,
@@ -163,9 +164,9 @@ impl Run<'_> {
                 }
             }
             Content::While(condition, _) => {
-                self.coverage.accepted("nct.loops");
-                self.coverage.accepted("nct.loop-number");
-                self.coverage.accepted("nct.loop-pairs");
+                self.coverage.accepted(rule::nct::LOOPS);
+                self.coverage.accepted(rule::nct::LOOP_NUMBER);
+                self.coverage.accepted(rule::nct::LOOP_PAIRS);
                 if !self.condition(condition)? {
                     self.go_beyond(place);
                 }
@@ -195,7 +196,7 @@ impl Run<'_> {
         let Some(to) = self.value(to)? else {
             return Err(open("GOTO with a vacant variable"));
         };
-        self.jump(rounded(to), "nct.goto")
+        self.jump(rounded(to), rule::nct::GOTO)
     }
 
     fn word_block(&mut self, words: &[Word]) -> Result<Flow, StepError> {
@@ -231,7 +232,7 @@ impl Run<'_> {
     fn executed(&mut self, words: &Words, codes: &words::Codes) -> Result<Flow, StepError> {
         let block = self.modes.set(codes)?;
         if !codes.g.is_empty() {
-            self.coverage.accepted("nct.modes");
+            self.coverage.accepted(rule::nct::MODES);
         }
         let moves = self.moves(words, block);
         self.used(words, block, moves)?;
@@ -252,7 +253,7 @@ impl Run<'_> {
             }
             let effect = motion::perform(&mut self.modes, words, &self.machine.axes)?;
             let is_arc = matches!(effect, Effect::ArcFeed { .. });
-            self.coverage.accepted(if is_arc { "nct.arc" } else { "nct.motion" });
+            self.coverage.accepted(if is_arc { rule::nct::ARC } else { rule::nct::MOTION });
             self.record.effect(&self.modes, effect);
         }
         self.ended(words, block, reached)
@@ -266,7 +267,7 @@ impl Run<'_> {
         } else if block.back {
             flow = self.go_back(words)?;
         } else if block.end {
-            self.coverage.accepted("nct.text-end");
+            self.coverage.accepted(rule::nct::TEXT_END);
             self.record.effect(&self.modes, Effect::ProgramEnd {});
             flow = Flow::Ended;
         }
@@ -341,14 +342,15 @@ impl Run<'_> {
 
     /// Rule nct.dwell. G4 waits for P. Choice nct.dwell: in which unit.
     fn dwell(&mut self, words: &Words) -> Result<(), StepError> {
-        let rule = "nct.dwell";
+        let rule = rule::nct::DWELL;
         let Some(time) = word(words, 'P') else {
             return Err(refuse(rule, FaultKind::MissingWord, "G4 without P"));
         };
         if time < 0.0 {
             return Err(refuse(rule, FaultKind::WordOutOfRange, "a dwell below zero"));
         }
-        let seconds = if self.choices.milliseconds { time / 1000.0 } else { time };
+        let seconds =
+            if self.choices.is(choice::nct::Dwell::Milliseconds) { time / 1000.0 } else { time };
         self.record.effect(&self.modes, Effect::Dwell { seconds });
         self.coverage.accepted(rule);
         Ok(())

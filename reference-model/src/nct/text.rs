@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{StepError, refuse, refuse_form};
+use crate::ids::rule;
 
 /// Most digits of a program or sequence number.
 const MOST_DIGITS: usize = 8;
@@ -111,7 +112,7 @@ fn plain(text: &str) -> (String, Option<StepError>) {
 fn number_of(letter: char, after: &str) -> Result<(u32, &str), StepError> {
     if after.starts_with(['#', '[']) {
         let message = format!("{letter} takes no variable");
-        return Err(refuse("nct.plain-numbers", FaultKind::Statement, message));
+        return Err(refuse(rule::nct::PLAIN_NUMBERS, FaultKind::Statement, message));
     }
     let digits = after.len() - after.trim_start_matches(|c: char| c.is_ascii_digit()).len();
     let (number, rest) = after.split_at(digits);

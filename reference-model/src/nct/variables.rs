@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{StepError, refuse};
+use crate::ids::rule;
 
 /// A value, or none: vacant.
 pub type VariableValue = Option<f64>;
@@ -72,7 +73,7 @@ impl Variables {
         match place(number)? {
             Place::Vacant => {
                 let message = "#0 takes no value";
-                return Err(refuse("nct.vacant", FaultKind::ReadOnlyParameter, message));
+                return Err(refuse(rule::nct::VACANT, FaultKind::ReadOnlyParameter, message));
             }
             Place::Local(place) => self.locals()[place] = value,
             Place::Common(place) => self.common[place] = value,
@@ -110,6 +111,6 @@ fn place(number: i64) -> Result<Place, StepError> {
         }
     });
     let message = format!("there is no variable #{number}");
-    let rule = "nct.variable-numbers";
+    let rule = rule::nct::VARIABLE_NUMBERS;
     known.ok_or_else(|| refuse(rule, FaultKind::ParameterOutOfRange, message))
 }

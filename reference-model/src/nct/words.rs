@@ -6,6 +6,7 @@ use super::evaluate::rounded;
 use super::refusal::{StepError, refuse};
 use super::run::Run;
 use super::syntax::Word;
+use crate::ids::rule;
 
 /// The words of a block that have a value, in its order.
 pub type Words = Vec<(char, f64)>;
@@ -33,7 +34,7 @@ impl Run<'_> {
         for word in words {
             match self.value(&word.value)? {
                 Some(value) => valued.push((word.letter, value + 0.0)),
-                None => self.coverage.accepted("nct.vacant-word"),
+                None => self.coverage.accepted(rule::nct::VACANT_WORD),
             }
         }
         Ok(valued)
@@ -61,11 +62,11 @@ impl Run<'_> {
     ) -> Result<i64, StepError> {
         let number = Some(rounded(value)).filter(|number| (0..=most).contains(number));
         let message = format!("{letter} has no {value}");
-        let rule = "nct.word-range";
+        let rule = rule::nct::WORD_RANGE;
         let number = number.ok_or_else(|| refuse(rule, FaultKind::WordOutOfRange, message))?;
         self.coverage.accepted(rule);
         if value.round().to_bits() != value.to_bits() {
-            self.coverage.accepted("nct.word-rounding");
+            self.coverage.accepted(rule::nct::WORD_ROUNDING);
         }
         Ok(number)
     }

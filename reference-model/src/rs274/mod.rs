@@ -17,7 +17,6 @@
 //! | [`quirks`] | where a real controller departs from its own document; off the main path |
 
 pub mod check;
-pub mod choices;
 pub mod control;
 pub mod environment;
 pub mod evaluate;
@@ -34,7 +33,7 @@ pub mod text;
 
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
-use crate::Evidence;
+use crate::RuleCoverage;
 
 pub use task::RunCache;
 
@@ -43,6 +42,6 @@ pub fn run(
     cache: &mut RunCache,
     scenario: &Scenario,
     rounding: modes::Rounding,
-) -> (Outcome, Evidence) {
+) -> (Outcome, RuleCoverage) {
     task::run(cache, scenario, rounding)
 }

@@ -1,12 +1,13 @@
 //! Why a block does not go on: it is refused by a rule, or this model does not go there.
 
+use crate::ids::Rule;
 use gaugeblock_vocabulary::{End, FaultKind, Span};
 
 /// A block refused by a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
     /// The rule that refuses it.
-    pub rule: &'static str,
+    pub rule: Rule,
     /// The kind of fault.
     pub kind: FaultKind,
     /// For people: what is wrong, in the field's words.
@@ -33,16 +34,21 @@ pub enum StepError {
 }
 
 /// A refusal by a rule, without a place in the line.
-pub fn refuse(rule: &'static str, kind: FaultKind, message: impl Into<String>) -> StepError {
-    StepError::Refused(Refusal { rule, kind, message: message.into(), span: None })
+pub fn refuse(rule: impl Into<Rule>, kind: FaultKind, message: impl Into<String>) -> StepError {
+    StepError::Refused(Refusal { rule: rule.into(), kind, message: message.into(), span: None })
 }
 
 /// A refusal by a rule, about a part of the line.
 pub fn refuse_at(
-    rule: &'static str,
+    rule: impl Into<Rule>,
     kind: FaultKind,
     span: Span,
     message: impl Into<String>,
 ) -> StepError {
-    StepError::Refused(Refusal { rule, kind, message: message.into(), span: Some(span) })
+    StepError::Refused(Refusal {
+        rule: rule.into(),
+        kind,
+        message: message.into(),
+        span: Some(span),
+    })
 }

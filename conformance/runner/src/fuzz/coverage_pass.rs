@@ -117,13 +117,13 @@ impl Plan<'_> {
         let mut by_seed: BTreeMap<_, Vec<usize>> = BTreeMap::new();
         let mut runs_on = vec![false; self.seeds.all.len()];
         for (place, scenario) in self.seeds.all.iter().enumerate() {
-            let (outcome, evidence) = run(scenario);
+            let (outcome, coverage) = run(scenario);
             if self.left_out(scenario, &outcome).is_some() {
                 continue;
             }
             runs_on[place] =
                 may_precede(scenario, self.environment.as_ref()) && outcome.end == End::ProgramEnd;
-            for reached in evidence.iter() {
+            for reached in coverage.iter() {
                 by_seed.entry(reached).or_default().push(place);
             }
         }
@@ -148,10 +148,10 @@ impl Plan<'_> {
             // Each has a number of its own, or all would have the same programs before them.
             let Some(number) = numbers.next() else { break };
             let scenario = splice::rare(&mut Entropy::from_seed(SEED, number), &self.seeds, &rare);
-            let (ended, evidence) = run(&scenario);
+            let (ended, coverage) = run(&scenario);
             made.splices += 1;
             if self.left_out(&scenario, &ended).is_none() {
-                made.reached.add(&evidence);
+                made.reached.add(&coverage);
             }
             if made.splices == TRIALS
                 && rare.others != alone

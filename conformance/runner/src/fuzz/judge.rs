@@ -5,7 +5,7 @@ use std::cell::Cell;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Divergence, compare, surely_same};
-use gaugeblock_reference::{Evidence, RunCache};
+use gaugeblock_reference::{RuleCoverage, RunCache};
 use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
 use super::fragile::is_fragile;
@@ -45,14 +45,14 @@ thread_local! {
 }
 
 /// What a side showed, and of the model its evidence too.
-pub(super) type Shown = (Outcome, Option<Evidence>);
+pub(super) type Shown = (Outcome, Option<RuleCoverage>);
 
 /// What both sides showed of a scenario, and the evidence of the model where it is one of them.
 #[derive(Debug)]
 pub(super) struct Both {
     expected: Outcome,
     found: Outcome,
-    evidence: Option<Evidence>,
+    coverage: Option<RuleCoverage>,
 }
 
 impl Plan<'_> {
@@ -81,7 +81,7 @@ impl Plan<'_> {
             }
         }
         self.iut.ahead(scenario);
-        let (expected, evidence) = outcome(self.against, scenario, None);
+        let (expected, coverage) = outcome(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,
             Err(error) => return Err(self.broken(self.against, &error, statistics)),
@@ -90,14 +90,14 @@ impl Plan<'_> {
         if let Some(result) = open(self.against, &expected, statistics) {
             return Err(result);
         }
-        Ok((expected, evidence))
+        Ok((expected, coverage))
     }
 
     /// Runs a scenario on the side under test: both outcomes, or the result if it is known already.
     pub(super) fn found(
         &self,
         scenario: &Scenario,
-        (expected, evidence): Shown,
+        (expected, coverage): Shown,
         statistics: &mut Statistics,
     ) -> Result<Both, FuzzResult> {
         let (found, other) = outcome(self.iut, scenario, Some(&expected));
@@ -115,7 +115,7 @@ impl Plan<'_> {
         if let Some(result) = open(self.iut, &found, statistics) {
             return Err(result);
         }
-        Ok(Both { expected, found, evidence: evidence.or(other) })
+        Ok(Both { expected, found, coverage: coverage.or(other) })
     }
 
     /// Compares what both sides showed of a scenario.
@@ -125,14 +125,14 @@ impl Plan<'_> {
         both: Both,
         statistics: &mut Statistics,
     ) -> FuzzResult {
-        let Both { expected, found, evidence } = both;
+        let Both { expected, found, coverage } = both;
         statistics.count(scenario, &expected);
-        if let Some(evidence) = &evidence {
-            statistics.reached(evidence);
+        if let Some(coverage) = &coverage {
+            statistics.reached(coverage);
         }
         match self.divergence(scenario, expected, found) {
             None => FuzzResult::Same,
-            Some(_) if evidence.is_some() && is_fragile(scenario) => {
+            Some(_) if coverage.is_some() && is_fragile(scenario) => {
                 statistics.fragile += 1;
                 FuzzResult::Fragile
             }
@@ -206,12 +206,12 @@ fn outcome(
     side: &dyn Adapter,
     scenario: &Scenario,
     expected: Option<&Outcome>,
-) -> (Result<Outcome, HarnessError>, Option<Evidence>) {
+) -> (Result<Outcome, HarnessError>, Option<RuleCoverage>) {
     if name(side) == "reference" {
         let mut cache = MODEL.take();
-        let (outcome, evidence) = gaugeblock_reference::run_with(&mut cache, scenario);
+        let (outcome, coverage) = gaugeblock_reference::run_with(&mut cache, scenario);
         MODEL.set(cache);
-        return (Ok(outcome), Some(evidence));
+        return (Ok(outcome), Some(coverage));
     }
     let outcome = match expected {
         Some(expected) => side.run_expecting(scenario, &expected),

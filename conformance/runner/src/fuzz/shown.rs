@@ -25,9 +25,9 @@ impl Plan<'_> {
     ) -> NotShown {
         let (mut shown, mut reasons) = (BTreeSet::new(), BTreeMap::new());
         for scenario in cases {
-            let (outcome, evidence) = run(&scenario);
+            let (outcome, coverage) = run(&scenario);
             let why = self.left_out(&scenario, &outcome);
-            for reached in evidence.iter() {
+            for reached in coverage.iter() {
                 match &why {
                     None => {
                         shown.insert(reached);

@@ -74,8 +74,8 @@ fn kind_of(value: &str) -> String {
 /// The rules that the block at which two runs differ adds to what the model reaches; of a small program few are left.
 pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
     let reached = |scenario: &Scenario| -> Vec<String> {
-        let evidence = gaugeblock_reference::run(scenario).1;
-        evidence
+        let coverage = gaugeblock_reference::run(scenario).1;
+        coverage
             .iter()
             .map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase())
             .collect()

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_reference::{Evidence, RuleOutcome, Tally};
+use gaugeblock_reference::{RuleCoverage, RuleOutcome, Tally};
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 use serde::{Deserialize, Serialize};
 
@@ -106,8 +106,8 @@ impl Statistics {
     }
 
     /// Counts the rules that the model reached.
-    pub fn reached(&mut self, evidence: &Evidence) {
-        self.reached.add(evidence);
+    pub fn reached(&mut self, coverage: &RuleCoverage) {
+        self.reached.add(coverage);
     }
 
     /// Puts down under their names what was counted so far: rules and codes.

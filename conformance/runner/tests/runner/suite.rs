@@ -1,11 +1,9 @@
-//! The suite as it is built in: in its form, complete, and in agreement with the model's register.
-
-use std::collections::{BTreeMap, BTreeSet};
+//! The suite as it is built in: in its form, complete, and in agreement with the model.
 
 use gaugeblock_controllers::Reference;
 use gaugeblock_runner::catalogue;
 use gaugeblock_runner::fingerprint::{Shown, fingerprint};
-use gaugeblock_suite::{ChoiceKind, Suite};
+use gaugeblock_suite::Suite;
 
 fn suite() -> Suite {
     Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
@@ -16,47 +14,6 @@ fn suite() -> Suite {
 fn every_declared_outcome_is_reached_and_every_golden_is_current() {
     let faults = catalogue::faults(&suite());
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
-}
-
-#[test]
-fn the_model_reads_exactly_the_choices_of_the_pages() {
-    let suite = suite();
-    let of_pages: BTreeMap<&str, Vec<&str>> = suite
-        .choices
-        .iter()
-        .filter(|choice| choice.kind == ChoiceKind::Choice)
-        .map(|choice| {
-            (choice.id.as_str(), choice.options.iter().map(|o| o.name.as_str()).collect())
-        })
-        .collect();
-    let of_model: BTreeMap<&str, Vec<&str>> = gaugeblock_reference::rs274::choices::CHOICES
-        .iter()
-        .chain(gaugeblock_reference::gpp::choices::CHOICES)
-        .chain(gaugeblock_reference::nct::choices::CHOICES)
-        .map(|(id, options)| (*id, options.to_vec()))
-        .collect();
-    assert_eq!(of_pages, of_model);
-    let quirks: BTreeSet<&str> = suite
-        .choices
-        .iter()
-        .filter(|choice| choice.kind == ChoiceKind::Quirk)
-        .map(|choice| choice.id.as_str())
-        .collect();
-    let known: BTreeSet<&str> =
-        gaugeblock_reference::rs274::choices::QUIRKS.iter().copied().collect();
-    assert_eq!(quirks, known);
-}
-
-/// Those of trajectories are laws, which the model holds samples to; no run of it reaches them.
-#[test]
-fn the_model_knows_exactly_the_rules_of_the_pages() {
-    let suite = suite();
-    let rules = suite.rules.iter().map(|rule| rule.id.as_str());
-    let of_runs = rules.filter(|id| !id.starts_with("trajectory."));
-    assert_eq!(
-        of_runs.collect::<Vec<_>>(),
-        gaugeblock_reference::RULES.lines().collect::<Vec<_>>()
-    );
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::syntax::Statement;
 use crate::gpp::text::Token;
 use crate::gpp::variables::{MOST_VARIABLES, is_user_name};
+use crate::ids::{choice, rule};
 
 impl Reader<'_> {
     pub(super) fn declarations(&mut self) -> Result<(), StepError> {
@@ -27,12 +28,12 @@ impl Reader<'_> {
             }
         }
         for variable in &self.variables.all {
-            if self.choices.modality_by_format {
-                self.coverage.accepted("gpp.format-modality");
+            if self.choices.is(choice::gpp::DefaultModality::ByFormat) {
+                self.coverage.accepted(rule::gpp::FORMAT_MODALITY);
             } else if !variable.modal {
-                self.coverage.accepted("gpp.default-non-modal");
+                self.coverage.accepted(rule::gpp::DEFAULT_NON_MODAL);
             }
-            self.coverage.accepted("gpp.modality");
+            self.coverage.accepted(rule::gpp::MODALITY);
         }
         Ok(())
     }
@@ -48,7 +49,7 @@ impl Reader<'_> {
         loop {
             self.declared_name(format)?;
             if self.takes(";") {
-                self.coverage.accepted("gpp.declaration");
+                self.coverage.accepted(rule::gpp::DECLARATION);
                 return Ok(());
             }
         }
@@ -62,7 +63,7 @@ impl Reader<'_> {
         }
         if name.contains('_') && !is_keyword(&name) {
             let message = format!("the toolpath declares no system variable {name}");
-            return Err(refuse("gpp.declaration", FaultKind::NoSuchVariable, message));
+            return Err(refuse(rule::gpp::DECLARATION, FaultKind::NoSuchVariable, message));
         }
         if is_keyword(&name) || !is_user_name(&name) {
             return Err(refused(format!("{name} is no name of a user variable")));
@@ -89,7 +90,7 @@ impl Reader<'_> {
     }
 
     fn another_format(&mut self, place: usize, format: usize) -> Result<(), StepError> {
-        let by_format = self.choices.modality_by_format;
+        let by_format = self.choices.is(choice::gpp::DefaultModality::ByFormat);
         let is_modal = self.variables.formats[format].modal;
         let variable = &mut self.variables.all[place];
         if variable.is_declared {
@@ -97,7 +98,7 @@ impl Reader<'_> {
         }
         if (variable.format == CHARACTER) != (format == CHARACTER) {
             let message = format!("{} is of the other type", variable.name);
-            return Err(refuse("gpp.declaration", FaultKind::WrongType, message));
+            return Err(refuse(rule::gpp::DECLARATION, FaultKind::WrongType, message));
         }
         variable.is_declared = true;
         variable.format = format;
@@ -123,13 +124,13 @@ impl Reader<'_> {
             let place = self.named()?;
             if self.is_sign("[") {
                 let message = "all members of an array have one modality";
-                return Err(refuse("gpp.array-modality", FaultKind::Declaration, message));
+                return Err(refuse(rule::gpp::ARRAY_MODALITY, FaultKind::Declaration, message));
             }
             let variable = &mut self.variables.all[place];
             (variable.modal, variable.modality_is_declared) = (modal, true);
-            self.coverage.accepted("gpp.modal-declaration");
+            self.coverage.accepted(rule::gpp::MODAL_DECLARATION);
             if self.variables.all[place].size.is_some() {
-                self.coverage.accepted("gpp.array-modality");
+                self.coverage.accepted(rule::gpp::ARRAY_MODALITY);
             }
             if self.takes(";") {
                 return Ok(());
@@ -144,12 +145,12 @@ impl Reader<'_> {
 
     /// Rule gpp.old-words. What only the old GPP understands.
     pub(super) fn old_word(&mut self, word: &str) -> Result<(), StepError> {
-        if self.choices.old_words {
-            self.coverage.accepted("gpp.old-words");
+        if self.choices.is(choice::gpp::OldWords::Accepted) {
+            self.coverage.accepted(rule::gpp::OLD_WORDS);
             return Ok(());
         }
         let message = format!("{word} belongs to the old GPP");
-        Err(refuse("gpp.old-words", FaultKind::Statement, message))
+        Err(refuse(rule::gpp::OLD_WORDS, FaultKind::Statement, message))
     }
 
     /// Rule gpp.identical. Identical variables have one type and are no arrays; two system variables are warned of.
@@ -162,11 +163,11 @@ impl Reader<'_> {
         }
         if all.len() < 2 {
             let message = "variables are identical to others";
-            return Err(refuse("gpp.statement", FaultKind::Statement, message));
+            return Err(refuse(rule::gpp::STATEMENT, FaultKind::Statement, message));
         }
         if all.iter().any(|place| self.variables.is_text(*place) != self.variables.is_text(first)) {
             let message = "identical variables are of one type";
-            return Err(refuse("gpp.identical", FaultKind::Declaration, message));
+            return Err(refuse(rule::gpp::IDENTICAL, FaultKind::Declaration, message));
         }
         let is_system = |place: &&usize| self.variables.all[**place].class.is_some();
         let system: Vec<&str> = all
@@ -188,7 +189,7 @@ impl Reader<'_> {
         let place = self.named()?;
         if self.variables.all[place].size.is_some() {
             let message = "no array is identical to anything";
-            return Err(refuse("gpp.identical", FaultKind::Declaration, message));
+            return Err(refuse(rule::gpp::IDENTICAL, FaultKind::Declaration, message));
         }
         Ok(place)
     }
@@ -215,7 +216,8 @@ impl Reader<'_> {
 
     /// Rule gpp.modal-declaration. Variables are declared in the declaration part alone.
     pub(super) fn late_declaration(&self, word: &str) -> StepError {
-        let rule = if word == "MODAL" { "gpp.modal-declaration" } else { "gpp.declaration" };
+        let rule =
+            if word == "MODAL" { rule::gpp::MODAL_DECLARATION } else { rule::gpp::DECLARATION };
         refuse(
             rule,
             FaultKind::Declaration,
@@ -225,10 +227,10 @@ impl Reader<'_> {
 }
 
 fn refused(message: impl Into<String>) -> StepError {
-    refuse("gpp.declaration", FaultKind::Declaration, message)
+    refuse(rule::gpp::DECLARATION, FaultKind::Declaration, message)
 }
 
 /// A name that is not declared.
 pub(super) fn no_such(name: &str) -> StepError {
-    refuse("gpp.declaration", FaultKind::NoSuchVariable, format!("{name} is not declared"))
+    refuse(rule::gpp::DECLARATION, FaultKind::NoSuchVariable, format!("{name} is not declared"))
 }

@@ -9,6 +9,7 @@ use super::statements::lone_variable;
 use super::{Expression, Operator, Reference, Side, Test};
 use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::text::Token;
+use crate::ids::rule;
 
 /// The signs and words of comparisons, and the ways in which two sides must compare for each to hold.
 const COMPARISONS: &[(&str, &str, &[Ordering])] = &[
@@ -240,5 +241,5 @@ fn open(what: &str) -> StepError {
 }
 
 fn not_a_number(text: &str) -> StepError {
-    refuse("gpp.statement", FaultKind::BadNumber, format!("this is no number: {text}"))
+    refuse(rule::gpp::STATEMENT, FaultKind::BadNumber, format!("this is no number: {text}"))
 }

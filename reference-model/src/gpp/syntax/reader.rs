@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{DEEPEST, Heading, Program, Statement, is_keyword};
+use crate::Choices;
 use crate::RuleCoverage;
-use crate::gpp::choices::Choices;
 use crate::gpp::refusal::{StepError, refuse, refuse_form};
 use crate::gpp::text::{Placed, Token, no_number, tokens};
 use crate::gpp::variables::Variables;
+use crate::ids::rule;
 
 /// Reads a program over the variables that the toolpath declares.
 ///
@@ -141,9 +142,11 @@ impl Reader<'_> {
     /// The refusal of what stands where something else belongs.
     pub(super) fn odd(&mut self, expected: &str) -> StepError {
         let found = match self.peek() {
-            Token::Bad(kind, message) => return refuse("gpp.statement", *kind, message.clone()),
+            Token::Bad(kind, message) => {
+                return refuse(rule::gpp::STATEMENT, *kind, message.clone());
+            }
             Token::HeadingWord(word) => {
-                return refuse("gpp.statement", FaultKind::BadNumber, no_number(word));
+                return refuse(rule::gpp::STATEMENT, FaultKind::BadNumber, no_number(word));
             }
             Token::Word(word) | Token::Number(word) => word.clone(),
             Token::Text(text) => format!("{text:?}"),
@@ -152,7 +155,7 @@ impl Reader<'_> {
             Token::End => "the end of the program".to_owned(),
         };
         let message = format!("{expected} is expected here, not {found}");
-        refuse("gpp.statement", FaultKind::Statement, message)
+        refuse(rule::gpp::STATEMENT, FaultKind::Statement, message)
     }
 
     /// Whether this sign comes after the part that stands here.

@@ -6,6 +6,7 @@ use super::reader::Reader;
 use super::{Action, Condition, Item, Printer, Reference, Statement, Target, Test};
 use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::text::Token;
+use crate::ids::{choice, rule};
 
 /// The signs that `NEW_LINE_IS` can name.
 pub(super) const SYMBOLS: &[&str] = &["!", "#", "$", "%", "&", "@", "?", "^", "~"];
@@ -23,7 +24,7 @@ impl Reader<'_> {
             }
             let line = self.begun;
             let action = self.action()?;
-            self.coverage.accepted("gpp.statement");
+            self.coverage.accepted(rule::gpp::STATEMENT);
             statements.push(Statement { line, action });
         }
     }
@@ -67,7 +68,7 @@ impl Reader<'_> {
             return Ok(());
         }
         let message = "a text and a number do not go together";
-        Err(refuse("gpp.statement", FaultKind::WrongType, message))
+        Err(refuse(rule::gpp::STATEMENT, FaultKind::WrongType, message))
     }
 
     fn print(&mut self, printer: Printer) -> Result<Action, StepError> {
@@ -151,7 +152,7 @@ impl Reader<'_> {
         if self.is_heading() || *self.peek() == Token::End {
             self.begun = line;
             let message = format!("{word} is missing");
-            return Err(refuse("gpp.statement", FaultKind::Statement, message));
+            return Err(refuse(rule::gpp::STATEMENT, FaultKind::Statement, message));
         }
         if self.word() == Some(word) { Ok(()) } else { Err(self.odd(word)) }
     }
@@ -173,9 +174,9 @@ impl Reader<'_> {
             self.warnings.truncate(warnings);
             return Ok(Condition::Flag(reference.clone()));
         }
-        if all_alone && !self.choices.old_words {
+        if all_alone && !self.choices.is(choice::gpp::OldWords::Accepted) {
             let message = "IF_SET tests one variable";
-            return Err(refuse("gpp.tested", FaultKind::Statement, message));
+            return Err(refuse(rule::gpp::TESTED, FaultKind::Statement, message));
         }
         self.old_word("a condition in IF_SET")?;
         Ok(Condition::All(tests))
@@ -229,7 +230,7 @@ impl Reader<'_> {
 /// Rule gpp.tested. A variable is a number or a text, and no condition.
 pub(super) fn lone_variable() -> StepError {
     let message = "a variable is no condition: VAR_SET and VAR_NOTSET ask for its flag";
-    refuse("gpp.tested", FaultKind::Statement, message)
+    refuse(rule::gpp::TESTED, FaultKind::Statement, message)
 }
 
 /// PRINT, and PRINT0 to PRINT10.

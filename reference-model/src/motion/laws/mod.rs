@@ -16,7 +16,6 @@
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
-pub mod choices;
 mod corner_passes;
 mod feed;
 mod following;
@@ -29,7 +28,7 @@ mod verdict;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
-use choices::Choices;
+use crate::Choices;
 pub(in crate::motion) use matching::follows;
 use record::Record;
 pub use verdict::{Judgement, Law, Verdict, Violation};

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::Pin;
 use gaugeblock_vocabulary::motion::Column;
 
-use super::choices::MotionStart;
 use super::corner_passes::{CornerPass, corner_passes, rest_after};
 use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
+use crate::ids::choice::trajectory::MotionStart;
 use crate::motion::route::{Corner, CornerTolerance, Route, Task};
 use crate::motion::vector::{count, distance};
 
@@ -166,7 +166,7 @@ fn start(
         .fold((end, 0), |all, near| (all.0.min(near.0), all.1.max(near.1)));
     let rests = corner.tolerance == CornerTolerance::Rest;
     let leg = route.legs.get(number).filter(|_| pass.at.is_none() || !rests);
-    let (Some(leg), MotionStart::BlendEnd) = (leg, record.choices.motion_start) else {
+    let (Some(leg), MotionStart::BlendEnd) = (leg, record.choices.get::<MotionStart>()) else {
         return near;
     };
     let on_path = |sample: &usize| {

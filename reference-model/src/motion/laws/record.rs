@@ -4,8 +4,9 @@ use gaugeblock_vocabulary::motion::{
     MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
 };
 
-use super::choices::Choices;
 use super::matching::{self, Matching, Measure};
+use crate::Choices;
+use crate::ids::choice::trajectory::ToleranceAtChange;
 use crate::motion::bound::{Stop, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
@@ -101,7 +102,7 @@ impl<'a> Record<'a> {
         let bulge = bulge(&points, &envelope, period);
         let requests = Requests::of(script, period / limits.period, points.len());
         let backwards = backwards(&points, &requests, &envelope, period);
-        let matched = Route::under(choices.tolerance_at_change, path).and_then(|route| {
+        let matched = Route::under(choices.get::<ToleranceAtChange>(), path).and_then(|route| {
             if route.legs.is_empty() {
                 return Err("the path leads nowhere".to_owned());
             }

@@ -1,11 +1,12 @@
 //! What the laws say.
 
+use crate::ids::{Rule, rule};
 use std::fmt;
 
 use gaugeblock_vocabulary::Axis;
 
 macro_rules! laws {
-    ($($(#[$about:meta])* $id:literal $name:ident,)*) => {
+    ($($(#[$about:meta])* $name:ident = $rule:path,)*) => {
         /// A law of motion.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum Law {
@@ -16,11 +17,16 @@ macro_rules! laws {
             /// All of them, in the order in which they are judged.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
 
+            /// The law's rule.
+            pub fn rule(self) -> Rule {
+                match self {
+                    $(Self::$name => $rule,)*
+                }
+            }
+
             /// The id of the law's rule.
             pub fn id(self) -> &'static str {
-                match self {
-                    $(Self::$name => $id,)*
-                }
+                self.rule().id()
             }
         }
     };
@@ -28,37 +34,37 @@ macro_rules! laws {
 
 laws! {
     /// No axis is faster than it can be.
-    "trajectory.velocity" Velocity,
+    Velocity = rule::trajectory::VELOCITY,
     /// No axis accelerates more than it can.
-    "trajectory.acceleration" Acceleration,
+    Acceleration = rule::trajectory::ACCELERATION,
     /// No axis changes its acceleration faster than it can.
-    "trajectory.jerk" Jerk,
+    Jerk = rule::trajectory::JERK,
     /// The path is passed no faster than it is programmed and overridden.
-    "trajectory.feed" Feed,
+    Feed = rule::trajectory::FEED,
     /// The commanded point is nowhere farther from the path than allowed.
-    "trajectory.deviation" Deviation,
+    Deviation = rule::trajectory::DEVIATION,
     /// The commanded path passes no corner farther away than allowed.
-    "trajectory.vertex" Vertex,
+    Vertex = rule::trajectory::VERTEX,
     /// Without a tolerance corners are rounded between the middles of their legs.
-    "trajectory.midpoints" Midpoints,
+    Midpoints = rule::trajectory::MIDPOINTS,
     /// The motion rests at each corner that asks for it.
-    "trajectory.stop" Stop,
+    Stop = rule::trajectory::STOP,
     /// The motion starts and ends at the programmed points, at rest.
-    "trajectory.ends" Ends,
+    Ends = rule::trajectory::ENDS,
     /// Each element is passed, in the order of the program.
-    "trajectory.order" Order,
+    Order = rule::trajectory::ORDER,
     /// The path is not followed backwards unless that is asked for.
-    "trajectory.progress" Progress,
+    Progress = rule::trajectory::PROGRESS,
     /// Outputs switch where the program says, in its order, and only those.
-    "trajectory.outputs" Outputs,
+    Outputs = rule::trajectory::OUTPUTS,
     /// A dwell lasts as long as it says.
-    "trajectory.dwell" Dwell,
+    Dwell = rule::trajectory::DWELL,
     /// A hold stops the motion on the path, and it stays at rest until it may go on.
-    "trajectory.hold" Hold,
+    Hold = rule::trajectory::HOLD,
     /// An abort stops the motion for good.
-    "trajectory.abort" Abort,
+    Abort = rule::trajectory::ABORT,
     /// At each instant what is queued suffices to stop.
-    "trajectory.reserve" StoppingDistance,
+    StoppingDistance = rule::trajectory::RESERVE,
 }
 
 impl fmt::Display for Law {

@@ -1,6 +1,7 @@
 //! Expressions.
 
 use super::reader::{Reader, bad};
+use crate::ids::{choice, rule};
 use crate::nct::refusal::StepError;
 
 /// An expression. It is no deeper than brackets are, whatever its length.
@@ -119,7 +120,7 @@ impl Reader<'_> {
         let first = next(self)?;
         let mut others = Vec::new();
         while let Some(operator) = self.take_one(operators) {
-            if operator == Operator::Modulo && self.choices.documented_functions {
+            if operator == Operator::Modulo && self.choices.is(choice::nct::Functions::Documented) {
                 return Err(bad("no document names MOD"));
             }
             others.push((operator, next(self)?));
@@ -163,7 +164,7 @@ impl Reader<'_> {
             return Ok(Some(function));
         }
         let usual = self.take_one(USUAL);
-        if usual.is_some() && self.choices.documented_functions {
+        if usual.is_some() && self.choices.is(choice::nct::Functions::Documented) {
             return Err(bad("no document names this function"));
         }
         Ok(usual)
@@ -203,7 +204,7 @@ impl Reader<'_> {
             Some('#') => {
                 let message = "the number of a variable is computed in brackets";
                 let kind = gaugeblock_vocabulary::FaultKind::Statement;
-                Err(crate::nct::refusal::refuse("nct.indirect", kind, message))
+                Err(crate::nct::refusal::refuse(rule::nct::INDIRECT, kind, message))
             }
             Some(_) | None => Err(bad("the number of a variable is missing")),
         }

@@ -4,9 +4,9 @@ mod expression;
 mod reader;
 mod statement;
 
-use super::choices::Choices;
 use super::refusal::StepError;
 use super::text::Line;
+use crate::Choices;
 
 pub use expression::{Expression, Function, Operator};
 pub use statement::{Comparison, Condition};

@@ -2,7 +2,8 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::nct::choices::Choices;
+use crate::Choices;
+use crate::ids::rule;
 use crate::nct::refusal::{StepError, refuse, refuse_form};
 
 /// Most brackets that may stand within each other.
@@ -20,7 +21,7 @@ pub(super) struct Reader<'a> {
 
 /// Rule nct.statement-form. A macro statement of another form is refused: 3064 BAD MACRO STATEMENT.
 pub(super) fn bad(message: impl Into<String>) -> StepError {
-    refuse("nct.statement-form", FaultKind::Statement, message)
+    refuse(rule::nct::STATEMENT_FORM, FaultKind::Statement, message)
 }
 
 impl<'a> Reader<'a> {
@@ -66,7 +67,7 @@ impl<'a> Reader<'a> {
         self.depth += 1;
         if self.depth > DEEPEST {
             let message = format!("more than {DEEPEST} brackets within each other");
-            return Err(refuse("nct.brackets", FaultKind::Statement, message));
+            return Err(refuse(rule::nct::BRACKETS, FaultKind::Statement, message));
         }
         Ok(())
     }

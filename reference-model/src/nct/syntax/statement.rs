@@ -5,7 +5,8 @@ use gaugeblock_vocabulary::FaultKind;
 use super::expression::Expression;
 use super::reader::{Reader, bad};
 use super::{Content, Word};
-use crate::nct::choices::Choices;
+use crate::Choices;
+use crate::ids::{choice, rule};
 use crate::nct::refusal::{StepError, open, refuse, refuse_form};
 
 /// `[a EQ b]` and its like.
@@ -109,8 +110,8 @@ impl Reader<'_> {
 
     /// Choice nct.loops: whether there are WHILE, DO and END.
     fn loops(&self) -> Result<(), StepError> {
-        if self.choices.no_loops {
-            return Err(refuse("nct.loops", FaultKind::Statement, "there are no loops"));
+        if self.choices.is(choice::nct::Loops::Refused) {
+            return Err(refuse(rule::nct::LOOPS, FaultKind::Statement, "there are no loops"));
         }
         Ok(())
     }
@@ -123,7 +124,7 @@ impl Reader<'_> {
             return Ok(number);
         }
         let message = format!("{number} is no number of a loop");
-        Err(refuse("nct.loop-number", FaultKind::Statement, message))
+        Err(refuse(rule::nct::LOOP_NUMBER, FaultKind::Statement, message))
     }
 
     /// A value with or without a sign: a number, a variable, or an expression in brackets.
@@ -152,9 +153,9 @@ impl Reader<'_> {
         }
         if matches!(self.peek(), Some('#' | '[')) {
             let message = format!("{letter} takes no variable");
-            return Err(refuse("nct.plain-numbers", FaultKind::Statement, message));
+            return Err(refuse(rule::nct::PLAIN_NUMBERS, FaultKind::Statement, message));
         }
         let message = format!("{letter} opens its block");
-        Err(refuse("nct.sequence-number", FaultKind::BadBlock, message))
+        Err(refuse(rule::nct::SEQUENCE_NUMBER, FaultKind::BadBlock, message))
     }
 }

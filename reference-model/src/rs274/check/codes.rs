@@ -4,7 +4,8 @@ use std::fmt;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
 use crate::rs274::order::has_axis_words;
@@ -29,7 +30,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule modal-groups.four-m-words. A block holds up to four M words.
 fn count(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let rule = "modal-groups.four-m-words";
+    let rule = rule::modal_groups::FOUR_M_WORDS;
     if words.m.len() > MOST_M_WORDS {
         let message = format!("{} M words in a block", words.m.len());
         return Err(refuse(rule, FaultKind::TooManyMCodes, message));
@@ -65,10 +66,10 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
     for number in &words.g {
         let text = Written::G(*number);
         let rule = if *number > 999 {
-            "modal-groups.g-code-out-of-range"
+            rule::modal_groups::G_CODE_OUT_OF_RANGE
         } else {
-            state.coverage.accepted("modal-groups.g-code-out-of-range");
-            "modal-groups.unknown-g-code"
+            state.coverage.accepted(rule::modal_groups::G_CODE_OUT_OF_RANGE);
+            rule::modal_groups::UNKNOWN_G_CODE
         };
         let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.coverage.accepted(rule);
@@ -79,9 +80,9 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         let text = Written::M(*number);
         let out_of_range = *number > 199;
         let rule = if out_of_range {
-            "modal-groups.m-code-out-of-range"
+            rule::modal_groups::M_CODE_OUT_OF_RANGE
         } else {
-            "modal-groups.unknown-m-code"
+            rule::modal_groups::UNKNOWN_M_CODE
         };
         let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.coverage.accepted(rule);
@@ -92,7 +93,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
     Ok(codes)
 }
 
-fn unknown(rule: &'static str, text: Written) -> StepError {
+fn unknown(rule: Rule, text: Written) -> StepError {
     refuse(rule, FaultKind::UnknownCode, format!("there is no {text}"))
 }
 
@@ -115,7 +116,7 @@ fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result
         state.coverage.accepted(rule);
     }
     if in_groups().count() > 1 {
-        state.coverage.accepted("modal-groups.one-of-each");
+        state.coverage.accepted(rule::modal_groups::ONE_OF_EACH);
     }
     Ok(())
 }
@@ -123,8 +124,10 @@ fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result
 /// The group of an M code of which it is a choice whether it belongs to one.
 fn group_by_choice(number: u32, choices: &Choices) -> Option<ModalGroup> {
     let (group, belongs) = match number {
-        50..=53 => (ModalGroup::Overrides, choices.is("modal-groups.override-members", "all")),
-        62..=68 => (ModalGroup::InputsOutputs, choices.is("modal-groups.io-members", "exclusive")),
+        50..=53 => (ModalGroup::Overrides, choices.is(choice::modal_groups::OverrideMembers::All)),
+        62..=68 => {
+            (ModalGroup::InputsOutputs, choices.is(choice::modal_groups::IoMembers::Exclusive))
+        }
         _ => return None,
     };
     belongs.then_some(group)
@@ -143,8 +146,8 @@ fn conflict(
     let mist_and_flood =
         group == ModalGroup::Coolant && !words.m.contains(&9) && texts.0 != texts.1;
     if mist_and_flood {
-        let rule = "coolant.both-in-one-block";
-        if state.choices.is(rule, "accepted") {
+        let rule = rule::coolant::BOTH_IN_ONE_BLOCK;
+        if state.choices.is(choice::coolant::BothInOneBlock::Accepted) {
             state.coverage.accepted(rule);
             return Ok(());
         }
@@ -152,13 +155,13 @@ fn conflict(
     }
     let cancels = |text: Written| text == Written::G(800);
     let cancel = group == ModalGroup::Motion && (cancels(texts.0) || cancels(texts.1));
-    if cancel && state.choices.quirk("rs274.cancel-with-motion") {
+    if cancel && state.choices.quirk(quirk::rs274::CANCEL_WITH_MOTION) {
         return Ok(());
     }
     if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&Written::M(19)) {
-        state.coverage.refused("orient.group");
+        state.coverage.refused(rule::orient::GROUP);
     }
-    let rule = group.rule().unwrap_or("modal-groups.one-of-each");
+    let rule = group.rule().unwrap_or(rule::modal_groups::ONE_OF_EACH);
     Err(refuse(rule, FaultKind::ModalConflict, message))
 }
 
@@ -179,22 +182,22 @@ fn axis_words_once(
         return match offset {
             Some((offset, _)) if words.g.contains(&530) => {
                 let message = format!("G53 in a block with {offset}");
-                Err(refuse("tool.dynamic-length-with-motion", FaultKind::AxisWords, message))
+                Err(refuse(rule::tool::DYNAMIC_LENGTH_WITH_MOTION, FaultKind::AxisWords, message))
             }
             _ => Ok(()),
         };
     };
     if let Some((other, _)) = user(ModalGroup::NonModal) {
         let message = format!("{motion} and {other} both use the axis words");
-        return Err(refuse("modal-groups.axis-words-twice", FaultKind::AxisWords, message));
+        return Err(refuse(rule::modal_groups::AXIS_WORDS_TWICE, FaultKind::AxisWords, message));
     }
-    state.coverage.accepted("modal-groups.axis-words-twice");
-    let quirk = state.choices.quirk("rs274.dynamic-length-with-motion");
+    state.coverage.accepted(rule::modal_groups::AXIS_WORDS_TWICE);
+    let quirk = state.choices.quirk(quirk::rs274::DYNAMIC_LENGTH_WITH_MOTION);
     match user(ModalGroup::ToolLength) {
         Some((Written::G(432), _)) if !has_axis_words(words) => Ok(()),
         Some((other, _)) if !quirk => {
             let message = format!("{motion} in a block with {other}");
-            Err(refuse("tool.dynamic-length-with-motion", FaultKind::AxisWords, message))
+            Err(refuse(rule::tool::DYNAMIC_LENGTH_WITH_MOTION, FaultKind::AxisWords, message))
         }
         _ => Ok(()),
     }

@@ -5,6 +5,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::ids::{Rule, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::word;
 use crate::rs274::order::has_axis_words;
@@ -16,8 +17,8 @@ pub(super) fn check(words: &Words, state: &State) -> Result<(), StepError> {
     words.g.iter().try_for_each(|code| match code {
         40 => dwell(words),
         431 => dynamic_length(words, state),
-        520 => axis_word("offsets.local-needs-axes", "G52", words),
-        920 => axis_word("offsets.position-needs-axes", "G92", words),
+        520 => axis_word(rule::offsets::LOCAL_NEEDS_AXES, "G52", words),
+        920 => axis_word(rule::offsets::POSITION_NEEDS_AXES, "G92", words),
         _ => Ok(()),
     })
 }
@@ -27,18 +28,18 @@ fn dwell(words: &Words) -> Result<(), StepError> {
     if word(words, 'p').is_some() {
         return Ok(());
     }
-    Err(refuse("dwell.needs-time", FaultKind::MissingWord, "G4 needs P, the seconds"))
+    Err(refuse(rule::dwell::NEEDS_TIME, FaultKind::MissingWord, "G4 needs P, the seconds"))
 }
 
 /// Rule tool.dynamic-length-needs-axes. G43.1 has an axis word.
 fn dynamic_length(words: &Words, state: &State) -> Result<(), StepError> {
-    if state.choices.quirk("rs274.dynamic-length-without-axes") {
+    if state.choices.quirk(quirk::rs274::DYNAMIC_LENGTH_WITHOUT_AXES) {
         return Ok(());
     }
-    axis_word("tool.dynamic-length-needs-axes", "G43.1", words)
+    axis_word(rule::tool::DYNAMIC_LENGTH_NEEDS_AXES, "G43.1", words)
 }
 
-fn axis_word(rule: &'static str, code: &str, words: &Words) -> Result<(), StepError> {
+fn axis_word(rule: Rule, code: &str, words: &Words) -> Result<(), StepError> {
     if has_axis_words(words) {
         return Ok(());
     }

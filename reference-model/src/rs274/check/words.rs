@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
+use crate::ids::{quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::{is_arc, motion_of};
 use crate::rs274::execute::{letter, whole};
@@ -25,8 +26,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
             return Err(unused(letter, words, state));
         }
     }
-    state.coverage.accepted("modal-groups.unused-word");
-    state.coverage.accepted("modal-groups.unused-arc-word");
+    state.coverage.accepted(rule::modal_groups::UNUSED_WORD);
+    state.coverage.accepted(rule::modal_groups::UNUSED_ARC_WORD);
     if words.g.contains(&640)
         && words.letters.contains_key(&'q')
         && !words.letters.contains_key(&'p')
@@ -68,7 +69,7 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
     });
     let Some(axis) = absent else { return Ok(()) };
     let origin = words.g.contains(&100);
-    let rule = if origin { "offsets.set-unknown-axis" } else { "motion.no-such-axis" };
+    let rule = if origin { rule::offsets::SET_UNKNOWN_AXIS } else { rule::motion::NO_SUCH_AXIS };
     let message = format!("the machine has no axis {}", axis.word().to_uppercase());
     Err(refuse(rule, FaultKind::NoSuchAxis, message))
 }
@@ -135,7 +136,7 @@ fn polar(words: &Words) -> Result<(), StepError> {
     let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
     let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
     let message = format!("polar words with {}", g_text(*code));
-    Err(refuse("motion.polar-moves-only", FaultKind::AxisWords, message))
+    Err(refuse(rule::motion::POLAR_MOVES_ONLY, FaultKind::AxisWords, message))
 }
 
 /// Rule arcs.mode-holds. While G2 or G3 is in force, a block with axis words is an arc without a code.
@@ -151,17 +152,17 @@ fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
     let m = |codes: &[u32]| words.m.iter().any(|code| codes.contains(code));
     let exact = words.g.iter().any(|code| [610, 611].contains(code));
     let rule = match letter {
-        'i' | 'j' | 'k' => "modal-groups.unused-arc-word",
-        'd' => "spindle.unused-limit",
-        'h' => "tool.unused-length",
-        '$' if m(&[50, 52, 53]) => "overrides.feed-takes-no-dollar",
-        '$' => "spindle.unused-dollar",
-        'p' | 'q' if exact => "path-control.unused-tolerance",
-        'p' if m(&[48, 49]) => "overrides.both-unused-p",
-        _ => "modal-groups.unused-word",
+        'i' | 'j' | 'k' => rule::modal_groups::UNUSED_ARC_WORD,
+        'd' => rule::spindle::UNUSED_LIMIT,
+        'h' => rule::tool::UNUSED_LENGTH,
+        '$' if m(&[50, 52, 53]) => rule::overrides::FEED_TAKES_NO_DOLLAR,
+        '$' => rule::spindle::UNUSED_DOLLAR,
+        'p' | 'q' if exact => rule::path_control::UNUSED_TOLERANCE,
+        'p' if m(&[48, 49]) => rule::overrides::BOTH_UNUSED_P,
+        _ => rule::modal_groups::UNUSED_WORD,
     };
     if letter == 'p' {
-        state.coverage.refused("dwell.once");
+        state.coverage.refused(rule::dwell::ONCE);
     }
     let message = format!("{} without a code that uses it", letter.to_uppercase());
     refuse(rule, FaultKind::UnusedWord, message)
@@ -169,9 +170,9 @@ fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
 
 /// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
 fn naive_cam_alone(state: &State) -> Result<(), StepError> {
-    if state.choices.quirk("rs274.blend-q-without-p") {
+    if state.choices.quirk(quirk::rs274::BLEND_Q_WITHOUT_P) {
         return Ok(());
     }
     let message = "G64 with Q and without P";
-    Err(refuse("path-control.naive-cam-alone", FaultKind::MissingWord, message))
+    Err(refuse(rule::path_control::NAIVE_CAM_ALONE, FaultKind::MissingWord, message))
 }

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{Control, Next, Open, Place, Structure, condition, o_word};
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -18,8 +19,8 @@ impl Control {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        self.defined_once(label, "control.duplicate-if", state)?;
-        let taken = condition("control.if", values, state)?;
+        self.defined_once(label, rule::control::DUPLICATE_IF, state)?;
+        let taken = condition(rule::control::IF, values, state)?;
         let next = if taken {
             Next::Following
         } else {
@@ -43,14 +44,14 @@ impl Control {
             return self.at_end(label, state);
         };
         if *taken {
-            state.coverage.accepted("control.first-true-only");
-            if state.choices.quirk("rs274.later-conditions-evaluated") {
+            state.coverage.accepted(rule::control::FIRST_TRUE_ONLY);
+            if state.choices.quirk(quirk::rs274::LATER_CONDITIONS_EVALUATED) {
                 quirks::control::evaluate_later_condition(values, state)?;
                 return self.at_branch(label, state);
             }
             return self.at_end(label, state);
         }
-        let is_true = condition("control.elseif", values, state)?;
+        let is_true = condition(rule::control::ELSEIF, values, state)?;
         if let Some(taken) = self.branch(label, Keyword::ElseIf, state)? {
             *taken = is_true;
         }
@@ -62,11 +63,11 @@ impl Control {
         match self.branch(label, Keyword::Else, state)? {
             Some(taken) if !*taken => {
                 *taken = true;
-                state.coverage.accepted("control.else");
+                state.coverage.accepted(rule::control::ELSE);
                 Ok(Next::Following)
             }
             Some(_) => {
-                state.coverage.accepted("control.else");
+                state.coverage.accepted(rule::control::ELSE);
                 self.at_end(label, state)
             }
             None => self.at_end(label, state),
@@ -101,16 +102,20 @@ impl Control {
             };
         }
         if state.frame().ended_conditions.contains(label) {
-            let followed = state.choices.is("control.ended-label", "followed");
+            let followed = state.choices.is(choice::control::EndedLabel::Followed);
             let message = format!("the condition {} has ended", o_word(label));
-            let refusal = refuse("control.unmatched-endif", FaultKind::UnknownLabel, message);
+            let refusal = refuse(rule::control::UNMATCHED_ENDIF, FaultKind::UnknownLabel, message);
             return if followed { Ok(None) } else { Err(refusal) };
         }
         let defined = self.definitions(label);
         if defined.is_empty() {
             if matches!(keyword, Keyword::Else | Keyword::ElseIf) {
                 let message = format!("no if has the label {}", o_word(label));
-                return Err(refuse("control.undefined-else", FaultKind::UnknownLabel, message));
+                return Err(refuse(
+                    rule::control::UNDEFINED_ELSE,
+                    FaultKind::UnknownLabel,
+                    message,
+                ));
             }
         } else if defined.iter().any(|definition| definition.keyword == Keyword::If)
             && !quirks::control::is_left_behind(state)
@@ -122,7 +127,7 @@ impl Control {
             return Err(StepError::Unspecified(why));
         }
         let message = format!("{} is no open condition", o_word(label));
-        Err(refuse("control.unmatched-endif", FaultKind::UnknownLabel, message))
+        Err(refuse(rule::control::UNMATCHED_ENDIF, FaultKind::UnknownLabel, message))
     }
 
     /// Goes on at the endif.
@@ -144,14 +149,14 @@ impl Control {
     pub(super) fn defined_once(
         &mut self,
         label: &str,
-        rule: &'static str,
+        rule: Rule,
         state: &mut State,
     ) -> Result<(), StepError> {
         self.not_of_sub(label, rule, state)?;
         if self.defined_elsewhere(label, state).is_none() {
             return Ok(());
         }
-        let executed = state.choices.is("control.skipped-definition", "does-not-count");
+        let executed = state.choices.is(choice::control::SkippedDefinition::DoesNotCount);
         if executed && !state.frame().has_met(label) && !quirks::control::is_left_behind(state) {
             let why = format!("{} has been defined in another call of its sub", o_word(label));
             return Err(StepError::Unspecified(why));
@@ -163,11 +168,11 @@ impl Control {
     pub(super) fn not_of_sub(
         &self,
         label: &str,
-        rule: &'static str,
+        rule: Rule,
         state: &State,
     ) -> Result<(), StepError> {
         let own = state.frame().is_called(label);
-        if own && state.choices.is("control.sub-number-as-label", "refused") {
+        if own && state.choices.is(choice::control::SubNumberAsLabel::Refused) {
             return Err(duplicate(label, rule));
         }
         Ok(())
@@ -183,10 +188,10 @@ impl Control {
         let Place { file, line: here } = self.place;
         let labels = self.files.labels(file);
         if labels.is_shared(label) {
-            state.coverage.accepted("control.labels-in-subs");
+            state.coverage.accepted(rule::control::LABELS_IN_SUBS);
         }
         let scope = labels.scope(state.frame().numbered_line().unwrap_or(here));
-        let counts = state.choices.is("control.skipped-definition", "counts");
+        let counts = state.choices.is(choice::control::SkippedDefinition::Counts);
         let in_text = labels.definitions(label, here).first().map(|definition| definition.line);
         let earlier = in_text.filter(|line| counts && *line < here);
         let executed = *self.defined.entry((file, scope, label.to_owned())).or_insert(here);
@@ -212,7 +217,7 @@ impl Control {
         let open = Open { label: label.to_owned(), line, structure };
         frame.open.push(open);
         if nested {
-            state.coverage.accepted("control.nesting");
+            state.coverage.accepted(rule::control::NESTING);
         }
     }
 
@@ -239,7 +244,7 @@ impl Control {
 }
 
 /// The refusal of a label that is defined elsewhere.
-pub(super) fn duplicate(label: &str, rule: &'static str) -> StepError {
+pub(super) fn duplicate(label: &str, rule: Rule) -> StepError {
     let message = format!("the label {} is defined elsewhere", o_word(label));
     refuse(rule, FaultKind::DuplicateLabel, message)
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::labels::Labels;
+use crate::ids::quirk;
 use crate::rs274::state::State;
 use crate::rs274::text::{Line, Source};
 
@@ -73,7 +74,7 @@ impl Files {
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
         let mut source = Source::new(name, text, &state.choices);
         if let Some(main) = self.opened.first()
-            && state.choices.quirk("rs274.percent-in-file")
+            && state.choices.quirk(quirk::rs274::PERCENT_IN_FILE)
         {
             source = source.called_by(&main.source);
         }

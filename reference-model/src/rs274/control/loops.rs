@@ -5,6 +5,8 @@ use gaugeblock_vocabulary::FaultKind;
 use super::conditions::duplicate;
 use super::labels::Definition;
 use super::{Control, Next, Open, Structure, condition, o_word, single};
+use crate::ids::choice::control::{DoLabel, RepeatFraction};
+use crate::ids::{choice, quirk, rule};
 use crate::math;
 use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -46,9 +48,9 @@ impl Control {
         });
         if !again {
             self.not_of_skipped_do(label, state)?;
-            self.defined_once(label, "control.duplicate-while", state)?;
+            self.defined_once(label, rule::control::DUPLICATE_WHILE, state)?;
         }
-        if condition("control.while", values, state)? {
+        if condition(rule::control::WHILE, values, state)? {
             if !again {
                 self.enter(label, Structure::While, state);
             }
@@ -59,7 +61,7 @@ impl Control {
         } else {
             self.never_entered(label, Structure::While, state);
         }
-        state.coverage.accepted("control.loop-again");
+        state.coverage.accepted(rule::control::LOOP_AGAIN);
         let ends = &[Keyword::EndWhile];
         let line = self.end_of_skipped(label, ends, self.place.line, state)?;
         quirks::control::while_ends(self, label, line, state);
@@ -89,7 +91,7 @@ impl Control {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        let again = condition("control.do-while", values, state)?;
+        let again = condition(rule::control::DO_WHILE, values, state)?;
         if !quirks::control::do_ends(self) && again {
             return Ok(Next::At(self.line(first + 1)));
         }
@@ -103,7 +105,7 @@ impl Control {
     /// name. What a do is whose label a condition or another loop defines, it does not tell at all; nor which while
     /// ends which of two, where one stands in the other.
     pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
-        self.not_of_sub(label, "control.do-while", state)?;
+        self.not_of_sub(label, rule::control::DO_WHILE, state)?;
         let first = self.defined_elsewhere(label, state);
         let of_do = |definition: &Definition| definition.keyword == Keyword::Do;
         if first.is_some() && !self.definitions(label).iter().all(of_do) {
@@ -113,17 +115,17 @@ impl Control {
             );
             return Err(StepError::Unspecified(why));
         }
-        let choice = state.choices.choice("control.do-label");
+        let choice = state.choices.get::<DoLabel>();
         let frame = state.frame();
         let around = frame.find_open(label, is_do).map(|place| frame.open[place].line);
-        if choice == "each" && around.is_some_and(|around| around != self.place.line) {
+        if choice == DoLabel::Each && around.is_some_and(|around| around != self.place.line) {
             let why = format!("a do {} within one of the same label", o_word(label));
             return Err(StepError::Unspecified(why));
         }
         let line = match (first, choice) {
-            (Some(_), "refused") => return Err(duplicate(label, "control.do-while")),
-            (Some(first), "first") => first,
-            (Some(_) | None, _) => self.place.line,
+            (Some(_), DoLabel::Refused) => return Err(duplicate(label, rule::control::DO_WHILE)),
+            (Some(first), DoLabel::First) => first,
+            (Some(_), DoLabel::Each) | (None, _) => self.place.line,
         };
         self.enter_at(line, label, Structure::Do, state);
         Ok(Next::Following)
@@ -147,8 +149,8 @@ impl Control {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        self.defined_once(label, "control.duplicate-repeat", state)?;
-        if state.choices.quirk("rs274.repeat-counter-shared") {
+        self.defined_once(label, rule::control::DUPLICATE_REPEAT, state)?;
+        if state.choices.quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
             return quirks::control::shared_repeat(self, label, values, state);
         }
         let turns = turns(values, state)?;
@@ -168,11 +170,11 @@ impl Control {
             return Ok(Next::At(self.line(first)));
         };
         let first = state.frame().open[place].line;
-        if state.choices.quirk("rs274.repeat-counter-shared") {
+        if state.choices.quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
             self.leave(label, is_repeat, state)?;
             return Ok(Next::At(self.line(first)));
         }
-        state.coverage.accepted("control.repeat-recursion");
+        state.coverage.accepted(rule::control::REPEAT_RECURSION);
         match &mut state.frame_mut().open[place].structure {
             Structure::Repeat { turns_left } if *turns_left > 0 => {
                 *turns_left -= 1;
@@ -198,8 +200,8 @@ impl Control {
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
         let last = state.frame().ended_loops.get(label).copied();
         let last = last.filter(|(keyword, _)| *keyword == head).map(|(_, line)| line);
-        let to_first = head == Keyword::Do && state.choices.is("control.do-label", "first");
-        let followed = to_first || state.choices.is("control.ended-label", "followed");
+        let to_first = head == Keyword::Do && state.choices.is(DoLabel::First);
+        let followed = to_first || state.choices.is(choice::control::EndedLabel::Followed);
         // The text tells nothing of a label that must be computed.
         let last = last.filter(|_| followed)?;
         let earlier = |definition: &&Definition| {
@@ -218,13 +220,13 @@ impl Control {
             .definitions(label)
             .iter()
             .any(|definition| definition.keyword == head && definition.line < self.place.line);
-        let followed = state.choices.is("control.ended-label", "followed");
+        let followed = state.choices.is(choice::control::EndedLabel::Followed);
         if in_text && followed && !quirks::control::is_left_behind(state) {
             let why = format!("the loop {} is in the text, but was not entered", o_word(label));
             return StepError::Unspecified(why);
         }
         let message = format!("{} is no open loop of this kind", o_word(label));
-        refuse("control.unmatched-endwhile", FaultKind::UnknownLabel, message)
+        refuse(rule::control::UNMATCHED_ENDWHILE, FaultKind::UnknownLabel, message)
     }
 
     /// Goes on after the endrepeat.
@@ -246,11 +248,11 @@ impl Control {
         self.within(label, structure, first, state)?;
         let left = state.frame_mut().open.split_off(place);
         if left.iter().any(|open| is_repeat(open.structure)) {
-            state.coverage.accepted("control.break-in-repeat");
+            state.coverage.accepted(rule::control::BREAK_IN_REPEAT);
         }
         let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
         self.break_remembered |=
-            structure == Structure::While && state.choices.quirk("rs274.break-remembered");
+            structure == Structure::While && state.choices.quirk(quirk::rs274::BREAK_REMEMBERED);
         if structure == Structure::While && quirks::control::begins_again(self) {
             state.frame_mut().open.truncate(place + 1);
             return Ok(Next::At(self.line(first)));
@@ -258,7 +260,7 @@ impl Control {
         let line = self.end_of_skipped(label, &[ends], first, state)?;
         self.ends_before(&left[1..], line, state)?;
         left.into_iter().for_each(|open| state.frame_mut().end(open));
-        state.coverage.accepted("control.break");
+        state.coverage.accepted(rule::control::BREAK);
         Ok(Next::At(self.line(line + 1)))
     }
 
@@ -303,20 +305,20 @@ impl Control {
         let ended =
             ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
         let open = state.frame().find_open(label, |_| true).is_some();
-        if ended && !open && state.choices.is("control.ended-label", "followed") {
+        if ended && !open && state.choices.is(choice::control::EndedLabel::Followed) {
             let why = format!("{} is named behind its end", o_word(label));
             return Err(StepError::Unspecified(why));
         }
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         state.frame_mut().open.truncate(place + 1);
-        state.coverage.accepted("control.continue");
+        state.coverage.accepted(rule::control::CONTINUE);
         if structure == Structure::Do {
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
             quirks::control::do_continues(self, label, line, state);
             return Ok(Next::At(self.line(line)));
         }
-        if state.choices.quirk("rs274.continue-seeks-end") {
+        if state.choices.quirk(quirk::rs274::CONTINUE_SEEKS_END) {
             self.end_of_skipped(label, &[Keyword::EndWhile], self.place.line, state)?;
         }
         Ok(Next::At(self.line(first)))
@@ -333,7 +335,7 @@ impl Control {
             return Ok((place, frame.open[place].structure, frame.open[place].line));
         }
         let repeat = frame.find_open(label, is_repeat).is_some();
-        let rule = if repeat { "control.break-in-repeat" } else { "control.stray-break" };
+        let rule = if repeat { rule::control::BREAK_IN_REPEAT } else { rule::control::STRAY_BREAK };
         Err(refuse(
             rule,
             FaultKind::UnknownLabel,
@@ -346,22 +348,22 @@ impl Control {
 ///
 /// Choice control.repeat-negative: whether a count below zero means no turn or is refused.
 pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, StepError> {
-    let count = single("control.repeat", values, state)?;
-    if count < 0.0 && state.choices.is("control.repeat-negative", "refused") {
+    let count = single(rule::control::REPEAT, values, state)?;
+    if count < 0.0 && state.choices.is(choice::control::RepeatNegative::Refused) {
         let message = format!("a repeat of {count} turns");
-        return Err(refuse("control.repeat", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::control::REPEAT, FaultKind::WordOutOfRange, message));
     }
-    let whole = match state.choices.choice("control.repeat-fraction") {
-        "rounded-to-even" => count.round_ties_even(),
-        "rounded-down" => count.floor(),
-        "rounded-up" => count.ceil(),
-        "refused" if math::near_integer(count).is_none() => {
+    let whole = match state.choices.get::<RepeatFraction>() {
+        RepeatFraction::RoundedToEven => count.round_ties_even(),
+        RepeatFraction::RoundedDown => count.floor(),
+        RepeatFraction::RoundedUp => count.ceil(),
+        RepeatFraction::Refused if math::near_integer(count).is_none() => {
             let message = format!("a repeat of {count} turns");
-            return Err(refuse("control.repeat", FaultKind::NotAnInteger, message));
+            return Err(refuse(rule::control::REPEAT, FaultKind::NotAnInteger, message));
         }
-        _ => count.round(),
+        RepeatFraction::Refused | RepeatFraction::Rounded => count.round(),
     };
-    state.coverage.accepted("control.repeat");
+    state.coverage.accepted(rule::control::REPEAT);
     Ok(saturated(whole))
 }
 

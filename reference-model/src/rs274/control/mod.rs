@@ -37,6 +37,7 @@ use super::refusal::{StepError, refuse};
 use super::state::State;
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::math;
 
 /// The main program among the files.
@@ -139,20 +140,20 @@ impl Control {
     ) -> Result<Next, StepError> {
         if !block.words.is_empty() || !block.settings.is_empty() {
             let message = "other words stand on the line of an o-word";
-            return Err(refuse("control.unrelated-words", FaultKind::BadBlock, message));
+            return Err(refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message));
         }
         if block.line_number.is_some() {
-            state.coverage.accepted("control.unrelated-words");
+            state.coverage.accepted(rule::control::UNRELATED_WORDS);
         }
         if block.comment.is_some() && word.keyword != Keyword::ProgramNumber {
-            if state.choices.is("control.comment-after-o-word", "refused") {
+            if state.choices.is(choice::control::CommentAfterOWord::Refused) {
                 let message = "a comment stands on the line of an o-word";
-                return Err(refuse("control.comment-after", FaultKind::BadBlock, message));
+                return Err(refuse(rule::control::COMMENT_AFTER, FaultKind::BadBlock, message));
             }
-            state.coverage.accepted("control.comment-after");
+            state.coverage.accepted(rule::control::COMMENT_AFTER);
         }
         if matches!(word.label, Label::Name(_)) && !of_subs(word.keyword) {
-            state.coverage.accepted("control.named-labels");
+            state.coverage.accepted(rule::control::NAMED_LABELS);
         }
         let label = label_of(&word.label, state)?;
         let next = self.perform(&label, word, state, record)?;
@@ -226,7 +227,7 @@ impl Control {
         after: u32,
         state: &mut State,
     ) -> Result<u32, StepError> {
-        let any_sub = state.choices.quirk("rs274.ends-in-other-subs");
+        let any_sub = state.choices.quirk(quirk::rs274::ENDS_IN_OTHER_SUBS);
         let end = if any_sub {
             self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
         } else {
@@ -251,7 +252,7 @@ impl Control {
         }
         end.ok_or_else(|| {
             let message = format!("{} has no end further on", o_word(label));
-            refuse("control.missing-end", FaultKind::MissingEnd, message)
+            refuse(rule::control::MISSING_END, FaultKind::MissingEnd, message)
         })
     }
 }
@@ -268,16 +269,16 @@ fn of_subs(keyword: Keyword) -> bool {
 pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepError> {
     match label {
         Label::Name(name) => {
-            state.coverage.accepted("subroutines.named-o-words");
+            state.coverage.accepted(rule::subroutines::NAMED_O_WORDS);
             Ok(name.clone())
         }
         Label::Number(Expression::Number(number)) => {
-            state.coverage.accepted("subroutines.numbered-o-words");
+            state.coverage.accepted(rule::subroutines::NUMBERED_O_WORDS);
             whole(*number)
         }
         Label::Number(expression) => {
-            let number = evaluated("subroutines.computed-o-words", expression, state)?;
-            state.coverage.accepted("subroutines.computed-o-words");
+            let number = evaluated(rule::subroutines::COMPUTED_O_WORDS, expression, state)?;
+            state.coverage.accepted(rule::subroutines::COMPUTED_O_WORDS);
             whole(number)
         }
     }
@@ -296,17 +297,13 @@ fn whole(number: f64) -> Result<String, StepError> {
         Some(label) => Ok(label.to_string()),
         None => {
             let message = format!("{number} after O is not an integer");
-            Err(refuse("subroutines.computed-o-words", FaultKind::NotAnInteger, message))
+            Err(refuse(rule::subroutines::COMPUTED_O_WORDS, FaultKind::NotAnInteger, message))
         }
     }
 }
 
 /// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.
-fn evaluated(
-    rule: &'static str,
-    expression: &Expression,
-    state: &mut State,
-) -> Result<f64, StepError> {
+fn evaluated(rule: Rule, expression: &Expression, state: &mut State) -> Result<f64, StepError> {
     let value = evaluate::value_of(expression, state);
     if let Err(StepError::Refused(_)) = value {
         state.coverage.refused(rule);
@@ -315,7 +312,7 @@ fn evaluated(
 }
 
 /// The one value that a keyword needs: a condition, a count.
-fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Result<f64, StepError> {
+fn single(rule: Rule, values: &[Expression], state: &mut State) -> Result<f64, StepError> {
     match values {
         [value] => evaluated(rule, value, state),
         [] | [_, _, ..] => {
@@ -326,13 +323,9 @@ fn single(rule: &'static str, values: &[Expression], state: &mut State) -> Resul
 }
 
 /// Rule control.truth. A condition is false when it is zero and true for every other number.
-fn condition(
-    rule: &'static str,
-    values: &[Expression],
-    state: &mut State,
-) -> Result<bool, StepError> {
+fn condition(rule: Rule, values: &[Expression], state: &mut State) -> Result<bool, StepError> {
     let value = single(rule, values, state)?;
-    state.coverage.accepted("control.truth");
+    state.coverage.accepted(rule::control::TRUTH);
     state.coverage.accepted(rule);
     Ok(value.abs() > 0.0)
 }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{End, FaultKind};
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::saved_state;
 use crate::rs274::quirks;
@@ -23,7 +24,7 @@ impl Control {
             return Err(StepError::Unspecified(why.to_owned()));
         }
         enabled(state)?;
-        state.coverage.accepted("fanuc-subs.main-number");
+        state.coverage.accepted(rule::fanuc_subs::MAIN_NUMBER);
         Ok(Next::Following)
     }
 
@@ -66,16 +67,16 @@ impl Control {
     fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, StepError> {
         let Some(number) = words.letters.get(&'p') else {
             let message = "M98 without P";
-            return Err(refuse("fanuc-subs.number-missing", FaultKind::MissingWord, message));
+            return Err(refuse(rule::fanuc_subs::NUMBER_MISSING, FaultKind::MissingWord, message));
         };
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
         quirks::control::count_too_large(turns, state)?;
         // It may lie beyond what an integer of the machine holds.
         let label = format!("{:.0}", counted(*number, "P of M98")?);
         let turns = saturated(counted(turns, "L of M98")?);
-        let none = turns == 0 && !state.choices.quirk("rs274.fanuc-zero-loops");
+        let none = turns == 0 && !state.choices.quirk(quirk::rs274::FANUC_ZERO_LOOPS);
         let back = Place { line: self.place.line + 1, ..self.place };
-        let free = turns == 0 && state.choices.is("fanuc-subs.zero-count-unknown", "accepted");
+        let free = turns == 0 && state.choices.is(choice::fanuc_subs::ZeroCountUnknown::Accepted);
         if turns > 0 {
             quirks::skipping::to_numbered(self, &label, state)?;
         }
@@ -84,20 +85,24 @@ impl Control {
             first => first?,
         };
         if none {
-            state.coverage.accepted("fanuc-subs.zero-count");
+            state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
             return Ok(Next::Following);
         }
-        deeper("fanuc-subs.level-limit", state)?;
+        deeper(rule::fanuc_subs::LEVEL_LIMIT, state)?;
         self.value_after_call(state);
         let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
         let frame = shared_frame(Call { label: label.clone(), back, style }, state);
         if turns == 0 {
-            state.coverage.accepted("fanuc-subs.zero-count");
+            state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
             return Ok(quirks::control::level_left_behind(self, frame, state));
         }
         let nested = state.call_level() > 0;
-        state.coverage.accepted(if nested { "fanuc-subs.nested" } else { "fanuc-subs.call" });
-        state.coverage.accepted("fanuc-subs.repeat-count");
+        state.coverage.accepted(if nested {
+            rule::fanuc_subs::NESTED
+        } else {
+            rule::fanuc_subs::CALL
+        });
+        state.coverage.accepted(rule::fanuc_subs::REPEAT_COUNT);
         self.called.insert(first);
         self.numbers_called.insert(label, first);
         self.has_called = true;
@@ -109,9 +114,9 @@ impl Control {
     ///
     /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
     fn value_after_call(&self, state: &mut State) {
-        state.coverage.accepted("fanuc-subs.no-return-value");
-        let at_return = state.choices.quirk("rs274.value-cleared-at-return");
-        if state.choices.is("fanuc-subs.value-after-call", "cleared") && !at_return {
+        state.coverage.accepted(rule::fanuc_subs::NO_RETURN_VALUE);
+        let at_return = state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN);
+        if state.choices.is(choice::fanuc_subs::ValueAfterCall::Cleared) && !at_return {
             clear_value(state);
         }
     }
@@ -130,7 +135,7 @@ impl Control {
         let is_sub = self.subs.contains_key(label);
         if is_sub || begins.is_empty() && !labels.subs(label).is_empty() {
             let message = format!("{} begins with sub: M98 does not call it", o_word(label));
-            return Err(refuse("fanuc-subs.mixed-m98", FaultKind::MixedStyles, message));
+            return Err(refuse(rule::fanuc_subs::MIXED_M98, FaultKind::MixedStyles, message));
         }
         if self.place.file != MAIN && !begins.is_empty() {
             let why = "a numbered program in the file of a sub";
@@ -158,20 +163,20 @@ impl Control {
         }
         let later = begins.partition_point(|line| *line <= self.place.line);
         if let Some(line) = begins.get(later) {
-            state.coverage.accepted("fanuc-subs.sub-follows");
+            state.coverage.accepted(rule::fanuc_subs::SUB_FOLLOWS);
             return Ok(self.line(line + 1));
         }
         if let Some(line) = begins.last() {
             let first = self.line(line + 1);
             let known = self.called.contains(&first);
-            if known && state.choices.is("fanuc-subs.call-itself", "allowed") {
+            if known && state.choices.is(choice::fanuc_subs::CallItself::Allowed) {
                 return Ok(first);
             }
             let message = format!("the subprogram {label} stands before its call");
-            return Err(refuse("fanuc-subs.sub-follows", FaultKind::UnknownSub, message));
+            return Err(refuse(rule::fanuc_subs::SUB_FOLLOWS, FaultKind::UnknownSub, message));
         }
         let message = format!("the file defines no subprogram {label}");
-        Err(refuse("fanuc-subs.unknown-number", FaultKind::UnknownSub, message))
+        Err(refuse(rule::fanuc_subs::UNKNOWN_NUMBER, FaultKind::UnknownSub, message))
     }
 
     /// M99: the end of a numbered subprogram.
@@ -182,15 +187,15 @@ impl Control {
     /// Rule fanuc-subs.mixed-m99. It cannot end a sub that begins with sub.
     fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, StepError> {
         let Some(call) = state.frame().call.clone() else {
-            state.coverage.accepted("fanuc-subs.endless");
+            state.coverage.accepted(rule::fanuc_subs::ENDLESS);
             return Ok(Next::End(End::Endless));
         };
         let Style::Numbered { first, turns_left } = call.style else {
             let message = format!("{} ends with endsub", o_word(&call.label));
-            return Err(refuse("fanuc-subs.mixed-m99", FaultKind::MixedStyles, message));
+            return Err(refuse(rule::fanuc_subs::MIXED_M99, FaultKind::MixedStyles, message));
         };
         saved_state::restore_at_return(state, record)?;
-        if state.choices.quirk("rs274.value-cleared-at-return") {
+        if state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
             clear_value(state);
         }
         self.share_back(state);
@@ -207,7 +212,7 @@ impl Control {
     /// that is a choice (fanuc-subs.named-locals).
     fn share_back(&self, state: &mut State) {
         let left = state.frames.pop().expect("control: only a called frame is left");
-        let shared = state.choices.is("fanuc-subs.named-locals", "shared");
+        let shared = state.choices.is(choice::fanuc_subs::NamedLocals::Shared);
         let caller = state.frame_mut();
         caller.arguments = left.arguments;
         if shared {
@@ -220,18 +225,18 @@ impl Control {
 pub(crate) fn enabled(state: &mut State) -> Result<(), StepError> {
     if !state.machine.fanuc_subs {
         let message = "numbered programs are disabled";
-        return Err(refuse("fanuc-subs.disabled", FaultKind::FanucDisabled, message));
+        return Err(refuse(rule::fanuc_subs::DISABLED, FaultKind::FanucDisabled, message));
     }
-    state.coverage.accepted("fanuc-subs.disabled");
+    state.coverage.accepted(rule::fanuc_subs::DISABLED);
     Ok(())
 }
 
 /// Rule fanuc-subs.shared-parameters. A subprogram works on its caller's #1 to #30.
 /// Rule fanuc-subs.named-locals. Whether it sees the caller's local named parameters is a choice.
 fn shared_frame(call: Call, state: &mut State) -> Frame {
-    state.coverage.accepted("fanuc-subs.shared-parameters");
-    state.coverage.accepted("fanuc-subs.named-locals");
-    let shared = state.choices.is("fanuc-subs.named-locals", "shared");
+    state.coverage.accepted(rule::fanuc_subs::SHARED_PARAMETERS);
+    state.coverage.accepted(rule::fanuc_subs::NAMED_LOCALS);
+    let shared = state.choices.is(choice::fanuc_subs::NamedLocals::Shared);
     let caller = state.frame();
     let locals = if shared { caller.locals.clone() } else { Default::default() };
     Frame { arguments: caller.arguments, locals, call: Some(call), ..Frame::default() }

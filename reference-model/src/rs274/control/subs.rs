@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::execute::saved_state;
 use crate::rs274::quirks;
 use crate::rs274::quirks::skipping::SearchTarget;
@@ -27,26 +28,30 @@ impl Control {
         }
         if quirks::control::is_reached_again(self.subs.get(label), self.place, state) {
             let message = format!("{} is known already", o_word(label));
-            return Err(refuse("rs274.sub-reached-again", FaultKind::BadBlock, message));
+            return Err(refuse(quirk::rs274::SUB_REACHED_AGAIN, FaultKind::BadBlock, message));
         }
         if self.found_later.contains(&self.place) {
             let message = format!("{} was found by a call before it", o_word(label));
-            return Err(refuse("rs274.sub-found-later", FaultKind::BadBlock, message));
+            return Err(refuse(quirk::rs274::SUB_FOUND_LATER, FaultKind::BadBlock, message));
         }
         if state.call_level() > 0 {
             let message = format!("{} is defined inside another sub", o_word(label));
-            return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
+            return Err(refuse(
+                rule::subroutines::NESTED_DEFINITION,
+                FaultKind::NestedSub,
+                message,
+            ));
         }
         if self.subs.get(label).is_some_and(|known| *known != self.place) {
             let message = format!("there is a sub {} already", o_word(label));
-            return Err(refuse("subroutines.unique-name", FaultKind::DuplicateSub, message));
+            return Err(refuse(rule::subroutines::UNIQUE_NAME, FaultKind::DuplicateSub, message));
         }
         let end = self.define(label, self.place, state)?;
-        if state.choices.quirk("rs274.value-at-definition") {
+        if state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) {
             quirks::control::value_at_definition(self, end, state)?;
         }
-        state.coverage.accepted("subroutines.body-skipped");
-        state.coverage.accepted("subroutines.unique-name");
+        state.coverage.accepted(rule::subroutines::BODY_SKIPPED);
+        state.coverage.accepted(rule::subroutines::UNIQUE_NAME);
         Ok(Next::At(Place { line: end + 1, ..self.place }))
     }
 
@@ -68,12 +73,16 @@ impl Control {
         if let Some(inner) = labels.sub_between(place.line, end.unwrap_or(u32::MAX)) {
             self.place = Place { line: inner, ..place };
             let message = format!("a sub begins inside {}", o_word(label));
-            return Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message));
+            return Err(refuse(
+                rule::subroutines::NESTED_DEFINITION,
+                FaultKind::NestedSub,
+                message,
+            ));
         }
         let Some(end) = end else {
             self.place = place;
             let message = format!("{} sub has no endsub", o_word(label));
-            return Err(refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message));
+            return Err(refuse(rule::subroutines::MISSING_ENDSUB, FaultKind::MissingEnd, message));
         };
         self.subs.insert(label.to_owned(), place);
         Ok(end)
@@ -92,10 +101,14 @@ impl Control {
         state: &mut State,
         record: &mut Record,
     ) -> Result<Next, StepError> {
-        let own = called_label("subroutines.stray-endsub", state)?;
-        if own != label && !state.choices.quirk("rs274.any-endsub") {
+        let own = called_label(rule::subroutines::STRAY_ENDSUB, state)?;
+        if own != label && !state.choices.quirk(quirk::rs274::ANY_ENDSUB) {
             let message = format!("{} sub cannot end with {} endsub", o_word(&own), o_word(label));
-            return Err(refuse("subroutines.missing-endsub", FaultKind::UnknownLabel, message));
+            return Err(refuse(
+                rule::subroutines::MISSING_ENDSUB,
+                FaultKind::UnknownLabel,
+                message,
+            ));
         }
         leave_sub(values, state, record)
     }
@@ -114,18 +127,18 @@ impl Control {
             keep_value(values, state)?;
             return Ok(Next::Following);
         }
-        let own = called_label("subroutines.stray-return", state)?;
-        if own != label && state.choices.is("subroutines.return-label", "own") {
+        let own = called_label(rule::subroutines::STRAY_RETURN, state)?;
+        if own != label && state.choices.is(choice::subroutines::ReturnLabel::Own) {
             let message =
                 format!("a return from {} carries the number {}", o_word(&own), o_word(label));
-            return Err(refuse("subroutines.return-label", FaultKind::UnknownLabel, message));
+            return Err(refuse(rule::subroutines::RETURN_LABEL, FaultKind::UnknownLabel, message));
         }
         if own != label {
-            state.coverage.accepted("subroutines.return-label");
+            state.coverage.accepted(rule::subroutines::RETURN_LABEL);
         }
-        state.coverage.accepted("subroutines.return");
+        state.coverage.accepted(rule::subroutines::RETURN);
         if !state.frame().open.is_empty() {
-            state.coverage.accepted("subroutines.return-in-control");
+            state.coverage.accepted(rule::subroutines::RETURN_IN_CONTROL);
         }
         leave_sub(values, state, record)
     }
@@ -139,19 +152,22 @@ impl Control {
     ) -> Result<Next, StepError> {
         let arguments = arguments(&word.arguments, state)?;
         let sub = self.found(label, &arguments, state)?;
-        deeper("subroutines.level-limit", state)?;
-        if !state.choices.quirk("rs274.value-cleared-at-return") {
+        deeper(rule::subroutines::LEVEL_LIMIT, state)?;
+        if !state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
             clear_value(state);
-            state.coverage.accepted("subroutines.value-cleared");
+            state.coverage.accepted(rule::subroutines::VALUE_CLEARED);
         }
         if state.call_level() > 0 {
             let recursive = state.frames.iter().any(|frame| frame.is_called(label));
-            let rule =
-                if recursive { "subroutines.recursion" } else { "subroutines.calls-other-subs" };
+            let rule = if recursive {
+                rule::subroutines::RECURSION
+            } else {
+                rule::subroutines::CALLS_OTHER_SUBS
+            };
             state.coverage.accepted(rule);
         }
-        state.coverage.accepted("subroutines.call");
-        state.coverage.accepted("subroutines.call-level");
+        state.coverage.accepted(rule::subroutines::CALL);
+        state.coverage.accepted(rule::subroutines::CALL_LEVEL);
         if state.call_level() == 0 {
             self.at_last_call = state.frame().arguments;
         }
@@ -184,8 +200,8 @@ impl Control {
                 let why = format!("{} of a program that has ended, called by hand", o_word(label));
                 return Err(StepError::Unspecified(why));
             }
-            state.coverage.accepted("subroutines.defined-before-call");
-            state.coverage.accepted("subroutines.unknown-sub");
+            state.coverage.accepted(rule::subroutines::DEFINED_BEFORE_CALL);
+            state.coverage.accepted(rule::subroutines::UNKNOWN_SUB);
             return Ok(*sub);
         }
         let labels = self.files.labels(self.place.file);
@@ -195,35 +211,35 @@ impl Control {
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        let is_found_first = state.choices.quirk("rs274.sub-found-later")
+        let is_found_first = state.choices.quirk(quirk::rs274::SUB_FOUND_LATER)
             && later.is_some_and(|sub| number.is_none_or(|number| sub < number));
         if is_numbered && !is_found_first {
             quirks::skipping::to_called(self, label, arguments, number, state)?;
             let message = format!("{} is a numbered program: it is called by M98", o_word(label));
-            return Err(refuse("fanuc-subs.mixed-o-call", FaultKind::MixedStyles, message));
+            return Err(refuse(rule::fanuc_subs::MIXED_O_CALL, FaultKind::MixedStyles, message));
         }
         quirks::skipping::to_called(self, label, arguments, later, state)?;
         if let Some(line) = later {
-            if state.choices.quirk("rs274.sub-found-later") {
+            if state.choices.quirk(quirk::rs274::SUB_FOUND_LATER) {
                 let sub = Place { line, ..self.place };
                 self.subs.insert(label.to_owned(), sub);
                 self.found_later.insert(sub);
                 return Ok(sub);
             }
             let message = format!("{} is called before its definition", o_word(label));
-            let rule = "subroutines.defined-before-call";
+            let rule = rule::subroutines::DEFINED_BEFORE_CALL;
             return Err(refuse(rule, FaultKind::UnknownSub, message));
         }
         state.coverage.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
-            "subroutines.file-numbered"
+            rule::subroutines::FILE_NUMBERED
         } else {
-            "subroutines.file-call"
+            rule::subroutines::FILE_CALL
         });
         if self.files.has_elsewhere(&format!("{label}.ngc")) {
-            state.coverage.refused("subroutines.file-folder");
+            state.coverage.refused(rule::subroutines::FILE_FOLDER);
         }
         let message = format!("neither the program nor a file defines {}", o_word(label));
-        Err(refuse("subroutines.unknown-sub", FaultKind::UnknownSub, message))
+        Err(refuse(rule::subroutines::UNKNOWN_SUB, FaultKind::UnknownSub, message))
     }
 
     /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program
@@ -244,23 +260,24 @@ impl Control {
         let own = subs.iter().position(|(_, found)| *found == Some(label));
         let Some(own) = own else {
             let message = format!("the file {name} has no sub {}", o_word(label));
-            return Err(refuse("subroutines.file-call", FaultKind::UnknownSub, message));
+            return Err(refuse(rule::subroutines::FILE_CALL, FaultKind::UnknownSub, message));
         };
         let sub = Place { line: subs[own].0, ..first };
-        if subs.len() > 1 && !state.choices.quirk("rs274.file-with-two-subs") {
+        if subs.len() > 1 && !state.choices.quirk(quirk::rs274::FILE_WITH_TWO_SUBS) {
             if own == 0 {
                 self.body_of_file(label, sub, state)?;
             }
             let message = format!("the file {name} defines other subs beside {}", o_word(label));
-            return Err(refuse("subroutines.file-one-sub", FaultKind::DuplicateSub, message));
+            return Err(refuse(rule::subroutines::FILE_ONE_SUB, FaultKind::DuplicateSub, message));
         }
         self.subs.insert(label.to_owned(), sub);
         let numbered = label.starts_with(|first: char| first.is_ascii_digit());
-        let rule = if numbered { "subroutines.file-numbered" } else { "subroutines.file-call" };
+        let rule =
+            if numbered { rule::subroutines::FILE_NUMBERED } else { rule::subroutines::FILE_CALL };
         state.coverage.accepted(rule);
-        state.coverage.accepted("subroutines.file-name-case");
+        state.coverage.accepted(rule::subroutines::FILE_NAME_CASE);
         if self.files.has_elsewhere(&name) {
-            state.coverage.accepted("subroutines.file-folder");
+            state.coverage.accepted(rule::subroutines::FILE_FOLDER);
         }
         Ok(Some(sub))
     }
@@ -281,7 +298,7 @@ impl Control {
         };
         self.place = Place { line: inner, ..sub };
         let message = format!("a sub begins inside {}", o_word(label));
-        Err(refuse("subroutines.nested-definition", FaultKind::NestedSub, message))
+        Err(refuse(rule::subroutines::NESTED_DEFINITION, FaultKind::NestedSub, message))
     }
 }
 
@@ -291,19 +308,23 @@ impl Control {
 fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepError> {
     if values.len() > ARGUMENTS {
         let message = format!("a call takes up to {ARGUMENTS} arguments, not {}", values.len());
-        return Err(refuse("subroutines.argument-limit", FaultKind::TooManyArguments, message));
+        return Err(refuse(
+            rule::subroutines::ARGUMENT_LIMIT,
+            FaultKind::TooManyArguments,
+            message,
+        ));
     }
-    let evaluate = |value| evaluated("subroutines.arguments", value, state);
+    let evaluate = |value| evaluated(rule::subroutines::ARGUMENTS, value, state);
     let found: Vec<f64> = values.iter().map(evaluate).collect::<Result<_, _>>()?;
-    state.coverage.accepted("subroutines.arguments");
-    state.coverage.accepted("subroutines.argument-limit");
+    state.coverage.accepted(rule::subroutines::ARGUMENTS);
+    state.coverage.accepted(rule::subroutines::ARGUMENT_LIMIT);
     Ok(found)
 }
 
 /// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
 pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
-    state.coverage.accepted("subroutines.unpassed-arguments");
-    let mut all = if state.choices.quirk("rs274.unpassed-arguments-zero") {
+    state.coverage.accepted(rule::subroutines::UNPASSED_ARGUMENTS);
+    let mut all = if state.choices.quirk(quirk::rs274::UNPASSED_ARGUMENTS_ZERO) {
         [0.0; 30]
     } else {
         state.frame().arguments
@@ -313,8 +334,8 @@ pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
 }
 
 /// Rules subroutines.level-limit, fanuc-subs.level-limit. Calls can be nested ten levels deep and no deeper.
-pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepError> {
-    let levels = if state.choices.quirk("rs274.nine-levels") {
+pub(super) fn deeper(rule: Rule, state: &mut State) -> Result<(), StepError> {
+    let levels = if state.choices.quirk(quirk::rs274::NINE_LEVELS) {
         quirks::control::levels(LEVELS)
     } else {
         LEVELS
@@ -332,12 +353,12 @@ pub(super) fn deeper(rule: &'static str, state: &mut State) -> Result<(), StepEr
 /// Rules subroutines.stray-endsub, subroutines.stray-return. Outside of any there is nothing to leave.
 ///
 /// Rule fanuc-subs.mixed-endsub. A numbered subprogram ends with M99.
-fn called_label(rule: &'static str, state: &State) -> Result<String, StepError> {
+fn called_label(rule: Rule, state: &State) -> Result<String, StepError> {
     match &state.frame().call {
         Some(Call { label, style: Style::OWord, .. }) => Ok(label.clone()),
         Some(Call { label, style: Style::Numbered { .. }, .. }) => {
             let message = format!("the numbered subprogram {label} ends with M99");
-            Err(refuse("fanuc-subs.mixed-endsub", FaultKind::MixedStyles, message))
+            Err(refuse(rule::fanuc_subs::MIXED_ENDSUB, FaultKind::MixedStyles, message))
         }
         None => Err(refuse(rule, FaultKind::OutsideSub, "no sub is being executed")),
     }
@@ -354,8 +375,8 @@ fn leave_sub(
 ) -> Result<Next, StepError> {
     keep_value(values, state)?;
     saved_state::restore_at_return(state, record)?;
-    state.coverage.accepted("subroutines.parameters-restored");
-    state.coverage.accepted("subroutines.parameters-local");
+    state.coverage.accepted(rule::subroutines::PARAMETERS_RESTORED);
+    state.coverage.accepted(rule::subroutines::PARAMETERS_LOCAL);
     let left = state.frames.pop().and_then(|frame| frame.call);
     Ok(Next::At(left.expect("control: only a called frame is left").back))
 }
@@ -366,17 +387,17 @@ fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError>
     match values {
         [] => {
             clear_value(state);
-            state.coverage.accepted("subroutines.no-return-value");
+            state.coverage.accepted(rule::subroutines::NO_RETURN_VALUE);
         }
         [value] => {
-            state.parameters.returned = evaluated("subroutines.return-value", value, state)?;
+            state.parameters.returned = evaluated(rule::subroutines::RETURN_VALUE, value, state)?;
             state.parameters.has_returned = true;
-            state.coverage.accepted("subroutines.return-value");
-            state.coverage.accepted("subroutines.value-kept");
+            state.coverage.accepted(rule::subroutines::RETURN_VALUE);
+            state.coverage.accepted(rule::subroutines::VALUE_KEPT);
         }
         [_, _, ..] => {
             let message = format!("a sub has one value, not {}", values.len());
-            return Err(refuse("subroutines.return-value", FaultKind::BadBlock, message));
+            return Err(refuse(rule::subroutines::RETURN_VALUE, FaultKind::BadBlock, message));
         }
     }
     Ok(())

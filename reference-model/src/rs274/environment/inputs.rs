@@ -126,7 +126,7 @@ mod tests {
     use gaugeblock_vocabulary::scenario::{Environment, InputChange};
 
     use super::*;
-    use crate::rs274::choices::Choices;
+    use crate::Choices;
 
     fn with_input(changes: &[(f64, f64)]) -> EnvironmentState {
         let input = || "digital_in[0]".to_owned();

@@ -15,7 +15,8 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Pin, PinChange, Shared, Sorted};
 
-use super::choices::Choices;
+use crate::Choices;
+use crate::ids::choice;
 pub(crate) use hal::Item;
 use hal::Synchronised;
 pub(crate) use inputs::{Awaited, Input};
@@ -59,7 +60,7 @@ impl EnvironmentState {
     ///
     /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
     pub fn new(environment: &Environment, spindles: usize, choices: &Choices) -> Self {
-        let braked = choices.is("orient.brake-otherwise", "while-standing");
+        let braked = choices.is(choice::orient::BrakeOtherwise::WhileStanding);
         let brakes = (0..if braked { spindles } else { 0 })
             .filter_map(|spindle| Some((Pin::SpindleBrake(u16::try_from(spindle).ok()?), 1.0)));
         let mut state = Self {

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::ids::{Rule, rule};
 use crate::math;
 use crate::rs274::modes;
 use crate::rs274::quirks::text as quirks;
@@ -11,16 +12,16 @@ use crate::rs274::syntax::{Expression, Word};
 
 /// Ten times the number of a G code.
 pub(super) fn g_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
-    let number = code(word, value * 10.0, "modal-groups.g-code-out-of-range", state)?;
+    let number = code(word, value * 10.0, rule::modal_groups::G_CODE_OUT_OF_RANGE, state)?;
     if is_computed(word) && modes::g_code(number).is_none() {
-        state.coverage.refused("modal-groups.code-from-expression");
+        state.coverage.refused(rule::modal_groups::CODE_FROM_EXPRESSION);
     }
     Ok(number)
 }
 
 /// The number of an M code.
 pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, StepError> {
-    code(word, value, "modal-groups.m-code-out-of-range", state)
+    code(word, value, rule::modal_groups::M_CODE_OUT_OF_RANGE, state)
 }
 
 /// Rules numbers.near-integer, numbers.not-near-integer and modal-groups.code-close-to-integer. An M number, and ten
@@ -28,18 +29,18 @@ pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
 /// Rule modal-groups.code-from-expression. The number of a code may be an expression.
 ///
 /// A code below zero is out of range; whether any other one exists is a matter of the table of codes.
-fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Result<u32, StepError> {
+fn code(word: &Word, value: f64, range: Rule, state: &mut State) -> Result<u32, StepError> {
     let letter = word.letter.to_ascii_uppercase();
-    let g_code = range == "modal-groups.g-code-out-of-range";
+    let g_code = range == rule::modal_groups::G_CODE_OUT_OF_RANGE;
     let near = math::near_integer(value).or_else(|| {
         let close = g_code.then(|| quirks::close_g_code(value, &state.choices));
         close.flatten()
     });
     let Some(number) = near else {
-        state.coverage.refused("modal-groups.code-close-to-integer");
+        state.coverage.refused(rule::modal_groups::CODE_CLOSE_TO_INTEGER);
         let message = format!("no integer is close enough to the number behind {letter}");
         return Err(refuse_at(
-            "numbers.not-near-integer",
+            rule::numbers::NOT_NEAR_INTEGER,
             FaultKind::NotAnInteger,
             word.span,
             message,
@@ -49,10 +50,10 @@ fn code(word: &Word, value: f64, range: &'static str, state: &mut State) -> Resu
         let message = format!("the number behind {letter} is below zero");
         return Err(refuse_at(range, FaultKind::UnknownCode, word.span, message));
     }
-    state.coverage.accepted("numbers.near-integer");
-    state.coverage.accepted("modal-groups.code-close-to-integer");
+    state.coverage.accepted(rule::numbers::NEAR_INTEGER);
+    state.coverage.accepted(rule::modal_groups::CODE_CLOSE_TO_INTEGER);
     if is_computed(word) {
-        state.coverage.accepted("modal-groups.code-from-expression");
+        state.coverage.accepted(rule::modal_groups::CODE_FROM_EXPRESSION);
     }
     Ok(u32::try_from(number).unwrap_or(u32::MAX))
 }

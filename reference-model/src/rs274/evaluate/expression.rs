@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::operate::{function, operate};
+use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::text as quirks;
@@ -52,24 +53,28 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
     let indirect = !matches!(**number, Expression::Number(_));
     let value = value_of(number, state)?;
     let Some(number) = math::near_integer(value) else {
-        state.coverage.refused("numbers.not-near-integer");
+        state.coverage.refused(rule::numbers::NOT_NEAR_INTEGER);
         if indirect {
-            state.coverage.refused("parameters.indirect");
+            state.coverage.refused(rule::parameters::INDIRECT);
         }
         let message = format!("the number of a parameter is an integer, not {value}");
-        return Err(refuse("parameters.index-integer", FaultKind::ParameterNotInteger, message));
+        return Err(refuse(
+            rule::parameters::INDEX_INTEGER,
+            FaultKind::ParameterNotInteger,
+            message,
+        ));
     };
     let last = parameters::last(&state.choices);
     match u32::try_from(number) {
         Ok(number) if (1..=last).contains(&number) => {
-            state.coverage.accepted("parameters.range");
-            state.coverage.accepted("parameters.index-integer");
-            state.coverage.accepted("numbers.near-integer");
+            state.coverage.accepted(rule::parameters::RANGE);
+            state.coverage.accepted(rule::parameters::INDEX_INTEGER);
+            state.coverage.accepted(rule::numbers::NEAR_INTEGER);
             Ok(Name::Numbered(number))
         }
         _ => {
             let message = format!("there is no parameter {number}");
-            Err(refuse("parameters.range", FaultKind::ParameterOutOfRange, message))
+            Err(refuse(rule::parameters::RANGE, FaultKind::ParameterOutOfRange, message))
         }
     }
 }
@@ -92,7 +97,7 @@ fn parameter_value(name: &Name, state: &mut State) -> Result<f64, StepError> {
 fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
     let name = name(parameter, state)?;
     let exists = parameters::exists(&name, state);
-    state.coverage.accepted("expressions.exists");
+    state.coverage.accepted(rule::expressions::EXISTS);
     parameters::rules_of_existence(&name, state)
         .into_iter()
         .for_each(|rule| state.coverage.accepted(rule));
@@ -103,14 +108,14 @@ fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
 /// Choice expressions.arctangent-range: above -180 up to 180 degrees, or from 0 to below 360.
 /// Choice expressions.negative-zero: whether a zero has a sign, which tells a quadrant.
 fn arc_tangent(opposite: f64, adjacent: f64, state: &mut State) -> f64 {
-    state.coverage.accepted("expressions.arctangent");
-    state.coverage.accepted("expressions.angles");
-    let angle = if state.choices.is("expressions.negative-zero", "kept") {
+    state.coverage.accepted(rule::expressions::ARCTANGENT);
+    state.coverage.accepted(rule::expressions::ANGLES);
+    let angle = if state.choices.is(choice::expressions::NegativeZero::Kept) {
         math::degrees_of_signed(opposite, adjacent)
     } else {
         math::degrees_of(opposite, adjacent)
     };
-    if angle < 0.0 && state.choices.is("expressions.arctangent-range", "full-turn") {
+    if angle < 0.0 && state.choices.is(choice::expressions::ArctangentRange::FullTurn) {
         return angle + 360.0;
     }
     angle

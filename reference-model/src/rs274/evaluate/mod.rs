@@ -13,6 +13,7 @@ use super::quirks::{settings, text as quirks};
 use super::refusal::{StepError, refuse_at};
 use super::state::State;
 use super::syntax::{Block, Comment, Expression, Setting, Word};
+use crate::ids::{quirk, rule};
 pub use expression::value_of;
 
 /// A block's words with their values.
@@ -62,7 +63,7 @@ pub fn words(block: &Block, state: &mut State) -> Result<Words, StepError> {
 fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), StepError> {
     let value = value_of(&word.value, state)?;
     if !matches!(word.value, Expression::Number(_)) {
-        state.coverage.accepted("expressions.read-before-execution");
+        state.coverage.accepted(rule::expressions::READ_BEFORE_EXECUTION);
     }
     match word.letter {
         'g' => words.g.push(codes::g_code(word, value, state)?),
@@ -73,7 +74,12 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
             if earlier.is_some_and(counts) {
                 let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
                 let kind = FaultKind::RepeatedWord;
-                return Err(refuse_at("modal-groups.repeated-letter", kind, word.span, message));
+                return Err(refuse_at(
+                    rule::modal_groups::REPEATED_LETTER,
+                    kind,
+                    word.span,
+                    message,
+                ));
             }
         }
     }
@@ -85,12 +91,12 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
 fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), StepError> {
     let name = expression::name(&setting.target, state)?;
     parameters::writable(&name, state)?;
-    if state.choices.quirk("rs274.named-exists-early") {
+    if state.choices.quirk(quirk::rs274::NAMED_EXISTS_EARLY) {
         quirks::create_early(&name, state);
     }
     let value = value_of(&setting.value, state)?;
     if !matches!(setting.value, Expression::Number(_)) {
-        state.coverage.accepted("expressions.read-before-execution");
+        state.coverage.accepted(rule::expressions::READ_BEFORE_EXECUTION);
     }
     Ok((name, value))
 }
@@ -102,7 +108,7 @@ fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), StepE
     match block.words.iter().find(|word| word.letter == 'e') {
         Some(word) if !of_codes && !settings::takes_e(words, state) => {
             let message = "the letter E begins no word without G76, M66, M67 or M68";
-            Err(refuse_at("text.word-letters", FaultKind::BadCharacter, word.span, message))
+            Err(refuse_at(rule::text::WORD_LETTERS, FaultKind::BadCharacter, word.span, message))
         }
         _ => Ok(()),
     }
@@ -116,13 +122,13 @@ fn axis_letters(words: &Words, state: &mut State) {
         letters.filter_map(|letter| Axis::ALL.iter().find(|axis| axis.word().starts_with(*letter)));
     for axis in axes {
         if state.machine.axes.contains(axis) {
-            state.coverage.accepted("text.absent-axis");
+            state.coverage.accepted(rule::text::ABSENT_AXIS);
         } else {
-            state.coverage.refused("text.absent-axis");
+            state.coverage.refused(rule::text::ABSENT_AXIS);
         }
     }
     if !words.letters.is_empty() {
-        state.coverage.accepted("modal-groups.repeated-letter");
+        state.coverage.accepted(rule::modal_groups::REPEATED_LETTER);
     }
 }
 
@@ -131,6 +137,6 @@ fn reach_settings(words: &Words, state: &mut State) {
     let mut names: Vec<&Name> = words.settings.iter().map(|(name, _)| name).collect();
     names.sort_unstable();
     if names.windows(2).any(|pair| pair[0] == pair[1]) {
-        state.coverage.accepted("parameters.repeated-setting");
+        state.coverage.accepted(rule::parameters::REPEATED_SETTING);
     }
 }

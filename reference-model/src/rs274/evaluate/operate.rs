@@ -2,8 +2,10 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::Choices;
+use crate::ids::choice::expressions::{RoundHalf, TrueValue};
+use crate::ids::{choice, rule};
 use crate::math;
-use crate::rs274::choices::Choices;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -24,37 +26,43 @@ pub(super) fn operate(
 ) -> Result<f64, StepError> {
     let choices = &state.choices;
     let (rule, value) = match operator {
-        Operator::Power => ("expressions.power", power(left, right)?),
-        Operator::Divide => ("expressions.arithmetic", divide(left, right)?),
-        Operator::Modulus => ("expressions.modulus", modulus(left, right, choices)?),
-        Operator::Multiply => ("expressions.arithmetic", left * right),
-        Operator::Add => ("expressions.arithmetic", left + right),
-        Operator::Subtract => ("expressions.arithmetic", left - right),
-        Operator::Equal => ("expressions.tolerance", truth(equal(left, right), choices)),
-        Operator::NotEqual => ("expressions.tolerance", truth(!equal(left, right), choices)),
+        Operator::Power => (rule::expressions::POWER, power(left, right)?),
+        Operator::Divide => (rule::expressions::ARITHMETIC, divide(left, right)?),
+        Operator::Modulus => (rule::expressions::MODULUS, modulus(left, right, choices)?),
+        Operator::Multiply => (rule::expressions::ARITHMETIC, left * right),
+        Operator::Add => (rule::expressions::ARITHMETIC, left + right),
+        Operator::Subtract => (rule::expressions::ARITHMETIC, left - right),
+        Operator::Equal => (rule::expressions::TOLERANCE, truth(equal(left, right), choices)),
+        Operator::NotEqual => (rule::expressions::TOLERANCE, truth(!equal(left, right), choices)),
         Operator::Greater => {
-            ("expressions.relational", truth(greater(left, right, choices), choices))
+            (rule::expressions::RELATIONAL, truth(greater(left, right, choices), choices))
         }
-        Operator::Less => ("expressions.relational", truth(greater(right, left, choices), choices)),
+        Operator::Less => {
+            (rule::expressions::RELATIONAL, truth(greater(right, left, choices), choices))
+        }
         Operator::GreaterOrEqual => {
-            ("expressions.relational", truth(!greater(right, left, choices), choices))
+            (rule::expressions::RELATIONAL, truth(!greater(right, left, choices), choices))
         }
         Operator::LessOrEqual => {
-            ("expressions.relational", truth(!greater(left, right, choices), choices))
+            (rule::expressions::RELATIONAL, truth(!greater(left, right, choices), choices))
         }
-        Operator::And => ("expressions.logical", truth(!is_zero(left) && !is_zero(right), choices)),
-        Operator::Or => ("expressions.logical", truth(!is_zero(left) || !is_zero(right), choices)),
+        Operator::And => {
+            (rule::expressions::LOGICAL, truth(!is_zero(left) && !is_zero(right), choices))
+        }
+        Operator::Or => {
+            (rule::expressions::LOGICAL, truth(!is_zero(left) || !is_zero(right), choices))
+        }
         Operator::ExclusiveOr => {
-            ("expressions.logical", truth(is_zero(left) != is_zero(right), choices))
+            (rule::expressions::LOGICAL, truth(is_zero(left) != is_zero(right), choices))
         }
     };
     if !value.is_finite() {
         let message = format!("the result of an operation on {left} and {right} is too great");
-        return Err(refuse("expressions.domain", FaultKind::OutOfDomain, message));
+        return Err(refuse(rule::expressions::DOMAIN, FaultKind::OutOfDomain, message));
     }
     state.coverage.accepted(rule);
-    if rule == "expressions.tolerance" {
-        state.coverage.accepted("expressions.relational");
+    if rule == rule::expressions::TOLERANCE {
+        state.coverage.accepted(rule::expressions::RELATIONAL);
     }
     Ok(value)
 }
@@ -63,7 +71,7 @@ pub(super) fn operate(
 fn divide(left: f64, right: f64) -> Result<f64, StepError> {
     if is_zero(right) {
         let message = format!("{left} is divided by zero");
-        return Err(refuse("expressions.division-by-zero", FaultKind::DivideByZero, message));
+        return Err(refuse(rule::expressions::DIVISION_BY_ZERO, FaultKind::DivideByZero, message));
     }
     Ok(left / right)
 }
@@ -74,9 +82,9 @@ fn divide(left: f64, right: f64) -> Result<f64, StepError> {
 fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, StepError> {
     if is_zero(right) {
         let message = format!("the remainder of {left} by zero is no number");
-        return Err(refuse("expressions.modulus-zero", FaultKind::DivideByZero, message));
+        return Err(refuse(rule::expressions::MODULUS_ZERO, FaultKind::DivideByZero, message));
     }
-    if choices.is("expressions.modulus-sign", "dividend") {
+    if choices.is(choice::expressions::ModulusSign::Dividend) {
         return Ok(left % right);
     }
     Ok(left.rem_euclid(right))
@@ -88,7 +96,7 @@ fn power(base: f64, exponent: f64) -> Result<f64, StepError> {
     let value = math::power(base, exponent);
     if !value.is_finite() {
         let message = format!("{base} to the power {exponent} is no real number");
-        return Err(refuse("expressions.power-domain", FaultKind::OutOfDomain, message));
+        return Err(refuse(rule::expressions::POWER_DOMAIN, FaultKind::OutOfDomain, message));
     }
     Ok(value)
 }
@@ -101,15 +109,16 @@ fn equal(left: f64, right: f64) -> bool {
 /// Rule expressions.relational. GT, GE, LT and LE compare two numbers.
 /// Choice expressions.order-tolerance: as they are, or with the tolerance of equality.
 fn greater(left: f64, right: f64, choices: &Choices) -> bool {
-    left > right && !(choices.is("expressions.order-tolerance", "tolerant") && equal(left, right))
+    left > right
+        && !(choices.is(choice::expressions::OrderTolerance::Tolerant) && equal(left, right))
 }
 
 /// Choice expressions.true-value: what a true comparison gives.
 fn truth(holds: bool, choices: &Choices) -> f64 {
-    match (holds, choices.choice("expressions.true-value")) {
+    match (holds, choices.get::<TrueValue>()) {
         (false, _) => 0.0,
-        (true, "minus-one") => -1.0,
-        (true, _) => 1.0,
+        (true, TrueValue::MinusOne) => -1.0,
+        (true, TrueValue::One) => 1.0,
     }
 }
 
@@ -122,25 +131,27 @@ pub(super) fn function(
     state: &mut State,
 ) -> Result<f64, StepError> {
     let (rule, value) = match function {
-        Function::Absolute => ("expressions.absolute", quirks::absolute(argument, &state.choices)),
-        Function::Sine => ("expressions.angles", math::sine_of_degrees(argument)),
-        Function::Cosine => ("expressions.angles", math::cosine_of_degrees(argument)),
-        Function::Tangent => ("expressions.angles", math::tangent_of_degrees(argument)),
-        Function::ArcSine => ("expressions.angles", math::degrees_of_sine(argument)),
-        Function::ArcCosine => ("expressions.angles", math::degrees_of_cosine(argument)),
-        Function::Exponential => ("expressions.exponential", math::exponential(argument)),
-        Function::Logarithm => ("expressions.exponential", math::logarithm(argument)),
-        Function::SquareRoot => ("expressions.square-root", argument.sqrt()),
-        Function::RoundDown => ("expressions.rounding-functions", argument.floor()),
-        Function::RoundUp => ("expressions.rounding-functions", argument.ceil()),
+        Function::Absolute => {
+            (rule::expressions::ABSOLUTE, quirks::absolute(argument, &state.choices))
+        }
+        Function::Sine => (rule::expressions::ANGLES, math::sine_of_degrees(argument)),
+        Function::Cosine => (rule::expressions::ANGLES, math::cosine_of_degrees(argument)),
+        Function::Tangent => (rule::expressions::ANGLES, math::tangent_of_degrees(argument)),
+        Function::ArcSine => (rule::expressions::ANGLES, math::degrees_of_sine(argument)),
+        Function::ArcCosine => (rule::expressions::ANGLES, math::degrees_of_cosine(argument)),
+        Function::Exponential => (rule::expressions::EXPONENTIAL, math::exponential(argument)),
+        Function::Logarithm => (rule::expressions::EXPONENTIAL, math::logarithm(argument)),
+        Function::SquareRoot => (rule::expressions::SQUARE_ROOT, argument.sqrt()),
+        Function::RoundDown => (rule::expressions::ROUNDING_FUNCTIONS, argument.floor()),
+        Function::RoundUp => (rule::expressions::ROUNDING_FUNCTIONS, argument.ceil()),
         Function::Round => {
             let rounded = round(argument, &state.choices);
-            ("expressions.rounding-functions", quirks::rounded(rounded, &state.choices))
+            (rule::expressions::ROUNDING_FUNCTIONS, quirks::rounded(rounded, &state.choices))
         }
     };
     if !value.is_finite() {
         let message = format!("{argument} lies outside of the domain of its function");
-        return Err(refuse("expressions.domain", FaultKind::OutOfDomain, message));
+        return Err(refuse(rule::expressions::DOMAIN, FaultKind::OutOfDomain, message));
     }
     state.coverage.accepted(rule);
     Ok(value)
@@ -148,10 +159,10 @@ pub(super) fn function(
 
 /// Choice expressions.round-half: away from zero, to the greater one, or to the even one.
 fn round(number: f64, choices: &Choices) -> f64 {
-    match choices.choice("expressions.round-half") {
-        "up" if is_half(number) => number.ceil(),
-        "even" => number.round_ties_even(),
-        _ => number.round(),
+    match choices.get::<RoundHalf>() {
+        RoundHalf::Up if is_half(number) => number.ceil(),
+        RoundHalf::Even => number.round_ties_even(),
+        RoundHalf::Up | RoundHalf::Away => number.round(),
     }
 }
 

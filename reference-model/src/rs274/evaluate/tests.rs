@@ -24,7 +24,7 @@ fn check_under(expression: &str, options: &[(&str, &str)], expect: f64) {
 
 fn refused(line: &str) -> &'static str {
     match words(line, &mut State::under(&[])) {
-        Err(StepError::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule.id(),
         other => panic!("{line:?}: {other:?}"),
     }
 }

@@ -9,6 +9,7 @@ use gaugeblock_vocabulary::{
 
 use super::target::{end_point, letter};
 use super::{whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::motion as quirks;
@@ -77,7 +78,7 @@ fn axes(state: &mut State) -> Result<Axes, StepError> {
         Plane::Yz => (Y, Z, X),
         Plane::Uv | Plane::Wu | Plane::Vw => {
             let message = "an arc in a plane of U, V or W";
-            return Err(refuse("arcs.secondary-planes", FaultKind::ModalConflict, message));
+            return Err(refuse(rule::arcs::SECONDARY_PLANES, FaultKind::ModalConflict, message));
         }
     };
     Ok(Axes { first, second, normal })
@@ -90,18 +91,18 @@ fn axes(state: &mut State) -> Result<Axes, StepError> {
 /// Rule arcs.turns-below-one. What fewer than one are is a choice.
 fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let Some(number) = word(words, 'p') else { return Ok(1) };
-    let rule = "arcs.turns-integer";
+    let rule = rule::arcs::TURNS_INTEGER;
     let message = || format!("P{number} is no number of turns");
     let turns = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     if turns < 1 {
-        let rule = "arcs.turns-below-one";
-        if state.choices.is(rule, "refused") {
+        let rule = rule::arcs::TURNS_BELOW_ONE;
+        if state.choices.is(choice::arcs::TurnsBelowOne::Refused) {
             return Err(refuse(rule, FaultKind::WordOutOfRange, message()));
         }
         state.coverage.accepted(rule);
         return Ok(1);
     }
-    state.coverage.accepted("arcs.turns");
+    state.coverage.accepted(rule::arcs::TURNS);
     Ok(turns)
 }
 
@@ -120,12 +121,12 @@ fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
     let offsets = "ijk".chars().any(|offset| word(words, offset).is_some());
     if offsets && word(words, 'r').is_some() {
         let message = "an arc with an offset of its centre and a radius";
-        return Err(refuse("arcs.one-format", FaultKind::BadArc, message));
+        return Err(refuse(rule::arcs::ONE_FORMAT, FaultKind::BadArc, message));
     }
     let other = offset_letter(axes.normal);
     if word(words, other).is_some() {
         let message = format!("{} is no offset in the selected plane", other.to_uppercase());
-        return Err(refuse("arcs.other-offset", FaultKind::BadArc, message));
+        return Err(refuse(rule::arcs::OTHER_OFFSET, FaultKind::BadArc, message));
     }
     Ok(())
 }
@@ -149,27 +150,27 @@ fn centre_of_offsets(
         let offset = word(words, offset_letter(axis))?;
         let diameter = axis == Axis::X && state.modes.lathe == Lathe::Diameter;
         if diameter {
-            state.coverage.accepted("arcs.diameter-centre");
+            state.coverage.accepted(rule::arcs::DIAMETER_CENTRE);
         }
-        let halved = diameter && state.choices.is("arcs.diameter-centre", "diameter");
+        let halved = diameter && state.choices.is(choice::arcs::DiameterCentre::Diameter);
         Some(if halved { offset / 2.0 } else { offset })
     };
     let offsets = (offset(axes.first), offset(axes.second));
     if let (None, None) = offsets {
         let message = "an arc without a radius or an offset of its centre";
-        return Err(refuse("arcs.needs-offsets", FaultKind::MissingWord, message));
+        return Err(refuse(rule::arcs::NEEDS_OFFSETS, FaultKind::MissingWord, message));
     }
     let start = axes.in_plane(state.position);
     let centre = if state.modes.arc_distance == Distance::Absolute {
         let (Some(first), Some(second)) = offsets else {
             let message = "in absolute arc distance mode both offsets of the centre are needed";
-            let rule = "arcs.absolute-needs-both";
+            let rule = rule::arcs::ABSOLUTE_NEEDS_BOTH;
             return Err(refuse(rule, FaultKind::MissingWord, message));
         };
-        state.coverage.accepted("arcs.centre-absolute");
+        state.coverage.accepted(rule::arcs::CENTRE_ABSOLUTE);
         (first, second)
     } else {
-        state.coverage.accepted("arcs.centre");
+        state.coverage.accepted(rule::arcs::CENTRE);
         (start.0 + offsets.0.unwrap_or(0.0), start.1 + offsets.1.unwrap_or(0.0))
     };
     same_radius(start, centre, axes.in_plane(end), state)?;
@@ -186,7 +187,7 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
 ///
 /// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
 fn tolerances(state: &State) -> (f64, f64) {
-    let fine = state.choices.is("arcs.small-tolerance", "fine");
+    let fine = state.choices.is(choice::arcs::SmallTolerance::Fine);
     quirks::radius_tolerances(state).unwrap_or(match (state.modes.units, fine) {
         (LengthUnit::Inch, false) => (0.05, 0.000_5),
         (LengthUnit::Inch, true) => (0.05, 0.000_1),
@@ -202,7 +203,7 @@ fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
         return Ok(());
     }
     let message = "an arc whose centre or radius is beyond all numbers";
-    Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message))
+    Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message))
 }
 
 /// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
@@ -219,16 +220,16 @@ fn same_radius(
     let apart = (to_start - to_end).abs();
     if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");
-        return Err(refuse("arcs.unequal-radii", FaultKind::BadArc, message));
+        return Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message));
     }
-    state.coverage.accepted("arcs.unequal-radii");
+    state.coverage.accepted(rule::arcs::UNEQUAL_RADII);
     if to_start.min(to_end) < quirks::least_radius(state) {
         let message = "an arc whose centre is at its start or its end";
-        return Err(refuse("rs274.arc-least-radius", FaultKind::BadArc, message));
+        return Err(refuse(quirk::rs274::ARC_LEAST_RADIUS, FaultKind::BadArc, message));
     }
     if to_start == 0.0 {
-        let rule = "arcs.zero-radius";
-        if state.choices.is(rule, "refused") {
+        let rule = rule::arcs::ZERO_RADIUS;
+        if state.choices.is(choice::arcs::ZeroRadius::Refused) {
             return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
         }
         state.coverage.accepted(rule);
@@ -257,12 +258,12 @@ fn centre_of_radius(
     let named = |axis: Axis| word(words, letter(axis)).is_some();
     if !named(axes.first) && !named(axes.second) && !polar {
         let message = "an arc with a radius needs a word of an axis of the selected plane";
-        return Err(refuse("arcs.radius-needs-axis", FaultKind::MissingWord, message));
+        return Err(refuse(rule::arcs::RADIUS_NEEDS_AXIS, FaultKind::MissingWord, message));
     }
     let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
     if start == end {
         let message = "an arc with a radius that ends where it starts";
-        return Err(refuse("arcs.radius-same-point", FaultKind::BadArc, message));
+        return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));
     }
     let chord = half_chord(start, end);
     let (half, _) = chord;
@@ -272,25 +273,25 @@ fn centre_of_radius(
             LengthUnit::Inch => 0.000_05,
             LengthUnit::Millimetre => 0.001_27,
         };
-        let accepted = state.choices.is("arcs.radius-just-too-small", "half-circle");
+        let accepted = state.choices.is(choice::arcs::RadiusJustTooSmall::HalfCircle);
         // No circle has a radius of zero, and no number that is written is rounded to it.
         let none = radius == 0.0 && !quirks::arcs_without_radius(state);
         if !accepted || none || short > tolerance {
             if !none && short <= tolerance {
-                state.coverage.refused("arcs.radius-just-too-small");
+                state.coverage.refused(rule::arcs::RADIUS_JUST_TOO_SMALL);
             }
             let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
-            return Err(refuse("arcs.radius-too-small", FaultKind::BadArc, message));
+            return Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message));
         }
-        state.coverage.accepted("arcs.radius-just-too-small");
+        state.coverage.accepted(rule::arcs::RADIUS_JUST_TOO_SMALL);
         if radius == 0.0 {
             return Ok((f64::NAN, f64::NAN));
         }
     }
     let centre = centre_beside_chord(start, chord, radius, clockwise);
     has_numbers(centre, radius)?;
-    state.coverage.accepted("arcs.radius");
-    state.coverage.accepted("arcs.radius-sign");
+    state.coverage.accepted(rule::arcs::RADIUS);
+    state.coverage.accepted(rule::arcs::RADIUS_SIGN);
     Ok(centre)
 }
 
@@ -317,27 +318,27 @@ fn centre_beside_chord(
 /// The rules that an accepted arc follows.
 fn accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
     let mut rules = vec![
-        "arcs.direction",
-        "arcs.plane",
-        "arcs.needs-feed-rate",
-        "feed.mode-holds",
-        "offsets.select-holds",
-        "path-control.mode-holds",
-        "units-planes.motion-in-active-unit",
+        rule::arcs::DIRECTION,
+        rule::arcs::PLANE,
+        rule::arcs::NEEDS_FEED_RATE,
+        rule::feed::MODE_HOLDS,
+        rule::offsets::SELECT_HOLDS,
+        rule::path_control::MODE_HOLDS,
+        rule::units_planes::MOTION_IN_ACTIVE_UNIT,
     ];
     if axes.in_plane(start) == axes.in_plane(end) {
-        rules.push("arcs.full-circle");
+        rules.push(rule::arcs::FULL_CIRCLE);
     }
     let other = |axis: &Axis| start.get(*axis).to_bits() != end.get(*axis).to_bits();
     if other(&axes.normal) {
-        rules.push("arcs.helix");
+        rules.push(rule::arcs::HELIX);
     }
     if [Axis::A, Axis::B, Axis::C].iter().any(other) {
-        rules.push("arcs.rotary-axes");
-        rules.push("motion.rotary-axes");
+        rules.push(rule::arcs::ROTARY_AXES);
+        rules.push(rule::motion::ROTARY_AXES);
     }
     if state.modes.lathe == Lathe::Diameter {
-        rules.push("arcs.diameter");
+        rules.push(rule::arcs::DIAMETER);
     }
     rules.into_iter().for_each(|rule| state.coverage.accepted(rule));
 }

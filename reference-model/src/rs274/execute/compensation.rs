@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
 use super::tool::{loaded, named};
 use super::{whole, word};
+use crate::ids::{quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
@@ -27,9 +28,9 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     });
     let Some(compensation) = compensation else {
         if state.modes.compensation == Compensation::Off {
-            state.coverage.accepted("tool.compensation-off-repeated");
+            state.coverage.accepted(rule::tool::COMPENSATION_OFF_REPEATED);
         }
-        state.coverage.accepted("tool.compensation");
+        state.coverage.accepted(rule::tool::COMPENSATION);
         state.modes.compensation = Compensation::Off;
         state.modes.compensation_radius = 0.0;
         return Ok(());
@@ -49,13 +50,13 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn possible(state: &mut State) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off {
         let message = "cutter compensation is on already";
-        return Err(refuse("tool.compensation-twice", FaultKind::CompensationActive, message));
+        return Err(refuse(rule::tool::COMPENSATION_TWICE, FaultKind::CompensationActive, message));
     }
     if !matches!(state.modes.plane, Plane::Xy | Plane::Zx) {
         let message = "cutter compensation in another plane than XY and ZX";
-        return Err(refuse("tool.compensation-plane", FaultKind::ModalConflict, message));
+        return Err(refuse(rule::tool::COMPENSATION_PLANE, FaultKind::ModalConflict, message));
     }
-    state.coverage.accepted("tool.compensation-plane");
+    state.coverage.accepted(rule::tool::COMPENSATION_PLANE);
     Ok(())
 }
 
@@ -64,7 +65,7 @@ fn possible(state: &mut State) -> Result<(), StepError> {
 /// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
 /// radius is zero when there is none.
 fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
-    let rule = "tool.compensation-tool";
+    let rule = rule::tool::COMPENSATION_TOOL;
     let tool = match word(words, 'd') {
         Some(value) => {
             let message = || format!("D{value} is no tool number");
@@ -77,7 +78,7 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let diameter = tool.map_or(0.0, |tool| tool.diameter);
     let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
     state.coverage.accepted(rule);
-    state.coverage.accepted("tool.compensation");
+    state.coverage.accepted(rule::tool::COMPENSATION);
     Ok(diameter * unit)
 }
 
@@ -87,7 +88,7 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
 /// Rule tool.dynamic-compensation-orientation. L is 0 to 9, and only allowed in the ZX plane.
 fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let Some(diameter) = word(words, 'd') else {
-        let rule = "tool.dynamic-compensation-needs-diameter";
+        let rule = rule::tool::DYNAMIC_COMPENSATION_NEEDS_DIAMETER;
         return Err(refuse(
             rule,
             FaultKind::MissingWord,
@@ -95,8 +96,9 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
         ));
     };
     if let Some(orientation) = word(words, 'l') {
-        let rule = "tool.dynamic-compensation-orientation";
-        let most = if state.choices.quirk("rs274.orientation-too-large") { i32::MAX } else { 9 };
+        let rule = rule::tool::DYNAMIC_COMPENSATION_ORIENTATION;
+        let most =
+            if state.choices.quirk(quirk::rs274::ORIENTATION_TOO_LARGE) { i32::MAX } else { 9 };
         if !whole(orientation).is_some_and(|number| (0..=most).contains(&number)) {
             let message = format!("L{orientation} is no orientation from 0 to 9");
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
@@ -106,6 +108,6 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
         }
         state.coverage.accepted(rule);
     }
-    state.coverage.accepted("tool.dynamic-compensation");
+    state.coverage.accepted(rule::tool::DYNAMIC_COMPENSATION);
     Ok(diameter)
 }

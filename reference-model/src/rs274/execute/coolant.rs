@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::Switch;
 
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::state::State;
 
@@ -11,19 +12,19 @@ use crate::rs274::state::State;
 /// Rule coolant.off. M9 turns both off.
 /// Rules coolant.both and coolant.repeated. Any state is allowed before any code.
 pub fn perform(words: &Words, state: &mut State) {
-    state.coverage.accepted("coolant.repeated");
+    state.coverage.accepted(rule::coolant::REPEATED);
     for code in &words.m {
         match code {
             7 => {
-                state.coverage.accepted("coolant.mist");
+                state.coverage.accepted(rule::coolant::MIST);
                 state.modes.mist = Switch::On;
             }
             8 => {
-                state.coverage.accepted("coolant.flood");
+                state.coverage.accepted(rule::coolant::FLOOD);
                 state.modes.flood = Switch::On;
             }
             9 => {
-                state.coverage.accepted("coolant.off");
+                state.coverage.accepted(rule::coolant::OFF);
                 state.modes.mist = Switch::Off;
                 state.modes.flood = Switch::Off;
             }
@@ -31,6 +32,6 @@ pub fn perform(words: &Words, state: &mut State) {
         }
     }
     if state.modes.mist == Switch::On && state.modes.flood == Switch::On {
-        state.coverage.accepted("coolant.both");
+        state.coverage.accepted(rule::coolant::BOTH);
     }
 }

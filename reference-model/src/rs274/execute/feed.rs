@@ -6,6 +6,7 @@ use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
+use crate::ids::{quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -19,17 +20,17 @@ use crate::rs274::state::State;
 /// Rule feed.per-revolution-spindle: $ of G95 names no spindle of the machine.
 pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (mode, rule) = if words.g.contains(&930) {
-        (FeedMode::InverseTime, "feed.inverse-time")
+        (FeedMode::InverseTime, rule::feed::INVERSE_TIME)
     } else if words.g.contains(&940) {
-        (FeedMode::PerMinute, "feed.per-minute")
+        (FeedMode::PerMinute, rule::feed::PER_MINUTE)
     } else {
-        (FeedMode::PerRevolution, "feed.per-revolution")
+        (FeedMode::PerRevolution, rule::feed::PER_REVOLUTION)
     };
     if mode == FeedMode::PerRevolution
         && let Some(spindle) = word(words, '$')
     {
-        number(spindle, state, "feed.per-revolution-spindle")?;
-        state.coverage.accepted("feed.per-revolution-spindle");
+        number(spindle, state, rule::feed::PER_REVOLUTION_SPINDLE)?;
+        state.coverage.accepted(rule::feed::PER_REVOLUTION_SPINDLE);
     }
     quirks::choose_by_feed_mode(words, state)?;
     state.coverage.accepted(rule);
@@ -40,7 +41,7 @@ pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
 fn change_mode(mode: FeedMode, state: &mut State) {
     let switched =
-        mode != state.modes.feed_mode || state.choices.quirk("rs274.feed-lost-at-same-mode");
+        mode != state.modes.feed_mode || state.choices.quirk(quirk::rs274::FEED_LOST_AT_SAME_MODE);
     if switched && mode != FeedMode::InverseTime {
         state.modes.feed_rate = 0.0;
         state.modes.feed_number = 0.0;
@@ -60,24 +61,24 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(rate) = word(words, 'f') else { return Ok(()) };
     if rate < 0.0 {
         let message = format!("a feed rate of {rate}");
-        return Err(refuse("feed.negative-rate", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::feed::NEGATIVE_RATE, FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
     let feeds = motion.is_some_and(|motion| {
-        let probes = is_probing(motion) && !state.choices.quirk("rs274.probe-inverse-time");
+        let probes = is_probing(motion) && !state.choices.quirk(quirk::rs274::PROBE_INVERSE_TIME);
         probes || is_spline(motion) || is_feed(motion)
     });
     if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
-        state.coverage.accepted("feed.inverse-time-stray-rate");
+        state.coverage.accepted(rule::feed::INVERSE_TIME_STRAY_RATE);
         return Ok(());
     }
-    state.coverage.accepted("feed.rate");
+    state.coverage.accepted(rule::feed::RATE);
     if motion.is_none() {
-        state.coverage.accepted("feed.rate-moves-nothing");
+        state.coverage.accepted(rule::feed::RATE_MOVES_NOTHING);
     }
     state.modes.feed_rate = rate;
     let of_move = state.modes.feed_mode == FeedMode::InverseTime
-        && state.choices.quirk("rs274.feed-name-inverse-time");
+        && state.choices.quirk(quirk::rs274::FEED_NAME_INVERSE_TIME);
     if !of_move {
         state.modes.feed_number = rate;
     }
@@ -123,17 +124,17 @@ pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
         (
             state.modes.feed_override,
             feed_override,
-            ["overrides.feed-influence", "overrides.feed-no-influence"],
+            [rule::overrides::FEED_INFLUENCE, rule::overrides::FEED_NO_INFLUENCE],
         ),
         (
             state.modes.adaptive_feed,
             adaptive <= 0.0,
-            ["overrides.adaptive-feed-zero", "overrides.adaptive-feed-no-influence"],
+            [rule::overrides::ADAPTIVE_FEED_ZERO, rule::overrides::ADAPTIVE_FEED_NO_INFLUENCE],
         ),
         (
             state.modes.feed_stop,
             stop || panel.feed_hold,
-            ["overrides.feed-stop-holds", "overrides.feed-stop-no-effect"],
+            [rule::overrides::FEED_STOP_HOLDS, rule::overrides::FEED_STOP_NO_EFFECT],
         ),
     ];
     let mut is_held = speed == Speed::Rapid && panel.rapid_override <= 0.0;
@@ -145,7 +146,7 @@ pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
         is_held |= enabled && asks;
     }
     if is_held && state.modes.feed_override == Switch::Off {
-        state.coverage.accepted("overrides.adaptive-feed-alone");
+        state.coverage.accepted(rule::overrides::ADAPTIVE_FEED_ALONE);
     }
     is_held
 }

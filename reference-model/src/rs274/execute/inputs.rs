@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use super::{whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::environment::{Awaited, Input, stub};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::outputs as quirks;
@@ -27,7 +28,11 @@ const TIMED_OUT: f64 = -1.0;
 /// Rules inputs.one-input, inputs.number-range, inputs.mode-range, inputs.analog-immediate, inputs.zero-timeout,
 /// inputs.without-timeout, inputs.under-compensation.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    super::not_under_compensation("inputs.under-compensation", state)?;
+    super::not_under_compensation(
+        rule::inputs::UNDER_COMPENSATION,
+        choice::inputs::UnderCompensation::Refused,
+        state,
+    )?;
     let input = input(words, state)?;
     let mode = mode(words, state)?;
     if matches!(input, Input::Analog(_)) {
@@ -46,7 +51,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         },
     };
     if read.is_none() {
-        state.coverage.accepted("inputs.timeout");
+        state.coverage.accepted(rule::inputs::TIMEOUT);
     }
     let read = read.unwrap_or(TIMED_OUT);
     accepted(input, mode, state);
@@ -65,31 +70,31 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 
 fn accepted(input: Input, mode: WaitMode, state: &mut State) {
     let rule = match mode {
-        WaitMode::Immediate => "inputs.immediate",
-        WaitMode::Rise => "inputs.rise",
-        WaitMode::Fall => "inputs.fall",
-        WaitMode::High => "inputs.high",
-        WaitMode::Low => "inputs.low",
+        WaitMode::Immediate => rule::inputs::IMMEDIATE,
+        WaitMode::Rise => rule::inputs::RISE,
+        WaitMode::Fall => rule::inputs::FALL,
+        WaitMode::High => rule::inputs::HIGH,
+        WaitMode::Low => rule::inputs::LOW,
     };
     state.coverage.accepted(rule);
-    state.coverage.accepted("inputs.result");
+    state.coverage.accepted(rule::inputs::RESULT);
     if mode != WaitMode::Immediate {
-        state.coverage.accepted("inputs.waits");
+        state.coverage.accepted(rule::inputs::WAITS);
     }
     if state.environment.is_connected(input) {
-        state.coverage.accepted("inputs.connected");
+        state.coverage.accepted(rule::inputs::CONNECTED);
     } else {
-        state.coverage.accepted("inputs.unconnected");
+        state.coverage.accepted(rule::inputs::UNCONNECTED);
     }
 }
 
 /// Rule inputs.one-input. P names a digital input or E an analog one: one of them, and not both.
 fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
-    let rule = "inputs.one-input";
+    let rule = rule::inputs::ONE_INPUT;
     let input = match (word(words, 'p'), word(words, 'e')) {
         (Some(_), Some(_)) => {
             let message = "M66 with both a digital and an analog input";
-            return Err(refuse("inputs.both", FaultKind::ModalConflict, message));
+            return Err(refuse(rule::inputs::BOTH, FaultKind::ModalConflict, message));
         }
         (None, None) => {
             let message = "M66 needs P or E, the number of the input";
@@ -106,15 +111,16 @@ fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
 /// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
 /// is accepted, and where there is no such input zero is read.
 fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
-    let any = state.environment.is_stand_alone() || state.choices.quirk("linuxcnc.input-number");
+    let any =
+        state.environment.is_stand_alone() || state.choices.quirk(quirk::linuxcnc::INPUT_NUMBER);
     let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
         let message = format!("{letter}{value} names no input of {of_machine}");
-        refuse("inputs.number-range", FaultKind::NoSuchInputOrOutput, message)
+        refuse(rule::inputs::NUMBER_RANGE, FaultKind::NoSuchInputOrOutput, message)
     })?;
-    state.coverage.accepted("inputs.number-range");
+    state.coverage.accepted(rule::inputs::NUMBER_RANGE);
     if of_machine != 4 {
-        state.coverage.accepted("inputs.count");
+        state.coverage.accepted(rule::inputs::COUNT);
     }
     Ok(number)
 }
@@ -123,11 +129,11 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
 /// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
 fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
-        state.coverage.accepted("inputs.mode-optional");
+        state.coverage.accepted(rule::inputs::MODE_OPTIONAL);
         return Ok(WaitMode::Immediate);
     };
-    let ids = ["rs274.wait-mode-any", "linuxcnc.wait-mode-times-out"];
-    let any = ids.iter().any(|quirk| state.choices.quirk(quirk));
+    let ids = [quirk::rs274::WAIT_MODE_ANY, quirk::linuxcnc::WAIT_MODE_TIMES_OUT];
+    let any = ids.iter().any(|quirk| state.choices.quirk(*quirk));
     let mode = match whole(value) {
         Some(0) => WaitMode::Immediate,
         Some(1) => WaitMode::Rise,
@@ -137,16 +143,16 @@ fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
         Some(5..) if any => quirks::unknown_mode(state),
         _ => {
             let message = format!("L{value} is no way of waiting: 0 to 4");
-            return Err(refuse("inputs.mode-range", FaultKind::WordOutOfRange, message));
+            return Err(refuse(rule::inputs::MODE_RANGE, FaultKind::WordOutOfRange, message));
         }
     };
-    state.coverage.accepted("inputs.mode-range");
+    state.coverage.accepted(rule::inputs::MODE_RANGE);
     Ok(mode)
 }
 
 /// Rule inputs.analog-immediate. An analog input is read at once and never awaited.
 fn analog_mode(mode: WaitMode, state: &mut State) -> Result<(), StepError> {
-    let rule = "inputs.analog-immediate";
+    let rule = rule::inputs::ANALOG_IMMEDIATE;
     if mode != WaitMode::Immediate {
         let message = "M66 waits for digital inputs only";
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
@@ -162,14 +168,14 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
     let timeout = word(words, 'q');
     if mode == WaitMode::Immediate {
         if timeout.is_some() {
-            state.coverage.accepted("inputs.ignored-timeout");
+            state.coverage.accepted(rule::inputs::IGNORED_TIMEOUT);
         }
         return Ok(None);
     }
     match timeout {
         None => {
-            let rule = "inputs.without-timeout";
-            if state.choices.is(rule, "refused") {
+            let rule = rule::inputs::WITHOUT_TIMEOUT;
+            if state.choices.is(choice::inputs::WithoutTimeout::Refused) {
                 let message = "M66 that waits needs Q, the longest wait in seconds";
                 return Err(refuse(rule, FaultKind::MissingWord, message));
             }
@@ -177,7 +183,7 @@ fn timeout(mode: WaitMode, words: &Words, state: &mut State) -> Result<Option<f6
         }
         Some(0.0) => {
             let message = "a longest wait of zero seconds";
-            return Err(refuse("inputs.zero-timeout", FaultKind::WordOutOfRange, message));
+            return Err(refuse(rule::inputs::ZERO_TIMEOUT, FaultKind::WordOutOfRange, message));
         }
         Some(seconds) if seconds < 0.0 => {
             return Err(StepError::Unspecified(format!("a wait of at most {seconds} seconds")));

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{Axis, Position};
 
 use super::offsets::{in_force_changes, store_length};
 use super::target::offset_words;
+use crate::ids::{quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::each;
 use crate::rs274::refusal::StepError;
@@ -44,10 +45,10 @@ pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> 
 fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
     in_force_changes(state)?;
     for rule in [
-        "offsets.local",
-        "offsets.local-replaces",
-        "offsets.local-omitted-axes",
-        "offsets.local-parameters",
+        rule::offsets::LOCAL,
+        rule::offsets::LOCAL_REPLACES,
+        rule::offsets::LOCAL_OMITTED_AXES,
+        rule::offsets::LOCAL_PARAMETERS,
     ] {
         state.coverage.accepted(rule);
     }
@@ -72,18 +73,18 @@ fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
     in_force_changes(state)?;
     for rule in [
-        "offsets.position",
-        "offsets.position-replaces",
-        "offsets.position-all-systems",
-        "offsets.position-omitted-axes",
-        "offsets.position-parameters",
+        rule::offsets::POSITION,
+        rule::offsets::POSITION_REPLACES,
+        rule::offsets::POSITION_ALL_SYSTEMS,
+        rule::offsets::POSITION_OMITTED_AXES,
+        rule::offsets::POSITION_PARAMETERS,
     ] {
         state.coverage.accepted(rule);
     }
     let before = state.modes.g92_offset;
     let in_system = each(state.position, before, |point, offset| point + offset);
     // Quirk rs274.position-omitted-axes. Axes without a word keep theirs.
-    let kept = state.choices.quirk("rs274.position-omitted-axes");
+    let kept = state.choices.quirk(quirk::rs274::POSITION_OMITTED_AXES);
     let mut offset = if kept { before } else { Position::default() };
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = in_system.get(axis) - value;
@@ -95,7 +96,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule offsets.local-cleared. G92.1 takes the offset away, and its parameters are zero.
 fn clear(state: &mut State) {
-    state.coverage.accepted("offsets.local-cleared");
+    state.coverage.accepted(rule::offsets::LOCAL_CLEARED);
     suspend_offset(state);
     for axis in Axis::ALL.iter().copied() {
         store_length(APPLIES + 1, axis, 0.0, state);
@@ -104,7 +105,7 @@ fn clear(state: &mut State) {
 
 /// Rule offsets.local-suspended. G92.2 takes the offset away, and its parameters stay.
 fn suspend(state: &mut State) {
-    state.coverage.accepted("offsets.local-suspended");
+    state.coverage.accepted(rule::offsets::LOCAL_SUSPENDED);
     suspend_offset(state);
 }
 
@@ -116,7 +117,7 @@ fn suspend_offset(state: &mut State) {
 
 /// Rule offsets.local-resumed. G92.3 applies what the parameters hold.
 fn resume(state: &mut State) {
-    state.coverage.accepted("offsets.local-resumed");
+    state.coverage.accepted(rule::offsets::LOCAL_RESUMED);
     state.parameters.store(APPLIES, 1.0);
     let machine = state.modes.machine_point(state.position);
     let parameters = &state.parameters;

@@ -40,6 +40,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind};
 
 use super::refusal::{StepError, refuse};
 use super::state::State;
+use crate::ids::{Choice, Rule};
 
 /// Lets time go by; what ends outside meanwhile has ended.
 pub(crate) fn pass(seconds: f64, state: &mut State) {
@@ -47,15 +48,16 @@ pub(crate) fn pass(seconds: f64, state: &mut State) {
     orient::settle(state);
 }
 
-/// A code of which it is a choice whether it is allowed while cutter compensation is on; the choice has the rule's id.
-pub(crate) fn not_under_compensation(
-    rule: &'static str,
+/// A code that a choice allows or refuses while cutter compensation is on: by this rule, under this option.
+pub(crate) fn not_under_compensation<C: Choice>(
+    rule: Rule,
+    refused: C,
     state: &mut State,
 ) -> Result<(), StepError> {
     if state.modes.compensation == Compensation::Off {
         return Ok(());
     }
-    if state.choices.is(rule, "refused") {
+    if state.choices.is(refused) {
         let message = "this code while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }

@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{
 use super::arc;
 use super::target::{end_point, machine_end_point};
 use super::{cycles, probe, splines, threading, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
@@ -41,7 +42,7 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
 fn by_offsets_alone(words: &Words, state: &State) -> bool {
     is_arc(state.modes.motion)
         && moves_without_code(words)
-        && state.choices.is("arcs.offsets-alone", "arc")
+        && state.choices.is(choice::arcs::OffsetsAlone::Arc)
 }
 
 /// Whether a motion is an arc.
@@ -71,10 +72,18 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
     let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
-    state.coverage.accepted(if programmed { "motion.mode-change" } else { "motion.mode-holds" });
+    state.coverage.accepted(if programmed {
+        rule::motion::MODE_CHANGE
+    } else {
+        rule::motion::MODE_HOLDS
+    });
     if !programmed && is_arc(motion) {
         let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
-        state.coverage.accepted(if alone { "arcs.offsets-alone" } else { "arcs.mode-holds" });
+        state.coverage.accepted(if alone {
+            rule::arcs::OFFSETS_ALONE
+        } else {
+            rule::arcs::MODE_HOLDS
+        });
     }
     if words.g.contains(&530) {
         machine_coordinates_possible(motion, words, state)?;
@@ -87,7 +96,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         return cycles::perform(motion, words, state, record);
     }
     if state.series.take().is_some() {
-        state.coverage.accepted("cycles.cancelled-by-motion");
+        state.coverage.accepted(rule::cycles::CANCELLED_BY_MOTION);
     }
     if motion == Motion::Nurbs {
         return splines::nurbs(words, state, record);
@@ -119,13 +128,17 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Step
     if has_axis_words(words) && moves_by(words) {
         let message = "axis words, and no motion mode";
         if programmed {
-            return Err(refuse("motion.cancel-with-axis-words", FaultKind::AxisWords, message));
+            return Err(refuse(
+                rule::motion::CANCEL_WITH_AXIS_WORDS,
+                FaultKind::AxisWords,
+                message,
+            ));
         }
-        state.coverage.refused("motion.axis-words-after-cancel");
-        let rule = "modal-groups.axis-words-without-mode";
+        state.coverage.refused(rule::motion::AXIS_WORDS_AFTER_CANCEL);
+        let rule = rule::modal_groups::AXIS_WORDS_WITHOUT_MODE;
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
-    state.coverage.accepted("motion.cancel");
+    state.coverage.accepted(rule::motion::CANCEL);
     state.modes.motion = Motion::None;
     Ok(())
 }
@@ -143,8 +156,8 @@ fn without_axis_words(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    state.coverage.accepted("motion.without-axis-words");
-    if state.choices.is("motion.without-axis-words", "move-in-place") {
+    state.coverage.accepted(rule::motion::WITHOUT_AXIS_WORDS);
+    if state.choices.is(choice::motion::WithoutAxisWords::MoveInPlace) {
         return move_to(motion, words, state, record);
     }
     state.modes.motion = motion;
@@ -198,25 +211,25 @@ fn machine_coordinates_possible(
         return Ok(());
     }
     if !matches!(motion, Motion::Traverse | Motion::Feed) {
-        let rule = "offsets.machine-needs-motion";
+        let rule = rule::offsets::MACHINE_NEEDS_MOTION;
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
     if !has_axis_words(words) && !motion_quirks::machine_without_axes(words, state) {
-        let rule = "offsets.machine-needs-axes";
+        let rule = rule::offsets::MACHINE_NEEDS_AXES;
         return Err(refuse(rule, FaultKind::MissingWord, "G53 needs an axis word"));
     }
     if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
-        let rule = "offsets.machine-under-compensation";
+        let rule = rule::offsets::MACHINE_UNDER_COMPENSATION;
         let message = "G53 while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     quirks::machine_incremental(state)?;
-    state.coverage.accepted("offsets.machine-incremental");
+    state.coverage.accepted(rule::offsets::MACHINE_INCREMENTAL);
     if !words.g.iter().any(|code| [0, 10].contains(code)) {
-        state.coverage.accepted("offsets.machine-motion");
+        state.coverage.accepted(rule::offsets::MACHINE_MOTION);
     }
-    state.coverage.accepted("offsets.machine-coordinates");
-    state.coverage.accepted("offsets.machine-once");
+    state.coverage.accepted(rule::offsets::MACHINE_COORDINATES);
+    state.coverage.accepted(rule::offsets::MACHINE_ONCE);
     Ok(())
 }
 
@@ -229,33 +242,37 @@ fn machine_coordinates_possible(
 pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
-            state.coverage.refused("feed.inverse-time-stray-rate");
+            state.coverage.refused(rule::feed::INVERSE_TIME_STRAY_RATE);
             let message = "under inverse time a feed move needs F in its block";
-            return Err(refuse("feed.inverse-time-needs-rate", FaultKind::MissingWord, message));
+            return Err(refuse(
+                rule::feed::INVERSE_TIME_NEEDS_RATE,
+                FaultKind::MissingWord,
+                message,
+            ));
         }
-        state.coverage.accepted("feed.inverse-time-needs-rate");
+        state.coverage.accepted(rule::feed::INVERSE_TIME_NEEDS_RATE);
     }
     let needs_none =
         motion_quirks::takes_no_time(state) || spline_quirks::needs_no_feed(words, state);
     if state.modes.feed_rate == 0.0 && !needs_none {
         if state.modes.feed_awaited {
-            state.coverage.refused("feed.rate-after-mode-change");
+            state.coverage.refused(rule::feed::RATE_AFTER_MODE_CHANGE);
         }
         if motion_of(words, state).is_some_and(is_arc) {
-            state.coverage.refused("arcs.needs-feed-rate");
+            state.coverage.refused(rule::arcs::NEEDS_FEED_RATE);
         }
         let message = "a feed move, and no feed rate";
-        return Err(refuse("feed.move-without-rate", FaultKind::ZeroFeed, message));
+        return Err(refuse(rule::feed::MOVE_WITHOUT_RATE, FaultKind::ZeroFeed, message));
     }
-    state.coverage.accepted("feed.move-without-rate");
-    state.coverage.accepted("feed.rate-after-mode-change");
-    state.coverage.accepted("feed.applies-to-feed-moves");
+    state.coverage.accepted(rule::feed::MOVE_WITHOUT_RATE);
+    state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
+    state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
     if surface_speed_stands(state) {
-        let rule = "spindle.surface-speed-while-stopped";
+        let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
         let message = "a feed move under constant surface speed while the spindle stands";
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
-    state.coverage.accepted("spindle.surface-speed-while-stopped");
+    state.coverage.accepted(rule::spindle::SURFACE_SPEED_WHILE_STOPPED);
     per_revolution(words, state)
 }
 
@@ -267,37 +284,37 @@ pub(super) fn surface_speed_stands(state: &State) -> bool {
     let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
     let standing = spindles
         .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
-    standing && !state.choices.quirk("rs274.surface-speed-while-stopped")
+    standing && !state.choices.quirk(quirk::rs274::SURFACE_SPEED_WHILE_STOPPED)
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.
 fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
     for rule in [
-        "modal-groups.one-in-force",
-        "modal-groups.non-modal-once",
-        "modal-groups.axis-words-without-mode",
-        "units-planes.motion-in-active-unit",
-        "path-control.mode-holds",
-        "offsets.select-holds",
-        "feed.mode-holds",
+        rule::modal_groups::ONE_IN_FORCE,
+        rule::modal_groups::NON_MODAL_ONCE,
+        rule::modal_groups::AXIS_WORDS_WITHOUT_MODE,
+        rule::units_planes::MOTION_IN_ACTIVE_UNIT,
+        rule::path_control::MODE_HOLDS,
+        rule::offsets::SELECT_HOLDS,
+        rule::feed::MODE_HOLDS,
     ] {
         state.coverage.accepted(rule);
     }
     if motion == Motion::Feed {
-        state.coverage.accepted("motion.feed");
+        state.coverage.accepted(rule::motion::FEED);
     } else {
-        state.coverage.accepted("motion.traverse");
+        state.coverage.accepted(rule::motion::TRAVERSE);
         if state.modes.feed_mode == FeedMode::InverseTime {
-            state.coverage.accepted("feed.inverse-time-rapid");
+            state.coverage.accepted(rule::feed::INVERSE_TIME_RAPID);
         }
         if state.modes.feed_rate == 0.0 {
-            state.coverage.accepted("feed.traverse-needs-none");
+            state.coverage.accepted(rule::feed::TRAVERSE_NEEDS_NONE);
         }
     }
     if [end.a, end.b, end.c].iter().any(|angle| *angle != 0.0) {
-        state.coverage.accepted("motion.rotary-axes");
+        state.coverage.accepted(rule::motion::ROTARY_AXES);
     }
     if words.letters.keys().any(|letter| matches!(letter, 'x' | 'y' | 'z')) {
-        state.coverage.accepted("motion.no-such-axis");
+        state.coverage.accepted(rule::motion::NO_SUCH_AXIS);
     }
 }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 use super::target::offset_words;
 use super::tool_table::{self, Values};
 use super::{local_offset, positions, whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, first_parameter};
 use crate::rs274::order::has_axis_words;
@@ -28,10 +29,10 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(system) = system else { return Ok(()) };
     if state.modes.compensation != Compensation::Off {
         let message = "a coordinate system is selected while cutter compensation is on";
-        let rule = "offsets.select-under-compensation";
+        let rule = rule::offsets::SELECT_UNDER_COMPENSATION;
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    state.coverage.accepted("offsets.select");
+    state.coverage.accepted(rule::offsets::SELECT);
     if quirks::keeps_system(system, state) {
         return Ok(());
     }
@@ -45,10 +46,10 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule offsets.local-stays. A local offset continues.
 pub(crate) fn use_system(system: u32, state: &mut State) {
     for rule in [
-        "offsets.select-moves-nothing",
-        "offsets.stored",
-        "offsets.select-number",
-        "offsets.local-stays",
+        rule::offsets::SELECT_MOVES_NOTHING,
+        rule::offsets::STORED,
+        rule::offsets::SELECT_NUMBER,
+        rule::offsets::LOCAL_STAYS,
     ] {
         state.coverage.accepted(rule);
     }
@@ -73,7 +74,7 @@ fn reload(state: &mut State) {
 /// Those of G10, G28, G30, G52 and G92.
 pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if has_axis_words(words) && state.modes.motion != Motion::None {
-        state.coverage.accepted("modal-groups.motion-suspended");
+        state.coverage.accepted(rule::modal_groups::MOTION_SUSPENDED);
     }
     if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
         positions::perform(words, state, record)?;
@@ -98,11 +99,11 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Step
 /// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is
 /// compensated is a choice.
 pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
-    let rule = "offsets.change-under-compensation";
+    let rule = rule::offsets::CHANGE_UNDER_COMPENSATION;
     if state.modes.compensation == Compensation::Off {
         return Ok(());
     }
-    if state.choices.is(rule, "refused") {
+    if state.choices.is(choice::offsets::ChangeUnderCompensation::Refused) {
         let message = "an offset in force is changed while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -117,10 +118,12 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
 /// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
 fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
-    if calculated && !has_axis_words(words) && !state.choices.quirk("rs274.calculate-without-axes")
+    if calculated
+        && !has_axis_words(words)
+        && !state.choices.quirk(quirk::rs274::CALCULATE_WITHOUT_AXES)
     {
         let message = "G10 L20 needs an axis word";
-        return Err(refuse("offsets.calculate-needs-axes", FaultKind::MissingWord, message));
+        return Err(refuse(rule::offsets::CALCULATE_NEEDS_AXES, FaultKind::MissingWord, message));
     }
     let system = system(words, state)?;
     if system == state.modes.work_offset {
@@ -136,22 +139,22 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
         }
     }
     if let Some(rotation) = word(words, 'r') {
-        state.coverage.accepted("offsets.rotation");
+        state.coverage.accepted(rule::offsets::ROTATION);
         state.parameters.store(first + 9, rotation);
     }
-    for rule in ["offsets.set", "offsets.set-replaces", "offsets.set-omitted-axes"] {
+    for rule in [rule::offsets::SET, rule::offsets::SET_REPLACES, rule::offsets::SET_OMITTED_AXES] {
         state.coverage.accepted(rule);
     }
     if system == state.modes.work_offset {
-        state.coverage.accepted("offsets.set-immediate");
-        state.coverage.accepted("offsets.local-stays");
+        state.coverage.accepted(rule::offsets::SET_IMMEDIATE);
+        state.coverage.accepted(rule::offsets::LOCAL_STAYS);
         if calculated {
             reload(state);
         } else {
             motion_quirks::turn_system(reload, state);
         }
     } else {
-        state.coverage.accepted("offsets.set-inactive");
+        state.coverage.accepted(rule::offsets::SET_INACTIVE);
     }
     Ok(())
 }
@@ -159,7 +162,7 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
 /// Rule offsets.calculate. G10 L20 sets the origin of a system so that the current point gets the axis values in it,
 /// with the local offset and the tool offset in force. Rule offsets.calculate-needs-axes. It needs an axis word.
 fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
-    state.coverage.accepted("offsets.calculate");
+    state.coverage.accepted(rule::offsets::CALCULATE);
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
     modes.work_offset = system;
@@ -185,7 +188,7 @@ fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
 
 /// Rule offsets.set-needs-kind. L says what G10 sets.
 fn kind(words: &Words) -> Result<i32, StepError> {
-    let rule = "offsets.set-needs-kind";
+    let rule = rule::offsets::SET_NEEDS_KIND;
     let Some(kind) = word(words, 'l') else {
         return Err(refuse(rule, FaultKind::MissingWord, "G10 needs L"));
     };
@@ -199,14 +202,14 @@ fn kind(words: &Words) -> Result<i32, StepError> {
 fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
     let Some(number) = word(words, 'p').map(|number| quirks::origin_number(number, state)) else {
         let message = "G10 L2 and L20 need P, the coordinate system";
-        return Err(refuse("offsets.set-needs-number", FaultKind::MissingWord, message));
+        return Err(refuse(rule::offsets::SET_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
     let message = || format!("P{number} is no coordinate system from 0 to 9");
-    let rule = "offsets.set-number";
+    let rule = rule::offsets::SET_NUMBER;
     let whole = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u32::try_from(whole) {
         Ok(0) => {
-            state.coverage.accepted("offsets.set-active");
+            state.coverage.accepted(rule::offsets::SET_ACTIVE);
             Ok(state.modes.work_offset)
         }
         Ok(system @ 1..=9) => Ok(system),

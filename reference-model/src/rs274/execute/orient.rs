@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn
 
 use super::spindle::{all, number};
 use super::{pass, whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::environment::Orientation;
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::settings as quirks;
@@ -37,7 +38,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         // The machine has no more than 255 spindles.
         let Ok(spindle) = u8::try_from(*place) else { continue };
         if let Some(angle) = angle {
-            state.coverage.accepted("orient.replaces-turning");
+            state.coverage.accepted(rule::orient::REPLACES_TURNING);
             begin(*place, angle, direction, state);
             let spindle = u32::from(spindle);
             record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
@@ -57,13 +58,17 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 /// Choice orient.without-dollar: without $ it is the first spindle or every one.
 fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let Some(value) = word(words, '$') else {
-        let rule = "orient.without-dollar";
+        let rule = rule::orient::WITHOUT_DOLLAR;
         state.coverage.accepted(rule);
-        return Ok(if state.choices.is(rule, "all") { all(state) } else { vec![0] });
+        return Ok(if state.choices.is(choice::orient::WithoutDollar::All) {
+            all(state)
+        } else {
+            vec![0]
+        });
     };
-    let place = number(value, state, "orient.spindle-range")?;
-    state.coverage.accepted("orient.spindle-range");
-    state.coverage.accepted("orient.spindle");
+    let place = number(value, state, rule::orient::SPINDLE_RANGE)?;
+    state.coverage.accepted(rule::orient::SPINDLE_RANGE);
+    state.coverage.accepted(rule::orient::SPINDLE);
     Ok(vec![place])
 }
 
@@ -72,21 +77,21 @@ fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
 fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let offset = state.machine.orient_offset;
     let Some(angle) = word(words, 'r') else {
-        if state.choices.quirk("rs274.orient-without-angle") {
+        if state.choices.quirk(quirk::rs274::ORIENT_WITHOUT_ANGLE) {
             return Ok(word(words, 'p').map(|_| offset));
         }
-        let rule = "orient.needs-angle";
+        let rule = rule::orient::NEEDS_ANGLE;
         return Err(refuse(rule, FaultKind::MissingWord, "M19 needs R, the angle"));
     };
-    let rule = "orient.angle-range";
+    let rule = rule::orient::ANGLE_RANGE;
     if !(0.0..=360.0).contains(&angle) {
         let message = format!("R{angle} is not between 0 and 360 degrees");
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
     state.coverage.accepted(rule);
-    state.coverage.accepted("orient.angle");
+    state.coverage.accepted(rule::orient::ANGLE);
     if offset != 0.0 {
-        state.coverage.accepted("orient.offset");
+        state.coverage.accepted(rule::orient::OFFSET);
     }
     Ok(Some(angle + offset))
 }
@@ -100,12 +105,12 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepEr
         Some(2) => OrientDirection::Counterclockwise,
         _ => {
             let message = format!("P{value} is no direction: 0, 1 or 2");
-            let rule = "orient.direction-range";
+            let rule = rule::orient::DIRECTION_RANGE;
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
         }
     };
-    state.coverage.accepted("orient.direction-range");
-    state.coverage.accepted("orient.direction");
+    state.coverage.accepted(rule::orient::DIRECTION_RANGE);
+    state.coverage.accepted(rule::orient::DIRECTION);
     Ok(direction)
 }
 
@@ -113,14 +118,14 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepEr
 /// Quirk rs274.orient-without-timeout: without Q the run does not wait.
 fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let Some(seconds) = word(words, 'q') else {
-        if state.choices.quirk("rs274.orient-without-timeout") {
+        if state.choices.quirk(quirk::rs274::ORIENT_WITHOUT_TIMEOUT) {
             return Ok(None);
         }
-        let rule = "orient.needs-timeout";
+        let rule = rule::orient::NEEDS_TIMEOUT;
         return Err(refuse(rule, FaultKind::MissingWord, "M19 needs Q, the longest wait"));
     };
-    let rule = "orient.zero-timeout";
-    if seconds < 0.0 || seconds == 0.0 && state.choices.is(rule, "refused") {
+    let rule = rule::orient::ZERO_TIMEOUT;
+    if seconds < 0.0 || seconds == 0.0 && state.choices.is(choice::orient::ZeroTimeout::Refused) {
         let message = format!("M19 with a longest wait of {seconds} seconds");
         return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
@@ -141,9 +146,9 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
     };
     state.environment.set(Pin::SpindleOrientAngle(spindle), angle);
     state.environment.set(Pin::SpindleOrientMode(spindle), direction);
-    state.coverage.accepted("orient.pins");
+    state.coverage.accepted(rule::orient::PINS);
     let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
-    if locked && state.choices.quirk("linuxcnc.orient-while-locked") {
+    if locked && state.choices.quirk(quirk::linuxcnc::ORIENT_WHILE_LOCKED) {
         return;
     }
     // On its way it is neither locked nor braked, however short the way is.
@@ -164,21 +169,21 @@ fn wait(
     let Some(orientation) = state.environment.orientation(place) else { return Ok(()) };
     if let Some(fault) = orientation.fault() {
         let message = format!("spindle {place} reports the fault {fault} on its way to its angle");
-        return Err(refuse("orient.fault", FaultKind::Orient, message));
+        return Err(refuse(rule::orient::FAULT, FaultKind::Orient, message));
     }
-    state.coverage.accepted("orient.fault");
+    state.coverage.accepted(rule::orient::FAULT);
     let now = state.environment.time();
     match orientation.done().filter(|done| *done <= now + timeout) {
         Some(done) => {
             record.wait(state, (done - now).max(0.0));
-            state.coverage.accepted("orient.wait");
-            state.coverage.accepted("orient.timeout");
+            state.coverage.accepted(rule::orient::WAIT);
+            state.coverage.accepted(rule::orient::TIMEOUT);
             Ok(())
         }
         None => {
             record.wait(state, timeout);
             let message = format!("spindle {place} is not at its angle after {timeout} seconds");
-            Err(refuse("orient.timeout", FaultKind::Orient, message))
+            Err(refuse(rule::orient::TIMEOUT, FaultKind::Orient, message))
         }
     }
 }
@@ -197,7 +202,7 @@ pub(crate) fn settle(state: &mut State) {
         state.environment.set_at(time, Pin::SpindleOrient(spindle), 0.0);
         state.environment.set_at(time, Pin::SpindleLocked(spindle), 1.0);
         brake_at(time, place, state);
-        state.coverage.accepted("orient.complete");
+        state.coverage.accepted(rule::orient::COMPLETE);
     }
     for place in all(state) {
         if turns(place, state) {
@@ -222,11 +227,11 @@ fn brake_at(time: f64, place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
     let stands = !turns(place, state) && state.environment.orientation(place).is_none();
     let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
-    let standing = state.choices.is("orient.brake-otherwise", "while-standing");
+    let standing = state.choices.is(choice::orient::BrakeOtherwise::WhileStanding);
     let released = state.modes.spindles[place].brake_released;
     let applied = locked || stands && standing && !released;
     if locked {
-        state.coverage.accepted("orient.brake-otherwise");
+        state.coverage.accepted(rule::orient::BRAKE_OTHERWISE);
     }
     state.environment.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
 }
@@ -240,7 +245,7 @@ pub(crate) fn clear(place: usize, state: &mut State) {
         if state.environment.level(pin) == 0.0 {
             continue;
         }
-        state.coverage.accepted("orient.cleared");
+        state.coverage.accepted(rule::orient::CLEARED);
         state.environment.set(pin, 0.0);
     }
 }

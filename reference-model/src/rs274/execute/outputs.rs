@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin};
 
 use super::word;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -22,22 +23,26 @@ pub fn digital(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    super::not_under_compensation("outputs.under-compensation", state)?;
+    super::not_under_compensation(
+        rule::outputs::UNDER_COMPENSATION,
+        choice::outputs::UnderCompensation::Refused,
+        state,
+    )?;
     let Some(value) = word(words, 'p') else {
         let message = format!("M{code} needs P, the number of the output");
-        return Err(refuse("outputs.needs-number", FaultKind::MissingWord, message));
+        return Err(refuse(rule::outputs::NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
     let timing = timing(code);
     let of_machine = state.machine.digital_io;
-    let output = number(value, 'P', of_machine, timing, "outputs.number-range", state)?;
+    let output = number(value, 'P', of_machine, timing, rule::outputs::NUMBER_RANGE, state)?;
     let on = [62, 64].contains(&code);
     let pin = pin(output, of_machine).map(Pin::DigitalOut);
     switch(pin, if on { 1.0 } else { 0.0 }, timing, state);
     state.coverage.accepted(match code {
-        62 => "outputs.on-with-motion",
-        63 => "outputs.off-with-motion",
-        64 => "outputs.on-at-once",
-        _ => "outputs.off-at-once",
+        62 => rule::outputs::ON_WITH_MOTION,
+        63 => rule::outputs::OFF_WITH_MOTION,
+        64 => rule::outputs::ON_AT_ONCE,
+        _ => rule::outputs::OFF_AT_ONCE,
     });
     record.effect(state, Effect::SetDigitalOutput { output, on, timing });
     Ok(())
@@ -57,24 +62,29 @@ pub fn analog(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    super::not_under_compensation("outputs.under-compensation", state)?;
+    super::not_under_compensation(
+        rule::outputs::UNDER_COMPENSATION,
+        choice::outputs::UnderCompensation::Refused,
+        state,
+    )?;
     let Some(value) = word(words, 'e') else {
         let message = format!("M{code} needs E, the number of the output");
-        return Err(refuse("outputs.analog-needs-number", FaultKind::MissingWord, message));
+        return Err(refuse(rule::outputs::ANALOG_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
     let timing = timing(code);
     let of_machine = state.machine.analog_io;
-    let output = number(value, 'E', of_machine, timing, "outputs.analog-number-range", state)?;
+    let output = number(value, 'E', of_machine, timing, rule::outputs::ANALOG_NUMBER_RANGE, state)?;
     let to = match word(words, 'q') {
         Some(to) => to,
-        None if state.choices.quirk("rs274.output-value-optional") => quirks::ABSENT_VALUE,
+        None if state.choices.quirk(quirk::rs274::OUTPUT_VALUE_OPTIONAL) => quirks::ABSENT_VALUE,
         None => {
             let message = format!("M{code} needs Q, the value of the output");
-            return Err(refuse("outputs.analog-needs-value", FaultKind::MissingWord, message));
+            return Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message));
         }
     };
     switch(pin(output, of_machine).map(Pin::AnalogOut), to, timing, state);
-    let rule = if code == 67 { "outputs.analog-with-motion" } else { "outputs.analog-at-once" };
+    let rule =
+        if code == 67 { rule::outputs::ANALOG_WITH_MOTION } else { rule::outputs::ANALOG_AT_ONCE };
     state.coverage.accepted(rule);
     record.effect(state, Effect::SetAnalogOutput { output, to, timing });
     Ok(())
@@ -93,13 +103,13 @@ fn number(
     letter: char,
     of_machine: u16,
     timing: OutputTiming,
-    rule: &'static str,
+    rule: Rule,
     state: &mut State,
 ) -> Result<i32, StepError> {
     let whole = quirks::number(value, state);
     let any = state.choices.quirk(match timing {
-        OutputTiming::WithMotion => "linuxcnc.output-number-with-motion",
-        OutputTiming::AtOnce => "linuxcnc.output-number-at-once",
+        OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
+        OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
     });
     let unchecked = (any || state.environment.is_stand_alone()) && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
@@ -109,7 +119,7 @@ fn number(
     })?;
     state.coverage.accepted(rule);
     if of_machine != 4 {
-        state.coverage.accepted("outputs.count");
+        state.coverage.accepted(rule::outputs::COUNT);
     }
     Ok(number)
 }
@@ -127,16 +137,16 @@ fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State)
     if timing == OutputTiming::WithMotion {
         let others = state.environment.awaits_motion();
         if state.environment.set_with_motion(pin, value) {
-            state.coverage.accepted("outputs.latest-counts");
+            state.coverage.accepted(rule::outputs::LATEST_COUNTS);
         } else if others {
-            state.coverage.accepted("outputs.several");
+            state.coverage.accepted(rule::outputs::SEVERAL);
         }
         return;
     }
     if state.environment.awaits_motion_with(pin) {
-        let rule = "outputs.at-once-over-waiting";
+        let rule = rule::outputs::AT_ONCE_OVER_WAITING;
         state.coverage.accepted(rule);
-        if state.choices.is(rule, "replaces") {
+        if state.choices.is(choice::outputs::AtOnceOverWaiting::Replaces) {
             state.environment.forget_with_motion(pin);
         }
     }
@@ -146,13 +156,13 @@ fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State)
 /// Rule outputs.at-next-motion. What waits for a motion switches when the next one begins.
 pub(crate) fn motion_begins(state: &mut State) {
     if state.environment.motion_begins() {
-        state.coverage.accepted("outputs.at-next-motion");
+        state.coverage.accepted(rule::outputs::AT_NEXT_MOTION);
     }
 }
 
 /// Rule outputs.without-motion. When no motion follows, what waits for one never switches.
 pub(crate) fn program_ends(state: &mut State) {
     if state.environment.awaits_motion() {
-        state.coverage.accepted("outputs.without-motion");
+        state.coverage.accepted(rule::outputs::WITHOUT_MOTION);
     }
 }

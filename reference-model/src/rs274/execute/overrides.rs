@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
 use super::spindle::{all, number};
 use super::{whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -16,8 +17,10 @@ use crate::rs274::state::State;
 /// # Errors
 /// Rules overrides.other-p and overrides.out-of-range.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let rule = "overrides.under-compensation";
-    if state.modes.compensation != Compensation::Off && state.choices.is(rule, "refused") {
+    let rule = rule::overrides::UNDER_COMPENSATION;
+    if state.modes.compensation != Compensation::Off
+        && state.choices.is(choice::overrides::UnderCompensation::Refused)
+    {
         let message = "overrides are switched while cutter compensation is on";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
@@ -41,17 +44,17 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepError> {
     let spindles = speed_overrides(words, state)?;
     state.coverage.accepted(match switch {
-        Switch::On => "overrides.enable-both",
-        Switch::Off => "overrides.disable-both",
+        Switch::On => rule::overrides::ENABLE_BOTH,
+        Switch::Off => rule::overrides::DISABLE_BOTH,
     });
     let selected = word(words, '$').is_some() && !quirks::is_of_others(words, state);
     if selected {
-        state.coverage.accepted("overrides.both-selected");
+        state.coverage.accepted(rule::overrides::BOTH_SELECTED);
     }
     if state.modes.feed_override == switch {
-        state.coverage.accepted("overrides.repeated");
+        state.coverage.accepted(rule::overrides::REPEATED);
     }
-    if !selected || state.choices.is("overrides.selected-feed", "switched") {
+    if !selected || state.choices.is(choice::overrides::SelectedFeed::Switched) {
         state.modes.feed_override = switch;
     }
     for place in spindles {
@@ -67,32 +70,32 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> 
     let rule = match code {
         50 => {
             state.modes.feed_override = switch;
-            "overrides.feed"
+            rule::overrides::FEED
         }
         51 => {
             for place in speed_overrides(words, state)? {
                 state.modes.spindles[place].speed_override = switch;
             }
-            "overrides.speed"
+            rule::overrides::SPEED
         }
         52 => {
             state.modes.adaptive_feed = switch;
-            "overrides.adaptive-feed"
+            rule::overrides::ADAPTIVE_FEED
         }
         _ => {
             state.modes.feed_stop = switch;
-            "overrides.feed-stop"
+            rule::overrides::FEED_STOP
         }
     };
     state.coverage.accepted(rule);
-    state.coverage.accepted("overrides.one-by-one");
+    state.coverage.accepted(rule::overrides::ONE_BY_ONE);
     Ok(())
 }
 
 /// Rule overrides.other-p. P is 1 or 0, and 1 when it is not given.
 fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
     let Some(value) = word(words, 'p') else { return Ok(Switch::On) };
-    if state.choices.quirk("rs274.override-any-p") {
+    if state.choices.quirk(quirk::rs274::OVERRIDE_ANY_P) {
         return Ok(quirks::switch_of_any_p(value));
     }
     match whole(value) {
@@ -100,7 +103,7 @@ fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
         Some(1) => Ok(Switch::On),
         _ => {
             let message = format!("P{value} is neither 0 nor 1");
-            Err(refuse("overrides.other-p", FaultKind::WordOutOfRange, message))
+            Err(refuse(rule::overrides::OTHER_P, FaultKind::WordOutOfRange, message))
         }
     }
 }
@@ -112,13 +115,13 @@ fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
 fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
     let Some(value) = dollar else {
-        state.coverage.accepted("overrides.without-dollar");
-        let every = state.choices.is("overrides.without-dollar", "all");
+        state.coverage.accepted(rule::overrides::WITHOUT_DOLLAR);
+        let every = state.choices.is(choice::overrides::WithoutDollar::All);
         return Ok(if every { all(state) } else { vec![0] });
     };
     quirks::override_dollar(value, state)?;
-    let place = number(value, state, "overrides.out-of-range")?;
-    state.coverage.accepted("overrides.out-of-range");
-    state.coverage.accepted("overrides.speed-selected");
+    let place = number(value, state, rule::overrides::OUT_OF_RANGE)?;
+    state.coverage.accepted(rule::overrides::OUT_OF_RANGE);
+    state.coverage.accepted(rule::overrides::SPEED_SELECTED);
     Ok(vec![place])
 }

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Path};
 
 use super::word;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -19,15 +20,15 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     quirks::path_under_compensation(state)?;
     let before = state.modes.path;
     let (path, rule) = if words.g.contains(&610) {
-        (Path::ExactPath, "path-control.exact-path")
+        (Path::ExactPath, rule::path_control::EXACT_PATH)
     } else if words.g.contains(&611) {
-        (Path::ExactStop, "path-control.exact-stop")
+        (Path::ExactStop, rule::path_control::EXACT_STOP)
     } else {
-        (Path::Continuous, "path-control.continuous")
+        (Path::Continuous, rule::path_control::CONTINUOUS)
     };
     state.coverage.accepted(rule);
     if path == before {
-        state.coverage.accepted("path-control.repeated");
+        state.coverage.accepted(rule::path_control::REPEATED);
     }
     state.modes.path = path;
     if path == Path::Continuous {
@@ -45,13 +46,13 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (blend, naive_cam) = (tolerance('p', words, state)?, tolerance('q', words, state)?);
     state.coverage.accepted(match blend {
-        Some(_) => "path-control.tolerance",
-        None => "path-control.without-tolerance",
+        Some(_) => rule::path_control::TOLERANCE,
+        None => rule::path_control::WITHOUT_TOLERANCE,
     });
     if blend.is_some() {
         state.coverage.accepted(match naive_cam {
-            Some(_) => "path-control.naive-cam",
-            None => "path-control.naive-cam-default",
+            Some(_) => rule::path_control::NAIVE_CAM,
+            None => rule::path_control::NAIVE_CAM_DEFAULT,
         });
     }
     state.modes.blend_tolerance = blend.unwrap_or(0.0);
@@ -62,10 +63,10 @@ fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or as good as none, is a choice.
 fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
-    let rule = "path-control.negative-tolerance";
+    let rule = rule::path_control::NEGATIVE_TOLERANCE;
     match word(words, letter) {
         Some(value) if value < 0.0 => {
-            if state.choices.is(rule, "refused") {
+            if state.choices.is(choice::path_control::NegativeTolerance::Refused) {
                 let message = format!("a tolerance of {value}");
                 return Err(refuse(rule, FaultKind::WordOutOfRange, message));
             }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
 use super::target::{end_point, letter, shifted};
 use super::tool_change::traverse;
 use super::word;
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
@@ -37,13 +38,13 @@ pub(super) fn perform(
 ) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off {
         let message = "a stored position while cutter compensation is on";
-        let rule = "positions.under-compensation";
+        let rule = rule::positions::UNDER_COMPENSATION;
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     let second = words.g.iter().any(|code| [300, 301].contains(code));
     let first = if second { G30_POSITION } else { G28_POSITION };
     if second {
-        state.coverage.accepted("positions.second");
+        state.coverage.accepted(rule::positions::SECOND);
     }
     let turns = [Axis::X, Axis::Y].iter().all(|axis| state.machine.axes.contains(axis));
     if state.modes.rotation != 0.0 && !turns {
@@ -70,7 +71,7 @@ fn store(first: u32, state: &mut State) {
     for (number, axis) in (first..).zip(Axis::ALL) {
         state.parameters.store(number, machine.get(*axis));
     }
-    state.coverage.accepted("positions.store");
+    state.coverage.accepted(rule::positions::STORE);
 }
 
 /// A stored position on the machine, active length unit; an axis that nothing was stored for is at zero.
@@ -88,11 +89,11 @@ fn stored(first: u32, state: &State) -> Position {
 /// for does not move, wherever the rotation of a coordinate system has led it. Rule positions.not-stored. That is the
 /// machine's zero where nothing was stored. Quirk rs274.position-move-in-place. A move of no length goes before.
 fn straight(first: u32, state: &mut State, record: &mut Record) {
-    state.coverage.accepted("positions.go");
+    state.coverage.accepted(rule::positions::GO);
     if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {
-        state.coverage.accepted("positions.not-stored");
+        state.coverage.accepted(rule::positions::NOT_STORED);
     }
-    if state.choices.quirk("rs274.position-move-in-place") {
+    if state.choices.quirk(quirk::rs274::POSITION_MOVE_IN_PLACE) {
         traverse(state.modes.machine_point(state.position), state, record);
     }
     let (here, mut there) = (state.modes.machine_point(state.position), destination(first, state));
@@ -121,10 +122,10 @@ fn by_way_of(
     record: &mut Record,
 ) -> Result<(), StepError> {
     let between = end_point(words, state)?;
-    state.coverage.accepted("positions.by-way-of");
-    state.coverage.accepted("positions.named-axes");
+    state.coverage.accepted(rule::positions::BY_WAY_OF);
+    state.coverage.accepted(rule::positions::NAMED_AXES);
     traverse(state.modes.machine_point(between), state, record);
-    let of_machine = state.choices.is("positions.rotated-axes", "machine");
+    let of_machine = state.choices.is(choice::positions::RotatedAxes::Machine);
     let to = |point: Position, state: &State| {
         if of_machine { state.modes.machine_point(point) } else { point }
     };
@@ -134,7 +135,7 @@ fn by_way_of(
         *end.get_mut(axis) = there.get(axis);
     }
     if state.modes.rotation != 0.0 {
-        state.coverage.accepted("positions.rotated-axes");
+        state.coverage.accepted(rule::positions::ROTATED_AXES);
     }
     traverse(if of_machine { end } else { state.modes.machine_point(end) }, state, record);
     Ok(())

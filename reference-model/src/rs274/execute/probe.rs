@@ -6,6 +6,7 @@ use gaugeblock_vocabulary::{
 
 use super::feed::Speed;
 use super::target::end_point;
+use crate::ids::{Rule, choice, rule};
 use crate::math;
 use crate::rs274::environment::{Wanted, stub};
 use crate::rs274::evaluate::Words;
@@ -29,14 +30,14 @@ pub(crate) fn is_probing(motion: Motion) -> bool {
 }
 
 /// Whether a rule is one that a block breaks when its probe has moved: what it has done by then stays.
-pub(crate) fn has_moved(rule: &str) -> bool {
-    rule == "probe.failure"
+pub(crate) fn has_moved(rule: Rule) -> bool {
+    rule == rule::probe::FAILURE
 }
 
 /// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed
 /// one already (probe.same-point) the words tell, and it is found out as the block is read ahead.
-pub(crate) fn is_found_out_by_machine(rule: &str) -> bool {
-    ["probe.already-there", "probe.failure"].contains(&rule)
+pub(crate) fn is_found_out_by_machine(rule: Rule) -> bool {
+    [rule::probe::ALREADY_THERE, rule::probe::FAILURE].contains(&rule)
 }
 
 /// Moves toward a point until the probe changes.
@@ -65,7 +66,7 @@ pub(super) fn perform(
     if record.waits_to_move(Speed::Feed, state) {
         return Ok(());
     }
-    let rule = "probe.already-there";
+    let rule = rule::probe::ALREADY_THERE;
     if state.environment.probe_is(wanted, from) {
         let message = "the probe is as the move wants it before it moves";
         return Err(refuse(rule, FaultKind::Probe, message));
@@ -97,12 +98,16 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepErro
     let must_change = matches!(motion, Motion::ProbeTowardError | Motion::ProbeAwayError);
     if !changed && must_change {
         let message = "the probe did not change on its way";
-        return Err(refuse("probe.failure", FaultKind::Probe, message));
+        return Err(refuse(rule::probe::FAILURE, FaultKind::Probe, message));
     }
     let rules = if changed {
-        [if toward { "probe.toward" } else { "probe.away" }, "probe.point", "probe.at-feed"]
+        [
+            if toward { rule::probe::TOWARD } else { rule::probe::AWAY },
+            rule::probe::POINT,
+            rule::probe::AT_FEED,
+        ]
     } else {
-        ["probe.without-failure", "probe.point-without-contact", "probe.at-feed"]
+        [rule::probe::WITHOUT_FAILURE, rule::probe::POINT_WITHOUT_CONTACT, rule::probe::AT_FEED]
     };
     for rule in rules {
         state.coverage.accepted(rule);
@@ -119,40 +124,45 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepErro
 fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position, StepError> {
     if !has_axis_words(words) {
         let message = "probing without an axis word";
-        return Err(refuse("probe.axis-words-missing", FaultKind::MissingWord, message));
+        return Err(refuse(rule::probe::AXIS_WORDS_MISSING, FaultKind::MissingWord, message));
     }
     if state.modes.compensation != Compensation::Off {
         let message = "probing while cutter compensation is on";
-        return Err(refuse("probe.under-compensation", FaultKind::CompensationActive, message));
+        return Err(refuse(
+            rule::probe::UNDER_COMPENSATION,
+            FaultKind::CompensationActive,
+            message,
+        ));
     }
     quirks::feed_mode(state)?;
     let inverse = state.modes.feed_mode == FeedMode::InverseTime;
     let without_rate = inverse && super::word(words, 'f').is_none() && !quirks::keeps_rate(state);
     if without_rate || state.modes.feed_rate == 0.0 {
         let message = "probing without a feed rate";
-        return Err(refuse("probe.zero-feed", FaultKind::ZeroFeed, message));
+        return Err(refuse(rule::probe::ZERO_FEED, FaultKind::ZeroFeed, message));
     }
-    let choice = "probe.standing-spindle";
-    if state.choices.is(choice, "refused") && super::motion::surface_speed_stands(state) {
+    if state.choices.is(choice::probe::StandingSpindle::Refused)
+        && super::motion::surface_speed_stands(state)
+    {
         let message = "probing under constant surface speed while the spindle stands";
-        let rule = "spindle.surface-speed-while-stopped";
+        let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
     let end = end_point(words, state)?;
     if end == state.position && !quirks::goes_nowhere(motion, state) {
         let message = "probing to where the controlled point is";
-        return Err(refuse("probe.same-point", FaultKind::Probe, message));
+        return Err(refuse(rule::probe::SAME_POINT, FaultKind::Probe, message));
     }
     for rule in [
-        "probe.axis-words-missing",
-        "probe.under-compensation",
-        "probe.zero-feed",
-        "probe.same-point",
+        rule::probe::AXIS_WORDS_MISSING,
+        rule::probe::UNDER_COMPENSATION,
+        rule::probe::ZERO_FEED,
+        rule::probe::SAME_POINT,
     ] {
         state.coverage.accepted(rule);
     }
     if inverse {
-        state.coverage.accepted("probe.inverse-time");
+        state.coverage.accepted(rule::probe::INVERSE_TIME);
     }
     Ok(end)
 }

@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{
 use super::offsets::use_system;
 use super::outputs;
 use super::spindle::{all, set_turn};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
 use crate::rs274::state::State;
@@ -19,17 +20,17 @@ use crate::rs274::task::Record;
 /// Quirk linuxcnc.auto-after-program-end. It stays in auto mode.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
     if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-        state.coverage.accepted("saved-state.autorestore-program-end");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_PROGRAM_END);
     }
     reset(state);
     outputs::program_ends(state);
-    state.coverage.accepted("program-end.pallet");
+    state.coverage.accepted(rule::program_end::PALLET);
     if !words.m.contains(&2) {
         record.effect(state, Effect::PalletShuttle {});
     }
-    state.coverage.accepted("program-end.mode");
+    state.coverage.accepted(rule::program_end::MODE);
     let changes = state.modes.controller_mode != ControllerMode::Mdi;
-    if changes && !state.choices.quirk("linuxcnc.auto-after-program-end") {
+    if changes && !state.choices.quirk(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
         state.modes.controller_mode = ControllerMode::Mdi;
         record.effect(state, Effect::ChangeControllerMode { mode: ControllerMode::Mdi });
     }
@@ -44,28 +45,28 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
 /// program-end.feed-kept. What the list leaves out stays. Rule offsets.local-persists. So does the local offset.
 fn reset(state: &mut State) {
     for rule in [
-        "program-end.work-offset",
-        "program-end.plane",
-        "program-end.distance",
-        "program-end.feed-mode",
-        "program-end.overrides",
-        "program-end.compensation",
-        "program-end.spindle",
-        "program-end.motion",
-        "program-end.coolant",
-        "program-end.kept",
-        "program-end.feed-kept",
-        "program-end.parameters-kept",
+        rule::program_end::WORK_OFFSET,
+        rule::program_end::PLANE,
+        rule::program_end::DISTANCE,
+        rule::program_end::FEED_MODE,
+        rule::program_end::OVERRIDES,
+        rule::program_end::COMPENSATION,
+        rule::program_end::SPINDLE,
+        rule::program_end::MOTION,
+        rule::program_end::COOLANT,
+        rule::program_end::KEPT,
+        rule::program_end::FEED_KEPT,
+        rule::program_end::PARAMETERS_KEPT,
     ] {
         state.coverage.accepted(rule);
     }
     if state.modes.local_applies {
-        state.coverage.accepted("offsets.local-persists");
+        state.coverage.accepted(rule::offsets::LOCAL_PERSISTS);
     }
     motion_quirks::turn_system(|state| use_system(1, state), state);
-    let every = state.choices.is("program-end.spindles", "all");
+    let every = state.choices.is(choice::program_end::Spindles::All);
     let stopped = if every { all(state) } else { vec![0] };
-    let speed_override = !state.choices.quirk("rs274.speed-override-at-end");
+    let speed_override = !state.choices.quirk(quirk::rs274::SPEED_OVERRIDE_AT_END);
     per_minute(state);
     let modes = &mut state.modes;
     modes.plane = Plane::Xy;
@@ -90,7 +91,7 @@ fn reset(state: &mut State) {
 /// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before.
 fn per_minute(state: &mut State) {
     let switched = state.modes.feed_mode != FeedMode::PerMinute;
-    if switched && state.choices.is("program-end.feed-after-mode-change", "zero") {
+    if switched && state.choices.is(choice::program_end::FeedAfterModeChange::Zero) {
         state.modes.feed_rate = 0.0;
     }
     state.modes.feed_mode = FeedMode::PerMinute;

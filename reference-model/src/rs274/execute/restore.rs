@@ -6,6 +6,7 @@ use super::offsets::use_system;
 use super::orient;
 use super::tool_length::apply;
 use super::units_planes::use_units;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::modes::{Modes, Spindle};
 use crate::rs274::quirks::{saved_state as quirks, settings};
 use crate::rs274::refusal::StepError;
@@ -23,7 +24,7 @@ use crate::rs274::state::State;
 pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     let changed: Vec<_> = ITEMS.iter().filter(|(_, same)| !same(&state.modes, saved)).collect();
     for (rule, _) in changed {
-        state.coverage.accepted(rule);
+        state.coverage.accepted(*rule);
     }
     use_units(saved.units, state);
     let disabled = quirks::disabled_by_path(saved, &state.modes, state);
@@ -47,53 +48,53 @@ pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError>
         quirks::disable(control, state);
     }
     motion(saved, state);
-    state.coverage.accepted("saved-state.all-restored");
-    state.coverage.accepted("saved-state.not-listed");
+    state.coverage.accepted(rule::saved_state::ALL_RESTORED);
+    state.coverage.accepted(rule::saved_state::NOT_LISTED);
     Ok(())
 }
 
 /// A rule about an item, and whether the item is the same in two states.
-type Item = (&'static str, fn(&Modes, &Modes) -> bool);
+type Item = (Rule, fn(&Modes, &Modes) -> bool);
 
 /// The list of the saved state: a rule for each item. A rule is reached when a restore changes its item.
 const ITEMS: &[Item] = &[
-    ("saved-state.units", |a, b| a.units == b.units),
-    ("saved-state.units-before-feed", |a, b| a.units == b.units),
-    ("saved-state.plane", |a, b| a.plane == b.plane),
-    ("saved-state.compensation", |a, b| a.compensation == b.compensation),
-    ("saved-state.distance", |a, b| a.distance == b.distance),
-    ("saved-state.feed-mode", |a, b| a.feed_mode == b.feed_mode),
-    ("saved-state.feed-of-feed-mode", |a, b| a.feed_mode == b.feed_mode),
-    ("saved-state.work-offset", |a, b| a.work_offset == b.work_offset),
-    ("saved-state.tool-length", |a, b| {
+    (rule::saved_state::UNITS, |a, b| a.units == b.units),
+    (rule::saved_state::UNITS_BEFORE_FEED, |a, b| a.units == b.units),
+    (rule::saved_state::PLANE, |a, b| a.plane == b.plane),
+    (rule::saved_state::COMPENSATION, |a, b| a.compensation == b.compensation),
+    (rule::saved_state::DISTANCE, |a, b| a.distance == b.distance),
+    (rule::saved_state::FEED_MODE, |a, b| a.feed_mode == b.feed_mode),
+    (rule::saved_state::FEED_OF_FEED_MODE, |a, b| a.feed_mode == b.feed_mode),
+    (rule::saved_state::WORK_OFFSET, |a, b| a.work_offset == b.work_offset),
+    (rule::saved_state::TOOL_LENGTH, |a, b| {
         a.tool_length == b.tool_length && a.tool_offset == b.tool_offset
     }),
-    ("saved-state.retract", |a, b| a.retract == b.retract),
-    ("saved-state.spindle-mode", |a, b| same_spindles(a, b, |a, b| a.mode == b.mode)),
-    ("saved-state.spindle-limit", |a, b| same_spindles(a, b, |a, b| a.limit == b.limit)),
-    ("saved-state.arc-distance", |a, b| a.arc_distance == b.arc_distance),
-    ("saved-state.lathe", |a, b| a.lathe == b.lathe),
-    ("saved-state.path", |a, b| a.path == b.path),
-    ("saved-state.path-tolerances", |a, b| {
+    (rule::saved_state::RETRACT, |a, b| a.retract == b.retract),
+    (rule::saved_state::SPINDLE_MODE, |a, b| same_spindles(a, b, |a, b| a.mode == b.mode)),
+    (rule::saved_state::SPINDLE_LIMIT, |a, b| same_spindles(a, b, |a, b| a.limit == b.limit)),
+    (rule::saved_state::ARC_DISTANCE, |a, b| a.arc_distance == b.arc_distance),
+    (rule::saved_state::LATHE, |a, b| a.lathe == b.lathe),
+    (rule::saved_state::PATH, |a, b| a.path == b.path),
+    (rule::saved_state::PATH_TOLERANCES, |a, b| {
         same(a.blend_tolerance, b.blend_tolerance)
             && same(a.naive_cam_tolerance, b.naive_cam_tolerance)
     }),
-    ("saved-state.feed", |a, b| same(a.feed_rate, b.feed_rate)),
-    ("saved-state.speed", |a, b| same_spindles(a, b, |a, b| same(a.speed, b.speed))),
-    ("saved-state.spindle-status", |a, b| same_spindles(a, b, |a, b| a.turn == b.turn)),
-    ("saved-state.each-spindle", |a, b| a.spindles[1..] == b.spindles[1..]),
-    ("saved-state.mist", |a, b| a.mist == b.mist),
-    ("saved-state.flood", |a, b| a.flood == b.flood),
-    ("saved-state.feed-override", |a, b| a.feed_override == b.feed_override),
-    ("saved-state.speed-override", |a, b| {
+    (rule::saved_state::FEED, |a, b| same(a.feed_rate, b.feed_rate)),
+    (rule::saved_state::SPEED, |a, b| same_spindles(a, b, |a, b| same(a.speed, b.speed))),
+    (rule::saved_state::SPINDLE_STATUS, |a, b| same_spindles(a, b, |a, b| a.turn == b.turn)),
+    (rule::saved_state::EACH_SPINDLE, |a, b| a.spindles[1..] == b.spindles[1..]),
+    (rule::saved_state::MIST, |a, b| a.mist == b.mist),
+    (rule::saved_state::FLOOD, |a, b| a.flood == b.flood),
+    (rule::saved_state::FEED_OVERRIDE, |a, b| a.feed_override == b.feed_override),
+    (rule::saved_state::SPEED_OVERRIDE, |a, b| {
         same_spindles(a, b, |a, b| a.speed_override == b.speed_override)
     }),
-    ("saved-state.mixed-overrides", |a, b| {
+    (rule::saved_state::MIXED_OVERRIDES, |a, b| {
         a.feed_override == b.feed_override
             && same_spindles(a, b, |a, b| a.speed_override == b.speed_override)
     }),
-    ("saved-state.adaptive-feed", |a, b| a.adaptive_feed == b.adaptive_feed),
-    ("saved-state.feed-stop", |a, b| a.feed_stop == b.feed_stop),
+    (rule::saved_state::ADAPTIVE_FEED, |a, b| a.adaptive_feed == b.adaptive_feed),
+    (rule::saved_state::FEED_STOP, |a, b| a.feed_stop == b.feed_stop),
 ];
 
 /// Whether two numbers are the same, apart from what a change of the length unit there and back leaves.
@@ -111,14 +112,14 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
     if state.modes.work_offset != saved.work_offset {
         use_system(saved.work_offset, state);
     }
-    if state.choices.quirk("rs274.local-offset-restore") {
+    if state.choices.quirk(quirk::rs274::LOCAL_OFFSET_RESTORE) {
         quirks::local_offset(saved, state);
     }
     let cancelled = saved.tool_length == Switch::Off;
-    if cancelled && state.choices.quirk("rs274.tool-offset-unit") {
+    if cancelled && state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
         settings::tool_offset_as_programmed(state);
     }
-    if state.choices.quirk("rs274.tool-offset-restore") {
+    if state.choices.quirk(quirk::rs274::TOOL_OFFSET_RESTORE) {
         return quirks::tool_offset(saved, state);
     }
     apply((saved.tool_length == Switch::On).then_some(saved.tool_offset), state);
@@ -128,7 +129,7 @@ fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
 /// Rule saved-state.path. The mode comes back.
 /// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
 fn path(saved: &Modes, state: &mut State) {
-    if state.choices.quirk("rs274.tolerance-unit") {
+    if state.choices.quirk(quirk::rs274::TOLERANCE_UNIT) {
         return quirks::path(saved, state);
     }
     state.modes.path = saved.path;
@@ -141,7 +142,7 @@ fn path(saved: &Modes, state: &mut State) {
 
 /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
 fn compensation(saved: &Modes, state: &mut State) {
-    if state.choices.quirk("rs274.dynamic-compensation-restore") {
+    if state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_RESTORE) {
         return quirks::compensation(saved, state);
     }
     state.modes.compensation = saved.compensation;
@@ -152,7 +153,7 @@ fn compensation(saved: &Modes, state: &mut State) {
 /// Rule saved-state.feed-of-feed-mode. The feed comes back together with the mode in which it was given.
 fn feed(saved: &Modes, state: &mut State) {
     let choices = &state.choices;
-    if quirks::FEED.iter().any(|quirk| choices.quirk(quirk)) {
+    if quirks::FEED.iter().any(|quirk| choices.quirk(*quirk)) {
         return quirks::feed(saved, state);
     }
     state.modes.feed_mode = saved.feed_mode;
@@ -165,7 +166,7 @@ fn feed(saved: &Modes, state: &mut State) {
 /// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in
 /// their group, and unlocks the spindle (orient.cleared).
 fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    if quirks::SPINDLES.iter().any(|quirk| state.choices.quirk(quirk)) {
+    if quirks::SPINDLES.iter().any(|quirk| state.choices.quirk(*quirk)) {
         return quirks::spindles(saved, state);
     }
     for (place, saved) in saved.spindles.iter().enumerate() {
@@ -174,7 +175,7 @@ fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
         let was_oriented = spindle.turn == SpindleTurn::Oriented;
         *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
         if saved.turn == SpindleTurn::Oriented {
-            state.coverage.accepted("saved-state.orientation-not-saved");
+            state.coverage.accepted(rule::saved_state::ORIENTATION_NOT_SAVED);
         }
         if was_oriented && turn != SpindleTurn::Oriented {
             orient::clear(place, state);
@@ -196,7 +197,7 @@ pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn
 /// Rules saved-state.mist and saved-state.flood. Each comes back apart from the other.
 /// Rules saved-state.adaptive-feed and saved-state.feed-stop.
 fn coolant(saved: &Modes, state: &mut State) {
-    if state.choices.quirk("rs274.off-not-restored") {
+    if state.choices.quirk(quirk::rs274::OFF_NOT_RESTORED) {
         return quirks::switches(saved, state);
     }
     state.modes.mist = saved.mist;
@@ -208,7 +209,7 @@ fn coolant(saved: &Modes, state: &mut State) {
 /// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture comes
 /// back (saved-state.mixed-overrides).
 fn overrides(saved: &Modes, state: &mut State) {
-    if state.choices.quirk("rs274.override-restore") {
+    if state.choices.quirk(quirk::rs274::OVERRIDE_RESTORE) {
         return quirks::overrides(saved, state);
     }
     state.modes.feed_override = saved.feed_override;
@@ -220,9 +221,9 @@ fn overrides(saved: &Modes, state: &mut State) {
 /// Rule saved-state.motion-mode. Only the draft lists the motion mode; there it comes back, and whether a mode comes
 /// back that its list leaves out is a choice.
 fn motion(saved: &Modes, state: &mut State) {
-    state.coverage.accepted("saved-state.motion-mode");
-    let restored = state.choices.is("saved-state.motion-mode", "restored");
-    let every = state.choices.is("saved-state.listed-motion", "every");
+    state.coverage.accepted(rule::saved_state::MOTION_MODE);
+    let restored = state.choices.is(choice::saved_state::MotionMode::Restored);
+    let every = state.choices.is(choice::saved_state::ListedMotion::Every);
     if restored && (every || LISTED_MOTION.contains(&saved.motion)) {
         state.modes.motion = saved.motion;
     }

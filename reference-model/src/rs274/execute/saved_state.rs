@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::restore::restore;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::control::{Frame, Style};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::SavedState;
@@ -33,7 +34,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError
             save(state);
             state.frame_mut().restore_at_return = state.frame().saved.clone();
             if state.call_level() == 0 {
-                state.coverage.accepted("saved-state.autorestore-main");
+                state.coverage.accepted(rule::saved_state::AUTORESTORE_MAIN);
             }
         }
     }
@@ -48,8 +49,8 @@ fn save(state: &mut State) {
     let saved = SavedState { modes: state.modes.clone(), valid: true };
     let earlier = state.frame_mut().saved.replace(saved);
     if let Some(earlier) = earlier {
-        let again = "saved-state.saved-again";
-        state.coverage.accepted(if earlier.valid { "saved-state.latest-save" } else { again });
+        let again = rule::saved_state::SAVED_AGAIN;
+        state.coverage.accepted(if earlier.valid { rule::saved_state::LATEST_SAVE } else { again });
     }
     for rule in levels(state) {
         state.coverage.accepted(rule);
@@ -61,16 +62,16 @@ fn save(state: &mut State) {
 /// Rule saved-state.main-level. The main program is a level of its own. Rule saved-state.sub-level. So is each
 /// invocation of a sub; what it saved is gone when it is left. A recursive call is a new invocation
 /// (saved-state.recursion), and a subprogram called by M98 is one too (saved-state.fanuc-level).
-fn levels(state: &State) -> Vec<&'static str> {
-    let Some(call) = &state.frame().call else { return vec!["saved-state.main-level"] };
-    let mut rules = vec!["saved-state.sub-level"];
+fn levels(state: &State) -> Vec<Rule> {
+    let Some(call) = &state.frame().call else { return vec![rule::saved_state::MAIN_LEVEL] };
+    let mut rules = vec![rule::saved_state::SUB_LEVEL];
     if matches!(call.style, Style::Numbered { .. }) {
-        rules.push("saved-state.fanuc-level");
+        rules.push(rule::saved_state::FANUC_LEVEL);
     }
     let same = |label: &String| *label == call.label;
     let calls = state.frames.iter().filter_map(|frame| frame.call.as_ref());
     if calls.filter(|call| same(&call.label)).count() > 1 {
-        rules.push("saved-state.recursion");
+        rules.push(rule::saved_state::RECURSION);
     }
     rules
 }
@@ -78,7 +79,7 @@ fn levels(state: &State) -> Vec<&'static str> {
 /// Choice saved-state.after-run. A run is over, or the next one begins: what the main program has saved holds on, or
 /// it does not.
 pub fn run_is_over(state: &mut State) {
-    if state.choices.is("saved-state.after-run", "forgotten") {
+    if state.choices.is(choice::saved_state::AfterRun::Forgotten) {
         state.frames[0].forget_saved();
     }
 }
@@ -89,8 +90,8 @@ pub fn run_is_over(state: &mut State) {
 /// is touched. Rule saved-state.autorestore-cancelled. Nor does the end of the sub restore. Where M70 and M73 have
 /// one place (saved-state.places) the promise stays, and waits for a valid state there.
 fn invalidate(state: &mut State) -> Result<(), StepError> {
-    let apart = state.choices.is("saved-state.places", "apart");
-    let refused = state.choices.is("saved-state.invalidate-nothing", "refused");
+    let apart = state.choices.is(choice::saved_state::Places::Apart);
+    let refused = state.choices.is(choice::saved_state::InvalidateNothing::Refused);
     let frame = state.frame_mut();
     let mut any = false;
     for saved in [&mut frame.saved_by_m70, &mut frame.saved].into_iter().flatten() {
@@ -99,15 +100,19 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
     }
     if !any && refused {
         let message = "M71, and no state that is saved at this call level is valid";
-        return Err(refuse("saved-state.invalidate-nothing", FaultKind::NothingSaved, message));
+        return Err(refuse(
+            Rule::of_choice::<choice::saved_state::InvalidateNothing>(),
+            FaultKind::NothingSaved,
+            message,
+        ));
     }
     let promised = frame.restore_at_return.is_some();
     if apart {
         frame.restore_at_return = None;
     }
-    state.coverage.accepted("saved-state.invalidated-level");
+    state.coverage.accepted(rule::saved_state::INVALIDATED_LEVEL);
     if promised {
-        state.coverage.accepted("saved-state.autorestore-cancelled");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_CANCELLED);
     }
     Ok(())
 }
@@ -122,24 +127,26 @@ fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
-            state.coverage.refused("saved-state.invalidated-level");
-            "saved-state.invalidated"
+            state.coverage.refused(rule::saved_state::INVALIDATED_LEVEL);
+            rule::saved_state::INVALIDATED
         } else {
-            "saved-state.nothing-saved"
+            rule::saved_state::NOTHING_SAVED
         };
-        for level in levels(state).into_iter().filter(|level| *level != "saved-state.main-level") {
+        for level in
+            levels(state).into_iter().filter(|level| *level != rule::saved_state::MAIN_LEVEL)
+        {
             state.coverage.refused(level);
         }
         let message = "nothing is saved at this call level";
         return Err(refuse(rule, FaultKind::NothingSaved, message));
     };
-    state.coverage.accepted("saved-state.save-restore");
-    state.coverage.accepted("saved-state.repeated-restore");
+    state.coverage.accepted(rule::saved_state::SAVE_RESTORE);
+    state.coverage.accepted(rule::saved_state::REPEATED_RESTORE);
     for level in levels(state) {
         state.coverage.accepted(level);
     }
     if state.frame().restore_at_return.is_some() {
-        state.coverage.accepted("saved-state.autorestore-explicit");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_EXPLICIT);
     }
     let mut before = state.modes.clone();
     restore(&saved.modes, state)?;
@@ -147,7 +154,7 @@ fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
     before.tool_offset_unit = state.modes.tool_offset_unit;
     before.tool_length = state.modes.tool_length;
     let restores = state.modes != before || quirks::programs(&saved.modes, &before);
-    let drop = restores && state.choices.quirk("rs274.rest-of-restore-block");
+    let drop = restores && state.choices.quirk(quirk::rs274::REST_OF_RESTORE_BLOCK);
     Ok(if drop { AfterPhase::Drop } else { AfterPhase::Execute })
 }
 
@@ -155,10 +162,10 @@ fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
 /// one.
 fn restorable(state: &State) -> Option<SavedState> {
     let frame = state.frame();
-    if state.choices.is("saved-state.restorable", "either") {
+    if state.choices.is(choice::saved_state::Restorable::Either) {
         return frame.saved.clone();
     }
-    let one_place = state.choices.is("saved-state.places", "one");
+    let one_place = state.choices.is(choice::saved_state::Places::One);
     let of_m70 = frame.saved_by_m70.as_ref()?;
     if one_place { frame.saved.clone() } else { Some(of_m70.clone()) }
 }
@@ -176,7 +183,7 @@ fn restorable(state: &State) -> Option<SavedState> {
 /// None where the documents are followed; a restore as `rs274` does it can fail.
 pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
     let frame = state.frame();
-    let promised = if state.choices.is("saved-state.places", "one") {
+    let promised = if state.choices.is(choice::saved_state::Places::One) {
         latest_if_promised(frame)
     } else {
         frame.restore_at_return.clone()
@@ -184,26 +191,26 @@ pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), 
     let has_saved = frame.saved.as_ref().is_some_and(|saved| saved.valid);
     let saved_since = frame.saved != frame.restore_at_return;
     let Some(promised) = promised else {
-        state.coverage.accepted("saved-state.unprotected");
-        state.coverage.accepted("saved-state.selective");
+        state.coverage.accepted(rule::saved_state::UNPROTECTED);
+        state.coverage.accepted(rule::saved_state::SELECTIVE);
         if has_saved {
-            state.coverage.accepted("saved-state.save-alone");
-            state.coverage.accepted("saved-state.cancelled-then-saved");
+            state.coverage.accepted(rule::saved_state::SAVE_ALONE);
+            state.coverage.accepted(rule::saved_state::CANCELLED_THEN_SAVED);
         }
         return Ok(());
     };
     let style = state.frame().call.as_ref().map(|call| call.style.clone());
     if matches!(style, Some(Style::Numbered { .. })) {
-        state.coverage.accepted("saved-state.autorestore-m99");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_M99);
     } else {
-        state.coverage.accepted("saved-state.autorestore-endsub");
-        state.coverage.accepted("saved-state.autorestore-return");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_ENDSUB);
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_RETURN);
     }
     if state.call_level() > 1 {
-        state.coverage.accepted("saved-state.autorestore-nested");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_NESTED);
     }
     if saved_since {
-        state.coverage.accepted("saved-state.autorestore-then-save");
+        state.coverage.accepted(rule::saved_state::AUTORESTORE_THEN_SAVE);
     }
     restore(&promised.modes, state)
 }
@@ -217,6 +224,6 @@ fn latest_if_promised(frame: &Frame) -> Option<SavedState> {
 /// Rule saved-state.autorestore-fault. A run that is broken off in a sub with M73 does not restore.
 pub fn broken_off(state: &mut State) {
     if state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-        state.coverage.refused("saved-state.autorestore-fault");
+        state.coverage.refused(rule::saved_state::AUTORESTORE_FAULT);
     }
 }

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
 
 use super::{orient, whole, word};
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::Spindle;
 use crate::rs274::quirks::settings as quirks;
@@ -22,12 +23,14 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
     let speed = word(words, 's');
     if let Some(speed) = speed.filter(|speed| *speed < 0.0) {
         let message = format!("a spindle speed of {speed}");
-        return Err(refuse("spindle.speed-negative", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::spindle::SPEED_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
     let surface = words.g.contains(&960);
     let mode_too = surface || words.g.contains(&970);
     let spindles = match word(words, '$') {
-        Some(-1.0) if !mode_too && state.choices.quirk("rs274.speed-of-all-spindles") => all(state),
+        Some(-1.0) if !mode_too && state.choices.quirk(quirk::rs274::SPEED_OF_ALL_SPINDLES) => {
+            all(state)
+        }
         Some(number) => vec![one(number, state)?],
         None => vec![0],
     };
@@ -58,11 +61,15 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
         }
     }
     if let Some(speed) = speed {
-        for rule in ["spindle.speed", "spindle.speed-selected", "spindle.speed-starts-nothing"] {
+        for rule in [
+            rule::spindle::SPEED,
+            rule::spindle::SPEED_SELECTED,
+            rule::spindle::SPEED_STARTS_NOTHING,
+        ] {
             state.coverage.accepted(rule);
         }
         if speed == 0.0 {
-            state.coverage.accepted("spindle.speed-zero");
+            state.coverage.accepted(rule::spindle::SPEED_ZERO);
         }
     }
     Ok(())
@@ -70,12 +77,12 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule spindle.rpm-mode-speed. Whether G97 needs S is a choice.
 fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
-    let rule = "spindle.rpm-mode-speed";
-    if speed.is_none() && state.choices.is(rule, "required") {
+    let rule = rule::spindle::RPM_MODE_SPEED;
+    if speed.is_none() && state.choices.is(choice::spindle::RpmModeSpeed::Required) {
         return Err(refuse(rule, FaultKind::MissingWord, "G97 needs S"));
     }
     state.coverage.accepted(rule);
-    state.coverage.accepted("spindle.rpm-mode");
+    state.coverage.accepted(rule::spindle::RPM_MODE);
     Ok(())
 }
 
@@ -84,19 +91,19 @@ fn rpm_mode(speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
 /// Rule spindle.surface-speed-limit. D is the highest speed in revolutions per minute, and optional.
 fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result<(), StepError> {
     if speed.is_none() {
-        let rule = "spindle.surface-speed-needs-speed";
+        let rule = rule::spindle::SURFACE_SPEED_NEEDS_SPEED;
         return Err(refuse(rule, FaultKind::MissingWord, "G96 needs S"));
     }
-    state.coverage.accepted("spindle.surface-speed-needs-speed");
-    state.coverage.accepted("spindle.surface-speed");
+    state.coverage.accepted(rule::spindle::SURFACE_SPEED_NEEDS_SPEED);
+    state.coverage.accepted(rule::spindle::SURFACE_SPEED);
     if state.modes.lathe == Lathe::Diameter {
-        state.coverage.accepted("spindle.surface-speed-lathe");
+        state.coverage.accepted(rule::spindle::SURFACE_SPEED_LATHE);
     }
     if word(words, 'd').is_some() {
-        state.coverage.accepted("spindle.surface-speed-limit");
+        state.coverage.accepted(rule::spindle::SURFACE_SPEED_LIMIT);
     }
     if word(words, '$').is_some() {
-        state.coverage.accepted("spindle.surface-speed-selected");
+        state.coverage.accepted(rule::spindle::SURFACE_SPEED_SELECTED);
     }
     Ok(())
 }
@@ -110,11 +117,11 @@ fn surface_speed(words: &Words, speed: Option<f64>, state: &mut State) -> Result
 /// Rules spindle.out-of-range and spindle.minus-one.
 pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
     let (turn, rule) = if words.m.contains(&3) {
-        (SpindleTurn::Clockwise, "spindle.start")
+        (SpindleTurn::Clockwise, rule::spindle::START)
     } else if words.m.contains(&4) {
-        (SpindleTurn::Counterclockwise, "spindle.start")
+        (SpindleTurn::Counterclockwise, rule::spindle::START)
     } else {
-        (SpindleTurn::Stopped, "spindle.stop")
+        (SpindleTurn::Stopped, rule::spindle::STOP)
     };
     let spindles = match word(words, '$') {
         Some(number) => chosen(number, state)?,
@@ -127,10 +134,10 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
         set_turn(turn, place, state);
         let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
         if repeated {
-            state.coverage.accepted("spindle.repeated");
+            state.coverage.accepted(rule::spindle::REPEATED);
         }
         if at_zero {
-            state.coverage.accepted("spindle.start-at-zero");
+            state.coverage.accepted(rule::spindle::START_AT_ZERO);
         }
     }
     Ok(())
@@ -146,8 +153,8 @@ pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
 
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
 fn without_dollar(state: &mut State) -> Vec<usize> {
-    state.coverage.accepted("spindle.without-dollar");
-    if state.choices.is("spindle.without-dollar", "all") { all(state) } else { vec![0] }
+    state.coverage.accepted(rule::spindle::WITHOUT_DOLLAR);
+    if state.choices.is(choice::spindle::WithoutDollar::All) { all(state) } else { vec![0] }
 }
 
 /// Every spindle of the machine.
@@ -160,8 +167,8 @@ pub(crate) fn all(state: &State) -> Vec<usize> {
 /// Rule spindle.minus-one. What -1 means is a choice. Rule spindle.selected. Any other number is that spindle.
 fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
     if whole(number) == Some(-1) {
-        let rule = "spindle.minus-one";
-        if state.choices.is("spindle.minus-one", "all") {
+        let rule = rule::spindle::MINUS_ONE;
+        if state.choices.is(choice::spindle::MinusOne::All) {
             state.coverage.accepted(rule);
             return Ok(all(state));
         }
@@ -173,15 +180,15 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
 /// The spindle that $ names. -1 is none to S, G96 and G97: only M3, M4 and M5 say what it means.
 /// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
 fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
-    let place = self::number(number, state, "spindle.out-of-range")?;
-    state.coverage.accepted("spindle.out-of-range");
-    state.coverage.accepted("spindle.selected");
+    let place = self::number(number, state, rule::spindle::OUT_OF_RANGE)?;
+    state.coverage.accepted(rule::spindle::OUT_OF_RANGE);
+    state.coverage.accepted(rule::spindle::SELECTED);
     Ok(place)
 }
 
 /// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it
 /// is given, since other chapters say the same.
-pub(crate) fn number(number: f64, state: &State, rule: &'static str) -> Result<usize, StepError> {
+pub(crate) fn number(number: f64, state: &State, rule: Rule) -> Result<usize, StepError> {
     let number = quirks::spindle_number(number, state);
     let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
     place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {

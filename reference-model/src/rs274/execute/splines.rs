@@ -6,6 +6,7 @@ use gaugeblock_vocabulary::{
 
 use super::target::end_point;
 use super::{whole, word};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::splines as quirks;
@@ -87,14 +88,14 @@ pub(super) fn perform(
 fn in_xy(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.plane != Plane::Xy {
         let message = "a spline in another plane than XY";
-        return Err(refuse("splines.plane", FaultKind::ModalConflict, message));
+        return Err(refuse(rule::splines::PLANE, FaultKind::ModalConflict, message));
     }
     if let Some(other) = "zabcuvw".chars().find(|axis| word(words, *axis).is_some()) {
         let message = format!("a spline with {}", other.to_ascii_uppercase());
-        return Err(refuse("splines.xy-only", FaultKind::AxisWords, message));
+        return Err(refuse(rule::splines::XY_ONLY, FaultKind::AxisWords, message));
     }
-    state.coverage.accepted("splines.plane");
-    state.coverage.accepted("splines.xy-only");
+    state.coverage.accepted(rule::splines::PLANE);
+    state.coverage.accepted(rule::splines::XY_ONLY);
     Ok(())
 }
 
@@ -104,19 +105,19 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let has = |letter| word(words, letter).is_some();
     if !has('p') || !has('q') {
         let message = "G5 needs P and Q";
-        return Err(refuse("splines.cubic-end-direction", FaultKind::MissingWord, message));
+        return Err(refuse(rule::splines::CUBIC_END_DIRECTION, FaultKind::MissingWord, message));
     }
     if has('i') != has('j') {
         let message = "G5 with only one of I and J";
-        return Err(refuse("splines.cubic-half-direction", FaultKind::MissingWord, message));
+        return Err(refuse(rule::splines::CUBIC_HALF_DIRECTION, FaultKind::MissingWord, message));
     }
     if !has('i') && !state.curve.continues && !quirks::begins_without_direction(state) {
         let message = "the first G5 needs I and J";
-        return Err(refuse("splines.cubic-first-direction", FaultKind::MissingWord, message));
+        return Err(refuse(rule::splines::CUBIC_FIRST_DIRECTION, FaultKind::MissingWord, message));
     }
-    state.coverage.accepted("splines.cubic");
+    state.coverage.accepted(rule::splines::CUBIC);
     if !has('i') {
-        state.coverage.accepted("splines.cubic-continued");
+        state.coverage.accepted(rule::splines::CUBIC_CONTINUED);
     }
     Ok(())
 }
@@ -128,12 +129,12 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let both_zero = offset('i') == 0.0 && offset('j') == 0.0;
     if both_zero && !quirks::quadratic_of_zero(state) {
         let message = "G5.1 without an offset to its control point";
-        return Err(refuse("splines.quadratic-offset", FaultKind::MissingWord, message));
+        return Err(refuse(rule::splines::QUADRATIC_OFFSET, FaultKind::MissingWord, message));
     }
-    state.coverage.accepted("splines.quadratic");
-    state.coverage.accepted("splines.quadratic-offset");
+    state.coverage.accepted(rule::splines::QUADRATIC);
+    state.coverage.accepted(rule::splines::QUADRATIC_OFFSET);
     if word(words, 'i').is_none() || word(words, 'j').is_none() {
-        state.coverage.accepted("splines.quadratic-one-offset");
+        state.coverage.accepted(rule::splines::QUADRATIC_ONE_OFFSET);
     }
     Ok(())
 }
@@ -162,7 +163,7 @@ pub(super) fn nurbs(
     if state.modes.feed_mode == FeedMode::InverseTime {
         return Err(open("which block of a NURBS has the F of inverse time"));
     }
-    let at_opening = state.choices.is("splines.nurbs-feed", "at-opening");
+    let at_opening = state.choices.is(choice::splines::NurbsFeed::AtOpening);
     if at_opening != closes {
         super::motion::feed_possible(words, state)?;
     }
@@ -192,10 +193,10 @@ pub(super) fn nurbs(
         }
         nurbs.points.push(end_point(words, state)?);
     } else {
-        state.coverage.accepted("splines.nurbs-first-weight");
+        state.coverage.accepted(rule::splines::NURBS_FIRST_WEIGHT);
     }
     if word(words, 'p').is_none() {
-        state.coverage.accepted("splines.nurbs-default-weight");
+        state.coverage.accepted(rule::splines::NURBS_DEFAULT_WEIGHT);
     }
     state.modes.motion = Motion::Nurbs;
     state.curve.open = Some(nurbs);
@@ -213,9 +214,9 @@ fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), St
     state.modes.motion = Motion::None;
     state.position = end;
     record.effect(state, Effect::NurbsFeed { points, end });
-    state.coverage.accepted("splines.nurbs");
+    state.coverage.accepted(rule::splines::NURBS);
     if nurbs.order == DEFAULT_ORDER {
-        state.coverage.accepted("splines.nurbs-default-order");
+        state.coverage.accepted(rule::splines::NURBS_DEFAULT_ORDER);
     }
     Ok(())
 }

@@ -3,6 +3,8 @@
 use gaugeblock_vocabulary::Effect;
 
 use super::program_end;
+use crate::ids::choice::pause::PalletCodes;
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::AfterPhase;
 use crate::rs274::state::State;
@@ -16,9 +18,9 @@ use crate::rs274::task::Record;
 /// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
 /// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> AfterPhase {
-    let (ends, pauses) = match state.choices.choice("pause.pallet-codes") {
-        "table" => (60, 30),
-        _ => (30, 60),
+    let (ends, pauses) = match state.choices.get::<PalletCodes>() {
+        PalletCodes::Table => (60, 30),
+        PalletCodes::Sections => (30, 60),
     };
     if words.m.contains(&2) || words.m.contains(&ends) {
         program_end::perform(words, state, record);
@@ -26,12 +28,12 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> AfterPh
     }
     let optional = words.m.contains(&1);
     if words.m.contains(&pauses) {
-        state.coverage.accepted("pause.pallet");
+        state.coverage.accepted(rule::pause::PALLET);
         record.effect(state, Effect::PalletShuttle {});
     } else {
-        state.coverage.accepted(if optional { "pause.optional" } else { "pause.always" });
+        state.coverage.accepted(if optional { rule::pause::OPTIONAL } else { rule::pause::ALWAYS });
     }
-    state.coverage.accepted("pause.last-in-block");
+    state.coverage.accepted(rule::pause::LAST_IN_BLOCK);
     record.effect(state, Effect::Stop { optional });
     let switched_off = optional && !state.panel.optional_stop;
     if switched_off || state.environment.is_stand_alone() {

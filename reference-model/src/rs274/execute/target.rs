@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Position};
 
 use super::word;
+use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::motion as quirks;
@@ -21,10 +22,10 @@ fn axis_words(words: &Words) -> Vec<(Axis, f64)> {
 /// Rule units-planes.diameter-offsets. Whether diameter mode halves X there too is a choice: the documents speak of
 /// moves.
 pub(crate) fn offset_words(words: &Words, state: &mut State) -> Vec<(Axis, f64)> {
-    let rule = "units-planes.diameter-offsets";
+    let rule = rule::units_planes::DIAMETER_OFFSETS;
     if state.modes.lathe == Lathe::Diameter {
         state.coverage.accepted(rule);
-        if state.choices.is(rule, "every-word") {
+        if state.choices.is(choice::units_planes::DiameterOffsets::EveryWord) {
             return moved(words, state);
         }
     }
@@ -73,14 +74,14 @@ pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, St
     let mut end = polar(words, state)?.unwrap_or(state.position);
     let incremental = state.modes.distance == Distance::Incremental;
     state.coverage.accepted(if incremental {
-        "units-planes.incremental"
+        rule::units_planes::INCREMENTAL
     } else {
-        "units-planes.absolute"
+        rule::units_planes::ABSOLUTE
     });
-    state.coverage.accepted("motion.omitted-axes");
+    state.coverage.accepted(rule::motion::OMITTED_AXES);
     let lathe = state.modes.lathe;
     if lathe == Lathe::Diameter {
-        state.coverage.accepted("units-planes.diameter-x-only");
+        state.coverage.accepted(rule::units_planes::DIAMETER_X_ONLY);
     }
     for (axis, value) in moved(words, state) {
         let place = end.get_mut(axis);
@@ -130,7 +131,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     }
     if word(words, 'x').is_some() || word(words, 'y').is_some() {
         let message = "polar words together with X or Y";
-        return Err(refuse("motion.polar-mixed", FaultKind::AxisWords, message));
+        return Err(refuse(rule::motion::POLAR_MIXED, FaultKind::AxisWords, message));
     }
     quirks::polar_plane(state)?;
     quirks::polar_angle(words, state)?;
@@ -138,7 +139,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
     let incremental = state.modes.distance == Distance::Incremental;
     if incremental && here.x == 0.0 && here.y == 0.0 {
         let message = "an incremental polar move from the origin, which has no angle";
-        return Err(refuse("motion.polar-from-origin", FaultKind::AxisWords, message));
+        return Err(refuse(rule::motion::POLAR_FROM_ORIGIN, FaultKind::AxisWords, message));
     }
     let from = if incremental { 1.0 } else { 0.0 };
     let current_distance = math::hypotenuse(here.x, here.y);
@@ -148,12 +149,12 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
         quirks::polar_end(distance, state)?;
     }
     let angle = angle.map_or(current_angle, |value| from * current_angle + value);
-    state.coverage.accepted("motion.polar");
+    state.coverage.accepted(rule::motion::POLAR);
     if incremental {
-        state.coverage.accepted("motion.polar-incremental");
+        state.coverage.accepted(rule::motion::POLAR_INCREMENTAL);
     }
     if word(words, '@').is_none() || word(words, '^').is_none() {
-        state.coverage.accepted("motion.polar-partial");
+        state.coverage.accepted(rule::motion::POLAR_PARTIAL);
     }
     let (distance, angle) = state.modes.rounding.of_polar(distance, angle);
     let (sine, cosine) = math::sine_and_cosine_of_degrees(angle);

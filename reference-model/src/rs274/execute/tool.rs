@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 
 use super::{whole, word};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -19,17 +20,18 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
     let Some(value) = word(words, 't') else { return Ok(()) };
     let number = whole(value).ok_or_else(|| {
         let message = format!("T{value} is no whole number");
-        refuse("tool.select-integer", FaultKind::NotAnInteger, message)
+        refuse(rule::tool::SELECT_INTEGER, FaultKind::NotAnInteger, message)
     })?;
     if number < 0 {
         let message = format!("T{number} is negative");
-        return Err(refuse("tool.select-negative", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::tool::SELECT_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
     let tool = selected(number, state)?;
     if state.selected_for_change {
-        state.coverage.accepted("tool.select-latest");
+        state.coverage.accepted(rule::tool::SELECT_LATEST);
     }
-    for rule in ["tool.select", "tool.select-integer", "tool.select-changes-nothing"] {
+    for rule in [rule::tool::SELECT, rule::tool::SELECT_INTEGER, rule::tool::SELECT_CHANGES_NOTHING]
+    {
         state.coverage.accepted(rule);
     }
     state.prepared_tool = tool.unwrap_or(-1);
@@ -46,26 +48,26 @@ pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
     let random = state.machine.random_tool_changer;
     if number == 0 && !random {
-        state.coverage.accepted("tool.select-zero");
+        state.coverage.accepted(rule::tool::SELECT_ZERO);
         return Ok(None);
     }
-    let by_slot = state.choices.is("tool.selected-by", "slot");
+    let by_slot = state.choices.is(choice::tool::SelectedBy::Slot);
     if by_slot && random && (number == 0 || in_slot(number, state).is_none()) {
         let why = "what T selects in slot 0, or in an empty slot, where tools change places";
         return Err(StepError::Unspecified(why.to_owned()));
     }
     let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
-    state.coverage.accepted("tool.selected-by");
-    let rule = if number == 0 { "tool.select-zero-random" } else { "tool.empty-slot" };
+    state.coverage.accepted(rule::tool::SELECTED_BY);
+    let rule = if number == 0 { rule::tool::SELECT_ZERO_RANDOM } else { rule::tool::EMPTY_SLOT };
     match found {
         Some(tool) => {
-            state.coverage.accepted("tool.select-unknown");
+            state.coverage.accepted(rule::tool::SELECT_UNKNOWN);
             if number == 0 {
                 state.coverage.accepted(rule);
             }
             Ok(Some(tool))
         }
-        None if state.choices.is("tool.empty-slot", "accepted") => {
+        None if state.choices.is(choice::tool::EmptySlot::Accepted) => {
             state.coverage.accepted(rule);
             Ok(None)
         }
@@ -73,10 +75,10 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
             if number == 0 {
                 state.coverage.refused(rule);
             } else {
-                state.coverage.refused("tool.empty-slot");
+                state.coverage.refused(rule::tool::EMPTY_SLOT);
             }
             let message = format!("T{number}, and the tool table holds no such tool");
-            Err(refuse("tool.select-unknown", FaultKind::ToolNotFound, message))
+            Err(refuse(rule::tool::SELECT_UNKNOWN, FaultKind::ToolNotFound, message))
         }
     }
 }
@@ -105,7 +107,7 @@ pub(crate) fn loaded(state: &State) -> Option<&Tool> {
 /// The tool table does not hold it; refused by the rule that is given.
 pub(crate) fn named<'a>(
     tool: i32,
-    rule: &'static str,
+    rule: Rule,
     state: &'a State,
 ) -> Result<Option<&'a Tool>, StepError> {
     let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Position, Spindle
 use super::positions;
 use super::tool::entry;
 use super::{pass, spindle, whole, word};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::refusal::{StepError, refuse};
@@ -20,21 +21,25 @@ use crate::rs274::task::Record;
 /// # Errors
 /// Rules tool.change-without-selection and tool.change-under-compensation.
 pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    super::not_under_compensation("tool.change-under-compensation", state)?;
+    super::not_under_compensation(
+        rule::tool::CHANGE_UNDER_COMPENSATION,
+        choice::tool::ChangeUnderCompensation::Refused,
+        state,
+    )?;
     let tool = tool_to_load(state)?;
     before_moving(state);
     moves(state, record);
     if state.environment.tools_are_changed_by_hand() {
-        state.coverage.accepted("tool.change-by-hand");
+        state.coverage.accepted(rule::tool::CHANGE_BY_HAND);
         record.effect(state, Effect::PromptTool { tool });
     }
     pass(state.environment.tool_change_time(), state);
     swap(tool, state);
     state.selected_for_change = false;
     state.prepared_tool = -1;
-    state.coverage.accepted("tool.change");
-    state.coverage.accepted("tool.change-keeps");
-    state.coverage.accepted("tool.change-keeps-length");
+    state.coverage.accepted(rule::tool::CHANGE);
+    state.coverage.accepted(rule::tool::CHANGE_KEEPS);
+    state.coverage.accepted(rule::tool::CHANGE_KEEPS_LENGTH);
     state.environment.machine_is_asked();
     record.effect(state, Effect::ChangeTool { tool });
     Ok(())
@@ -43,8 +48,8 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
 /// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
 fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
     if !state.selected_for_change && !state.environment.is_stand_alone() {
-        let rule = "tool.change-without-selection";
-        if state.choices.is(rule, "refused") {
+        let rule = rule::tool::CHANGE_WITHOUT_SELECTION;
+        if state.choices.is(choice::tool::ChangeWithoutSelection::Refused) {
             return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
         }
         state.coverage.accepted(rule);
@@ -64,13 +69,13 @@ fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
 /// changed.
 pub fn before_moving(state: &mut State) {
     if state.machine.tool_change.with_spindle_on {
-        state.coverage.accepted("tool.change-spindle-on");
+        state.coverage.accepted(rule::tool::CHANGE_SPINDLE_ON);
         return;
     }
     for place in spindle::all(state) {
         spindle::set_turn(SpindleTurn::Stopped, place, state);
     }
-    state.coverage.accepted("tool.change-stops-spindle");
+    state.coverage.accepted(rule::tool::CHANGE_STOPS_SPINDLE);
 }
 
 /// Rule tool.change-quill-up. If the machine is set so, Z goes to machine zero first.
@@ -79,11 +84,11 @@ fn moves(state: &mut State, record: &mut Record) {
     if state.machine.tool_change.quill_up {
         let here = state.modes.machine_point(state.position);
         traverse(Position { z: beside_machine_point(state).z, ..here }, state, record);
-        state.coverage.accepted("tool.change-quill-up");
+        state.coverage.accepted(rule::tool::CHANGE_QUILL_UP);
     }
     if state.machine.tool_change.at_g30 {
         traverse(positions::destination(positions::G30_POSITION, state), state, record);
-        state.coverage.accepted("tool.change-at-g30");
+        state.coverage.accepted(rule::tool::CHANGE_AT_G30);
     }
 }
 
@@ -102,12 +107,16 @@ fn swap(tool: i32, state: &mut State) {
     if tool > 0 || !state.environment.is_stand_alone() {
         state.known_tool = tool;
     }
-    state.coverage.accepted(if tool == old { "tool.change-same" } else { "tool.change-back" });
+    state.coverage.accepted(if tool == old {
+        rule::tool::CHANGE_SAME
+    } else {
+        rule::tool::CHANGE_BACK
+    });
     if tool == 0 && !state.machine.random_tool_changer {
-        state.coverage.accepted("tool.change-zero");
+        state.coverage.accepted(rule::tool::CHANGE_ZERO);
     }
     let exchanged = state.machine.random_tool_changer
-        && state.choices.is("tool.old-tool-place", "slot-of-the-new");
+        && state.choices.is(choice::tool::OldToolPlace::SlotOfTheNew);
     let slot = state.slots.iter().find(|(_, stored)| **stored == tool).map(|(slot, _)| *slot);
     if let Some(slot) = slot.filter(|_| exchanged && tool != old) {
         // M61 may have put it into the spindle without taking it out of its slot; it lies in one place.
@@ -124,21 +133,21 @@ fn swap(tool: i32, state: &mut State) {
 /// # Errors
 /// Rules tool.set-number-range, tool.set-number-integer, tool.set-number-unknown, tool.set-number-in-program.
 pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    let in_program = "tool.set-number-in-program";
+    let in_program = rule::tool::SET_NUMBER_IN_PROGRAM;
     let by_program = state.modes.controller_mode == ControllerMode::Auto;
-    if by_program && state.choices.is(in_program, "refused") {
+    if by_program && state.choices.is(choice::tool::SetNumberInProgram::Refused) {
         let message = "M61 in a program";
         return Err(refuse(in_program, FaultKind::ControllerMode, message));
     }
     let tool = number(words, state)?;
     let unknown = tool > 0 && entry(tool, state).is_none();
-    let rule = "tool.set-number-unknown";
-    if unknown && state.choices.is(rule, "refused") {
+    let rule = rule::tool::SET_NUMBER_UNKNOWN;
+    if unknown && state.choices.is(choice::tool::SetNumberUnknown::Refused) {
         let message = format!("the tool table holds no tool {tool}");
         return Err(refuse(rule, FaultKind::ToolNotFound, message));
     }
-    let zero = if tool == 0 { "tool.set-number-zero" } else { "tool.set-number" };
-    for accepted in [rule, in_program, zero, "tool.set-number-keeps-length"] {
+    let zero = if tool == 0 { rule::tool::SET_NUMBER_ZERO } else { rule::tool::SET_NUMBER };
+    for accepted in [rule, in_program, zero, rule::tool::SET_NUMBER_KEEPS_LENGTH] {
         state.coverage.accepted(accepted);
     }
     state.tool = tool;
@@ -153,17 +162,17 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
 /// Rule tool.set-number-range. Q is needed, and zero or greater. Rule tool.set-number-integer. It is a whole number.
 /// Quirk rs274.tool-number-rounded: a fraction is rounded.
 fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
-    let rule = "tool.set-number-range";
+    let rule = rule::tool::SET_NUMBER_RANGE;
     let Some(value) = word(words, 'q') else {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));
     };
-    let rounded = state.choices.quirk("rs274.tool-number-rounded");
+    let rounded = state.choices.quirk(quirk::rs274::TOOL_NUMBER_ROUNDED);
     let number = if rounded { whole(value.round_ties_even()) } else { whole(value) };
     if value < 0.0 && number != Some(0) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));
     }
     state.coverage.accepted(rule);
-    let rule = "tool.set-number-integer";
+    let rule = rule::tool::SET_NUMBER_INTEGER;
     let message = || format!("Q{value} is no number of a tool");
     let number = number.ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     state.coverage.accepted(rule);

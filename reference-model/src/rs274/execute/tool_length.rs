@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 use super::target::offset_words;
 use super::tool::{loaded, named};
 use super::{not_under_compensation, whole, word};
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
@@ -20,12 +21,16 @@ use crate::rs274::state::State;
 /// # Errors
 /// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
-    not_under_compensation("tool.length-under-compensation", state)?;
-    if state.choices.quirk("rs274.tool-offset-unit") {
+    not_under_compensation(
+        rule::tool::LENGTH_UNDER_COMPENSATION,
+        choice::tool::LengthUnderCompensation::Refused,
+        state,
+    )?;
+    if state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
         quirks::tool_offset_as_programmed(state);
     }
     let offset = if words.g.contains(&490) {
-        state.coverage.accepted("tool.length-off");
+        state.coverage.accepted(rule::tool::LENGTH_OFF);
         None
     } else if words.g.contains(&431) {
         Some(dynamic(words, state))
@@ -34,8 +39,8 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     } else {
         Some(of_tool(words, state)?)
     };
-    state.coverage.accepted("tool.length-moves-nothing");
-    state.coverage.accepted("tool.length-repeated");
+    state.coverage.accepted(rule::tool::LENGTH_MOVES_NOTHING);
+    state.coverage.accepted(rule::tool::LENGTH_REPEATED);
     apply(offset, state);
     Ok(())
 }
@@ -56,25 +61,25 @@ pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let random = state.machine.random_tool_changer;
     let Some(number) = word(words, 'h') else {
-        state.coverage.accepted("tool.length-zero");
+        state.coverage.accepted(rule::tool::LENGTH_ZERO);
         let offset = loaded(state).map(|tool| tool.offset).unwrap_or_default();
         return Ok(converted(offset, state.machine.length_unit, state.modes.units));
     };
-    let rule = "tool.length-not-an-integer";
+    let rule = rule::tool::LENGTH_NOT_AN_INTEGER;
     let Some(whole) = whole(number) else {
         return Err(refuse(rule, FaultKind::NotAnInteger, format!("H{number} is no tool number")));
     };
     if whole < 0 {
         let message = format!("H{number} is negative");
-        return Err(refuse("tool.length-negative", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::tool::LENGTH_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
     let rule = match whole {
-        0 if random => "tool.length-zero-random",
-        0 => "tool.length-zero",
-        _ => "tool.length",
+        0 if random => rule::tool::LENGTH_ZERO_RANDOM,
+        0 => rule::tool::LENGTH_ZERO,
+        _ => rule::tool::LENGTH,
     };
     let refusing =
-        if rule == "tool.length-zero-random" { rule } else { "tool.length-unknown-tool" };
+        if rule == rule::tool::LENGTH_ZERO_RANDOM { rule } else { rule::tool::LENGTH_UNKNOWN_TOOL };
     let offset = table_offset(whole, refusing, state)?;
     state.coverage.accepted(rule);
     Ok(offset)
@@ -82,7 +87,7 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
 
 /// Rule tool.dynamic-length. G43.1 replaces the offset of the axes that it names.
 fn dynamic(words: &Words, state: &mut State) -> Position {
-    state.coverage.accepted("tool.dynamic-length");
+    state.coverage.accepted(rule::tool::DYNAMIC_LENGTH);
     let mut offset = state.modes.tool_offset;
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = value;
@@ -93,7 +98,7 @@ fn dynamic(words: &Words, state: &mut State) -> Position {
 /// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
 /// Rule tool.additional-length-words. It needs either H or axis words.
 fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
-    let rule = "tool.additional-length-words";
+    let rule = rule::tool::ADDITIONAL_LENGTH_WORDS;
     let more = match (word(words, 'h'), has_axis_words(words)) {
         (Some(_), true) => {
             return Err(refuse(
@@ -106,15 +111,19 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
             return Err(refuse(rule, FaultKind::MissingWord, "G43.2 needs H or axis words"));
         }
         (Some(value), false) => {
-            let rule = "tool.additional-length-unknown-tool";
+            let rule = rule::tool::ADDITIONAL_LENGTH_UNKNOWN_TOOL;
             let message = || format!("H{value} is no tool number");
             let tool =
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
             table_offset(tool, rule, state)?
         }
-        (None, true) if state.choices.quirk("rs274.additional-length-axes") => {
+        (None, true) if state.choices.quirk(quirk::rs274::ADDITIONAL_LENGTH_AXES) => {
             let message = "G43.2 without H";
-            return Err(refuse("rs274.additional-length-axes", FaultKind::MissingWord, message));
+            return Err(refuse(
+                quirk::rs274::ADDITIONAL_LENGTH_AXES,
+                FaultKind::MissingWord,
+                message,
+            ));
         }
         (None, true) => {
             let mut more = Position::default();
@@ -124,16 +133,12 @@ fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
             more
         }
     };
-    state.coverage.accepted("tool.additional-length");
+    state.coverage.accepted(rule::tool::ADDITIONAL_LENGTH);
     Ok(each(state.modes.tool_offset, more, |offset, more| offset + more))
 }
 
 /// The offset of a tool, active length unit.
-pub(crate) fn table_offset(
-    tool: i32,
-    rule: &'static str,
-    state: &State,
-) -> Result<Position, StepError> {
+pub(crate) fn table_offset(tool: i32, rule: Rule, state: &State) -> Result<Position, StepError> {
     let tool = named(tool, rule, state)?;
     let offset = tool.map(|tool| tool.offset).unwrap_or_default();
     Ok(converted(offset, state.machine.length_unit, state.modes.units))

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Axis, Compensation, Effect, FaultKind, Position, Too
 use super::target::offset_words;
 use super::tool::entry;
 use super::{whole, word};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
@@ -33,10 +34,10 @@ const FIXTURE: u32 = 9;
 pub(super) fn reload(state: &mut State) -> Result<(), StepError> {
     if state.tool != 0 {
         let message = format!("G10 L0 with tool {} in the spindle", state.tool);
-        let rule = "tool.reload-needs-empty-spindle";
+        let rule = rule::tool::RELOAD_NEEDS_EMPTY_SPINDLE;
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
-    state.coverage.accepted("tool.reload");
+    state.coverage.accepted(rule::tool::RELOAD);
     state.environment.machine_is_asked();
     Ok(())
 }
@@ -58,7 +59,7 @@ pub(super) fn set(
     let compensated = state.modes.compensation != Compensation::Off;
     if compensated && !quirks::table_under_compensation(state) {
         let message = "the tool table while cutter compensation is on";
-        let rule = "tool.entry-under-compensation";
+        let rule = rule::tool::ENTRY_UNDER_COMPENSATION;
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     let number = number(words, state)?;
@@ -75,12 +76,12 @@ pub(super) fn set(
     tool.orientation = orientation.unwrap_or(tool.orientation);
     for rule in [
         match values {
-            Values::Offsets => "tool.entry",
-            Values::Coordinates => "tool.entry-calculated",
-            Values::FixtureCoordinates => "tool.entry-calculated-fixture",
+            Values::Offsets => rule::tool::ENTRY,
+            Values::Coordinates => rule::tool::ENTRY_CALCULATED,
+            Values::FixtureCoordinates => rule::tool::ENTRY_CALCULATED_FIXTURE,
         },
-        "tool.entry-omitted-words",
-        "tool.entry-keeps-offset",
+        rule::tool::ENTRY_OMITTED_WORDS,
+        rule::tool::ENTRY_KEEPS_OFFSET,
     ] {
         state.coverage.accepted(rule);
     }
@@ -118,13 +119,13 @@ fn entry_in_spindle(number: i32, state: &mut State) {
 fn number(words: &Words, state: &State) -> Result<i32, StepError> {
     let Some(value) = word(words, 'p') else {
         let message = "G10 needs P, the number of a tool";
-        return Err(refuse("tool.entry-needs-number", FaultKind::MissingWord, message));
+        return Err(refuse(rule::tool::ENTRY_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
-    let rule = "tool.entry-unknown-tool";
+    let rule = rule::tool::ENTRY_UNKNOWN_TOOL;
     let message = || format!("the tool table holds no tool {value}");
     let number = whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match number {
-        0 => Err(refuse("tool.entry-zero", FaultKind::WordOutOfRange, "P0 is no tool")),
+        0 => Err(refuse(rule::tool::ENTRY_ZERO, FaultKind::WordOutOfRange, "P0 is no tool")),
         ..0 => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
         _ if entry(number, state).is_none() => {
             Err(refuse(rule, FaultKind::ToolNotFound, message()))
@@ -136,7 +137,7 @@ fn number(words: &Words, state: &State) -> Result<i32, StepError> {
 /// Rule tool.entry-orientation. Q is an integer from 0 to 9.
 fn orientation(words: &Words) -> Result<Option<u8>, StepError> {
     let Some(value) = word(words, 'q') else { return Ok(None) };
-    let rule = "tool.entry-orientation";
+    let rule = rule::tool::ENTRY_ORIENTATION;
     let message = || format!("Q{value} is no orientation from 0 to 9");
     let whole = whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u8::try_from(whole) {
@@ -151,8 +152,8 @@ fn something(words: &Words, state: &mut State) -> Result<(), StepError> {
     if any {
         return Ok(());
     }
-    let rule = "tool.entry-without-words";
-    if state.choices.is(rule, "refused") {
+    let rule = rule::tool::ENTRY_WITHOUT_WORDS;
+    if state.choices.is(choice::tool::EntryWithoutWords::Refused) {
         return Err(refuse(rule, FaultKind::MissingWord, "a tool, and nothing to set of it"));
     }
     state.coverage.accepted(rule);

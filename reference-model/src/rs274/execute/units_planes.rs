@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
 
 use super::not_under_compensation;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, unit_size};
 use crate::rs274::quirks::saved_state as quirks;
@@ -16,20 +17,24 @@ use crate::rs274::state::State;
 /// compensated, or of the third beside them, while it is.
 pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
     let plane = words.g.iter().find_map(|code| match code {
-        170 => Some((Plane::Xy, "units-planes.plane")),
-        180 => Some((Plane::Zx, "units-planes.plane")),
-        190 => Some((Plane::Yz, "units-planes.plane")),
-        171 => Some((Plane::Uv, "units-planes.secondary-planes")),
-        181 => Some((Plane::Wu, "units-planes.secondary-planes")),
-        191 => Some((Plane::Vw, "units-planes.secondary-planes")),
+        170 => Some((Plane::Xy, rule::units_planes::PLANE)),
+        180 => Some((Plane::Zx, rule::units_planes::PLANE)),
+        190 => Some((Plane::Yz, rule::units_planes::PLANE)),
+        171 => Some((Plane::Uv, rule::units_planes::SECONDARY_PLANES)),
+        181 => Some((Plane::Wu, rule::units_planes::SECONDARY_PLANES)),
+        191 => Some((Plane::Vw, rule::units_planes::SECONDARY_PLANES)),
         _ => None,
     });
     if let Some((plane, rule)) = plane {
-        if rule == "units-planes.plane" && plane != state.modes.plane {
-            not_under_compensation("units-planes.plane-under-compensation", state)?;
+        if rule == rule::units_planes::PLANE && plane != state.modes.plane {
+            not_under_compensation(
+                rule::units_planes::PLANE_UNDER_COMPENSATION,
+                choice::units_planes::PlaneUnderCompensation::Refused,
+                state,
+            )?;
         }
         state.coverage.accepted(rule);
-        state.coverage.accepted("units-planes.plane-moves-nothing");
+        state.coverage.accepted(rule::units_planes::PLANE_MOVES_NOTHING);
         state.modes.plane = plane;
     }
     Ok(())
@@ -43,19 +48,19 @@ pub fn select_units(words: &Words, state: &mut State) {
         let rule = match code {
             200 => {
                 use_units(LengthUnit::Inch, state);
-                "units-planes.units"
+                rule::units_planes::UNITS
             }
             210 => {
                 use_units(LengthUnit::Millimetre, state);
-                "units-planes.units"
+                rule::units_planes::UNITS
             }
             70 => {
                 state.modes.lathe = Lathe::Diameter;
-                "units-planes.diameter"
+                rule::units_planes::DIAMETER
             }
             80 => {
                 state.modes.lathe = Lathe::Radius;
-                "units-planes.radius"
+                rule::units_planes::RADIUS
             }
             _ => continue,
         };
@@ -73,10 +78,10 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
         return;
     }
     for rule in [
-        "units-planes.position-over-unit-change",
-        "units-planes.offsets-over-unit-change",
-        "units-planes.tool-offset-over-unit-change",
-        "units-planes.rotary-axes",
+        rule::units_planes::POSITION_OVER_UNIT_CHANGE,
+        rule::units_planes::OFFSETS_OVER_UNIT_CHANGE,
+        rule::units_planes::TOOL_OFFSET_OVER_UNIT_CHANGE,
+        rule::units_planes::ROTARY_AXES,
     ] {
         state.coverage.accepted(rule);
     }
@@ -96,8 +101,8 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
 
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
 fn convert_feed(before: LengthUnit, state: &mut State) {
-    state.coverage.accepted("units-planes.feed-over-unit-change");
-    let rescaled = state.choices.is("units-planes.feed-over-unit-change", "rescaled");
+    state.coverage.accepted(rule::units_planes::FEED_OVER_UNIT_CHANGE);
+    let rescaled = state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled);
     if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
         let modes = &mut state.modes;
         // As positions are converted: to and fro it is the same feed again.
@@ -113,24 +118,24 @@ pub fn select_distance(words: &Words, state: &mut State) {
         let rule = match code {
             900 => {
                 state.modes.distance = Distance::Absolute;
-                "units-planes.distance-change"
+                rule::units_planes::DISTANCE_CHANGE
             }
             910 => {
                 state.modes.distance = Distance::Incremental;
-                "units-planes.distance-change"
+                rule::units_planes::DISTANCE_CHANGE
             }
             901 => {
                 state.modes.arc_distance = Distance::Absolute;
-                "units-planes.arc-distance"
+                rule::units_planes::ARC_DISTANCE
             }
             911 => {
                 state.modes.arc_distance = Distance::Incremental;
-                "units-planes.arc-distance"
+                rule::units_planes::ARC_DISTANCE
             }
             _ => continue,
         };
         state.coverage.accepted(rule);
-        state.coverage.accepted("units-planes.arc-distance-apart");
+        state.coverage.accepted(rule::units_planes::ARC_DISTANCE_APART);
     }
 }
 

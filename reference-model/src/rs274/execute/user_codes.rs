@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind};
 
 use super::{pass, word};
+use crate::ids::{choice, rule};
 use crate::rs274::environment::Missing;
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -23,27 +24,27 @@ pub fn perform(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let with_path = state.choices.is("user-codes.place", "search-path");
+    let with_path = state.choices.is(choice::user_codes::Place::SearchPath);
     let found = state.environment.user_program(code, with_path);
     let found = found.map(|program| (program.duration, program.exit_status, program.folder));
     let (duration, exit_status, folder) = found.map_err(|missing| unknown(code, missing))?;
     let (p, q) = (argument('p', words, state), argument('q', words, state));
-    for rule in ["user-codes.run", "user-codes.waits", "user-codes.unknown"] {
+    for rule in [rule::user_codes::RUN, rule::user_codes::WAITS, rule::user_codes::UNKNOWN] {
         state.coverage.accepted(rule);
     }
     if folder == gaugeblock_vocabulary::scenario::Folder::SearchPath {
-        state.coverage.accepted("user-codes.place");
+        state.coverage.accepted(rule::user_codes::PLACE);
     }
     if state.modes.compensation != gaugeblock_vocabulary::Compensation::Off {
-        state.coverage.accepted("user-codes.under-compensation");
+        state.coverage.accepted(rule::user_codes::UNDER_COMPENSATION);
     }
     record.effect(state, Effect::UserCode { code, p, q });
     pass(duration, state);
     if exit_status == 0 {
         return Ok(());
     }
-    let rule = "user-codes.exit-status";
-    if state.choices.is(rule, "ends-the-run") {
+    let rule = rule::user_codes::EXIT_STATUS;
+    if state.choices.is(choice::user_codes::ExitStatus::EndsTheRun) {
         let message = format!("the program of M{code} ended with status {exit_status}");
         return Err(refuse(rule, FaultKind::UserCode, message));
     }
@@ -56,12 +57,12 @@ pub fn perform(
 fn argument(letter: char, words: &Words, state: &mut State) -> String {
     match word(words, letter) {
         Some(value) => {
-            state.coverage.accepted("user-codes.arguments");
+            state.coverage.accepted(rule::user_codes::ARGUMENTS);
             format!("{value:.6}")
         }
         None => {
-            state.coverage.accepted("user-codes.missing-argument");
-            let minus_one = state.choices.is("user-codes.missing-argument", "minus-one");
+            state.coverage.accepted(rule::user_codes::MISSING_ARGUMENT);
+            let minus_one = state.choices.is(choice::user_codes::MissingArgument::MinusOne);
             if minus_one { "-1.000000".to_owned() } else { String::new() }
         }
     }
@@ -72,13 +73,19 @@ fn argument(letter: char, words: &Words, state: &mut State) -> String {
 /// does not exist.
 fn unknown(code: u32, missing: Missing) -> StepError {
     let (rule, why) = match missing {
-        Missing::NoFile => ("user-codes.unknown", "there is no file of its name"),
-        Missing::NotExecutable => ("user-codes.not-executable", "its file is not executable"),
-        Missing::Extension => ("user-codes.extension", "the name of its file has an extension"),
-        Missing::LowerCase => ("user-codes.lower-case", "the name of its file has a small m"),
-        Missing::OtherForm => ("user-codes.file-name", "the name of its file has another form"),
-        Missing::AddedLater => ("user-codes.at-start", "its file came after the start"),
-        Missing::Elsewhere => ("user-codes.place", "its file is in no folder that is searched"),
+        Missing::NoFile => (rule::user_codes::UNKNOWN, "there is no file of its name"),
+        Missing::NotExecutable => (rule::user_codes::NOT_EXECUTABLE, "its file is not executable"),
+        Missing::Extension => {
+            (rule::user_codes::EXTENSION, "the name of its file has an extension")
+        }
+        Missing::LowerCase => (rule::user_codes::LOWER_CASE, "the name of its file has a small m"),
+        Missing::OtherForm => {
+            (rule::user_codes::FILE_NAME, "the name of its file has another form")
+        }
+        Missing::AddedLater => (rule::user_codes::AT_START, "its file came after the start"),
+        Missing::Elsewhere => {
+            (rule::user_codes::PLACE, "its file is in no folder that is searched")
+        }
     };
     refuse(rule, FaultKind::UnknownCode, format!("there is no M{code}: {why}"))
 }

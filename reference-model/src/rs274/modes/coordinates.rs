@@ -175,7 +175,7 @@ fn turned(point: Position, degrees: f64) -> Position {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rs274::choices::Choices;
+    use crate::Choices;
     use gaugeblock_vocabulary::Machine;
 
     fn modes() -> Modes {

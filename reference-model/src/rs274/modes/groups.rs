@@ -1,5 +1,7 @@
 //! Modal groups: of the members of a group one is in force, and a block holds at most one.
 
+use crate::ids::{Rule, rule};
+
 /// A modal group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ModalGroup {
@@ -51,29 +53,29 @@ pub enum ModalGroup {
 
 impl ModalGroup {
     /// The rule that refuses two members in one block; groups without one have no member that the model executes.
-    pub fn rule(self) -> Option<&'static str> {
+    pub fn rule(self) -> Option<Rule> {
         Some(match self {
-            Self::NonModal | Self::LocalOffset => "modal-groups.non-modal-group",
-            Self::Motion => "modal-groups.motion-group",
-            Self::Plane => "modal-groups.plane-group",
-            Self::Distance => "modal-groups.distance-group",
-            Self::ArcDistance => "modal-groups.arc-distance-group",
-            Self::FeedMode => "modal-groups.feed-mode-group",
-            Self::Units => "modal-groups.units-group",
-            Self::Compensation => "modal-groups.compensation-group",
-            Self::ToolLength => "modal-groups.tool-length-group",
-            Self::Retract => "modal-groups.return-mode-group",
-            Self::WorkOffset => "modal-groups.work-offset-group",
-            Self::Path => "modal-groups.path-group",
-            Self::SpindleMode => "modal-groups.spindle-mode-group",
-            Self::Lathe => "modal-groups.lathe-group",
-            Self::Stopping => "modal-groups.stopping-group",
-            Self::Spindle => "modal-groups.spindle-group",
-            Self::Coolant => "modal-groups.coolant-group",
-            Self::Overrides => "modal-groups.override-group",
-            Self::InputsOutputs => "modal-groups.io-group",
-            Self::ToolChange => "modal-groups.tool-change-group",
-            Self::UserDefined => "modal-groups.user-defined-group",
+            Self::NonModal | Self::LocalOffset => rule::modal_groups::NON_MODAL_GROUP,
+            Self::Motion => rule::modal_groups::MOTION_GROUP,
+            Self::Plane => rule::modal_groups::PLANE_GROUP,
+            Self::Distance => rule::modal_groups::DISTANCE_GROUP,
+            Self::ArcDistance => rule::modal_groups::ARC_DISTANCE_GROUP,
+            Self::FeedMode => rule::modal_groups::FEED_MODE_GROUP,
+            Self::Units => rule::modal_groups::UNITS_GROUP,
+            Self::Compensation => rule::modal_groups::COMPENSATION_GROUP,
+            Self::ToolLength => rule::modal_groups::TOOL_LENGTH_GROUP,
+            Self::Retract => rule::modal_groups::RETURN_MODE_GROUP,
+            Self::WorkOffset => rule::modal_groups::WORK_OFFSET_GROUP,
+            Self::Path => rule::modal_groups::PATH_GROUP,
+            Self::SpindleMode => rule::modal_groups::SPINDLE_MODE_GROUP,
+            Self::Lathe => rule::modal_groups::LATHE_GROUP,
+            Self::Stopping => rule::modal_groups::STOPPING_GROUP,
+            Self::Spindle => rule::modal_groups::SPINDLE_GROUP,
+            Self::Coolant => rule::modal_groups::COOLANT_GROUP,
+            Self::Overrides => rule::modal_groups::OVERRIDE_GROUP,
+            Self::InputsOutputs => rule::modal_groups::IO_GROUP,
+            Self::ToolChange => rule::modal_groups::TOOL_CHANGE_GROUP,
+            Self::UserDefined => rule::modal_groups::USER_DEFINED_GROUP,
         })
     }
 }

@@ -19,8 +19,10 @@ use gaugeblock_vocabulary::{
     Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
-use super::choices::Choices;
 use super::quirks::settings::initial_tolerance;
+use crate::Choices;
+use crate::ids::choice::modal_groups::{InitialMotion, InitialRetract};
+use crate::ids::choice::units_planes::InitialUnit;
 use crate::math::near_integer;
 
 /// The mode in force of each modal group, with all values that stay in force until they are set again.
@@ -145,15 +147,15 @@ impl Modes {
     pub fn new(machine: &Machine, choices: &Choices) -> Self {
         let stored = |number: u32| stored(machine, number).unwrap_or(0.0);
         // Choice units-planes.initial-unit.
-        let initial_unit = match choices.choice("units-planes.initial-unit") {
-            "machine" => machine.length_unit,
-            _ => LengthUnit::Millimetre,
+        let initial_unit = match choices.get::<InitialUnit>() {
+            InitialUnit::Machine => machine.length_unit,
+            InitialUnit::Millimetre => LengthUnit::Millimetre,
         };
         let mut modes = Self {
-            motion: match choices.choice("modal-groups.initial-motion") {
-                "feed" => Motion::Feed,
-                "traverse" => Motion::Traverse,
-                _ => Motion::None,
+            motion: match choices.get::<InitialMotion>() {
+                InitialMotion::Feed => Motion::Feed,
+                InitialMotion::Traverse => Motion::Traverse,
+                InitialMotion::None => Motion::None,
             },
             units: initial_unit,
             plane: Plane::Xy,
@@ -163,9 +165,9 @@ impl Modes {
             feed_rate: 0.0,
             feed_number: 0.0,
             feed_awaited: false,
-            retract: match choices.choice("modal-groups.initial-retract") {
-                "old-z" => Retract::OldZ,
-                _ => Retract::RPlane,
+            retract: match choices.get::<InitialRetract>() {
+                InitialRetract::OldZ => Retract::OldZ,
+                InitialRetract::RPlane => Retract::RPlane,
             },
             compensation: Compensation::Off,
             compensation_radius: 0.0,

@@ -13,6 +13,7 @@ use super::execute;
 use super::refusal::StepError;
 use super::state::State;
 use super::task::Record;
+use crate::ids::rule;
 
 /// What becomes of a block after one of its phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,13 +58,13 @@ pub fn execute_phase(
 /// Rule order.words-in-any-order. Words act phase by phase, in whichever order they stand.
 pub fn completed(words: &Words, phases: Phases, state: &mut State) {
     if phases.count() > 0 {
-        state.coverage.accepted("order.words-in-any-order");
+        state.coverage.accepted(rule::order::WORDS_IN_ANY_ORDER);
     }
     if phases.count() < 2 {
         return;
     }
     for rule in ORDER_RULES.iter().filter(|rule| rule.concerns(words, phases)) {
-        state.coverage.accepted(rule.id);
+        state.coverage.accepted(rule.rule);
     }
 }
 
@@ -138,6 +139,6 @@ fn refused_at(phase: Phase, words: &Words, state: &mut State) {
     let phases = Phases::of(words);
     let by_order = ORDER_RULES.iter().filter(|rule| rule.refuses && rule.later.contains(phase));
     for rule in by_order.filter(|rule| rule.concerns(words, phases)) {
-        state.coverage.refused(rule.id);
+        state.coverage.refused(rule.rule);
     }
 }

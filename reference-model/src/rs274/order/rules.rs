@@ -5,13 +5,14 @@
 use super::phase::Phase;
 use super::phase::Phase as P;
 use super::phase::Phases;
+use crate::ids::{Rule, rule};
 use crate::rs274::evaluate::Words;
 
 /// A rule about two phases of one block.
 #[derive(Clone, Copy, Debug)]
 pub struct OrderRule {
-    /// Its id.
-    pub id: &'static str,
+    /// The rule.
+    pub rule: Rule,
     /// The phases that come first.
     pub first: Phases,
     /// The phases that come later.
@@ -33,9 +34,9 @@ impl OrderRule {
 }
 
 /// A rule about two sets of phases.
-const fn rule(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
+const fn rule(rule: Rule, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
     OrderRule {
-        id,
+        rule,
         first: Phases::these(first),
         later: Phases::these(later),
         saved_state: &[],
@@ -44,9 +45,9 @@ const fn rule(id: &'static str, first: &'static [Phase], later: &'static [Phase]
 }
 
 /// A rule that can refuse.
-const fn refusing(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
+const fn refusing(rule: Rule, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
     OrderRule {
-        id,
+        rule,
         first: Phases::these(first),
         later: Phases::these(later),
         saved_state: &[],
@@ -55,9 +56,9 @@ const fn refusing(id: &'static str, first: &'static [Phase], later: &'static [Ph
 }
 
 /// A rule about M70 and M73.
-const fn save(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
+const fn save(rule: Rule, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
     OrderRule {
-        id,
+        rule,
         first: Phases::these(first),
         later: Phases::these(later),
         saved_state: &[70, 73],
@@ -66,9 +67,9 @@ const fn save(id: &'static str, first: &'static [Phase], later: &'static [Phase]
 }
 
 /// A rule about M72.
-const fn restore(id: &'static str, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
+const fn restore(rule: Rule, first: &'static [Phase], later: &'static [Phase]) -> OrderRule {
     OrderRule {
-        id,
+        rule,
         first: Phases::these(first),
         later: Phases::these(later),
         saved_state: &[72],
@@ -106,59 +107,59 @@ const AFTER_SAVE: &[Phase] = &[
 
 /// Every rule about the order of phases.
 pub const ORDER_RULES: &[OrderRule] = &[
-    rule("order.comment-first", &[P::Comment], Phase::ALL.split_at(1).1),
-    refusing("order.compensation-before-work-offset", &[P::Compensation], &[P::WorkOffset]),
-    rule("order.coolant-before-dwell", &[P::Coolant], &[P::Dwell]),
-    rule("order.distance-before-motion", &[P::Distance], &[P::Motion]),
-    rule("order.dwell-before-compensation", &[P::Dwell], &[P::Compensation]),
-    rule("order.dwell-before-distance", &[P::Dwell], &[P::Distance, P::Retract]),
-    rule("order.dwell-before-motion", &[P::Dwell], &[P::Motion]),
-    rule("order.dwell-before-path", &[P::Dwell], &[P::Path]),
-    rule("order.dwell-before-plane", &[P::Dwell], &[P::Plane]),
-    rule("order.dwell-before-tool-length", &[P::Dwell], &[P::ToolLength]),
-    rule("order.dwell-before-units", &[P::Dwell], &[P::Units]),
-    rule("order.dwell-before-work-offset", &[P::Dwell], &[P::WorkOffset]),
-    save("order.feed-and-speed-before-save", FEED_AND_SPEED, &[P::SavedState]),
-    rule("order.feed-before-motion", &[P::FeedRate], &[P::Motion]),
-    rule("order.feed-before-units", &[P::FeedRate], &[P::Units]),
-    rule("order.feed-mode-before-feed", &[P::FeedMode], &[P::FeedRate]),
-    rule("order.outputs-before-tool-change", &[P::InputsOutputs], &[P::ChangeTool]),
-    rule("order.overrides-before-dwell", &[P::Overrides], &[P::Dwell]),
-    rule("order.overrides-before-user-code", &[P::Overrides], &[P::UserCode]),
-    rule("order.path-before-motion", &[P::Path], &[P::Motion]),
-    refusing("order.plane-before-compensation", &[P::Plane], &[P::Compensation]),
-    restore("order.restore-before-coolant", &[P::SavedState], &[P::Coolant]),
-    restore("order.restore-before-modes", &[P::SavedState], MODES),
-    restore("order.restore-before-overrides", &[P::SavedState], &[P::Overrides]),
-    rule("order.return-mode-before-motion", &[P::Retract], &[P::Motion]),
-    save("order.save-before-coolant", &[P::SavedState], &[P::Coolant]),
-    save("order.save-before-modes", &[P::SavedState], MODES),
-    save("order.save-before-overrides", &[P::SavedState], &[P::Overrides]),
-    rule("order.select-before-outputs", &[P::SelectTool], &[P::InputsOutputs]),
-    rule("order.select-before-tool-change", &[P::SelectTool], &[P::ChangeTool]),
-    rule("order.speed-before-spindle", &[P::SpindleSpeed], &[P::Spindle]),
-    rule("order.spindle-before-dwell", SPINDLE, &[P::Dwell]),
-    restore("order.spindle-before-restore", SPINDLE, &[P::SavedState]),
-    save("order.spindle-before-save", &[P::Spindle], &[P::SavedState]),
-    rule("order.stop-last", Phase::ALL.split_at(Phase::ALL.len() - 1).0, &[P::Stop]),
-    rule("order.tool-change-before-spindle", &[P::ChangeTool], &[P::Spindle]),
-    rule("order.tool-length-before-motion", &[P::ToolLength], &[P::Motion]),
-    rule("order.units-before-motion", &[P::Units], &[P::Motion]),
-    rule("order.units-before-offset-data", &[P::Units], &[P::OffsetData]),
-    rule("order.units-before-path", &[P::Units], &[P::Path]),
-    rule("order.user-code-before-modes", &[P::UserCode], MODES),
-    rule("order.work-offset-before-motion", &[P::WorkOffset], &[P::Motion]),
-    rule("order.work-offset-before-offset-data", &[P::WorkOffset], &[P::OffsetData]),
-    rule("program-end.last-in-block", Phase::ALL.split_at(Phase::ALL.len() - 1).0, &[P::Stop]),
+    rule(rule::order::COMMENT_FIRST, &[P::Comment], Phase::ALL.split_at(1).1),
+    refusing(rule::order::COMPENSATION_BEFORE_WORK_OFFSET, &[P::Compensation], &[P::WorkOffset]),
+    rule(rule::order::COOLANT_BEFORE_DWELL, &[P::Coolant], &[P::Dwell]),
+    rule(rule::order::DISTANCE_BEFORE_MOTION, &[P::Distance], &[P::Motion]),
+    rule(rule::order::DWELL_BEFORE_COMPENSATION, &[P::Dwell], &[P::Compensation]),
+    rule(rule::order::DWELL_BEFORE_DISTANCE, &[P::Dwell], &[P::Distance, P::Retract]),
+    rule(rule::order::DWELL_BEFORE_MOTION, &[P::Dwell], &[P::Motion]),
+    rule(rule::order::DWELL_BEFORE_PATH, &[P::Dwell], &[P::Path]),
+    rule(rule::order::DWELL_BEFORE_PLANE, &[P::Dwell], &[P::Plane]),
+    rule(rule::order::DWELL_BEFORE_TOOL_LENGTH, &[P::Dwell], &[P::ToolLength]),
+    rule(rule::order::DWELL_BEFORE_UNITS, &[P::Dwell], &[P::Units]),
+    rule(rule::order::DWELL_BEFORE_WORK_OFFSET, &[P::Dwell], &[P::WorkOffset]),
+    save(rule::order::FEED_AND_SPEED_BEFORE_SAVE, FEED_AND_SPEED, &[P::SavedState]),
+    rule(rule::order::FEED_BEFORE_MOTION, &[P::FeedRate], &[P::Motion]),
+    rule(rule::order::FEED_BEFORE_UNITS, &[P::FeedRate], &[P::Units]),
+    rule(rule::order::FEED_MODE_BEFORE_FEED, &[P::FeedMode], &[P::FeedRate]),
+    rule(rule::order::OUTPUTS_BEFORE_TOOL_CHANGE, &[P::InputsOutputs], &[P::ChangeTool]),
+    rule(rule::order::OVERRIDES_BEFORE_DWELL, &[P::Overrides], &[P::Dwell]),
+    rule(rule::order::OVERRIDES_BEFORE_USER_CODE, &[P::Overrides], &[P::UserCode]),
+    rule(rule::order::PATH_BEFORE_MOTION, &[P::Path], &[P::Motion]),
+    refusing(rule::order::PLANE_BEFORE_COMPENSATION, &[P::Plane], &[P::Compensation]),
+    restore(rule::order::RESTORE_BEFORE_COOLANT, &[P::SavedState], &[P::Coolant]),
+    restore(rule::order::RESTORE_BEFORE_MODES, &[P::SavedState], MODES),
+    restore(rule::order::RESTORE_BEFORE_OVERRIDES, &[P::SavedState], &[P::Overrides]),
+    rule(rule::order::RETURN_MODE_BEFORE_MOTION, &[P::Retract], &[P::Motion]),
+    save(rule::order::SAVE_BEFORE_COOLANT, &[P::SavedState], &[P::Coolant]),
+    save(rule::order::SAVE_BEFORE_MODES, &[P::SavedState], MODES),
+    save(rule::order::SAVE_BEFORE_OVERRIDES, &[P::SavedState], &[P::Overrides]),
+    rule(rule::order::SELECT_BEFORE_OUTPUTS, &[P::SelectTool], &[P::InputsOutputs]),
+    rule(rule::order::SELECT_BEFORE_TOOL_CHANGE, &[P::SelectTool], &[P::ChangeTool]),
+    rule(rule::order::SPEED_BEFORE_SPINDLE, &[P::SpindleSpeed], &[P::Spindle]),
+    rule(rule::order::SPINDLE_BEFORE_DWELL, SPINDLE, &[P::Dwell]),
+    restore(rule::order::SPINDLE_BEFORE_RESTORE, SPINDLE, &[P::SavedState]),
+    save(rule::order::SPINDLE_BEFORE_SAVE, &[P::Spindle], &[P::SavedState]),
+    rule(rule::order::STOP_LAST, Phase::ALL.split_at(Phase::ALL.len() - 1).0, &[P::Stop]),
+    rule(rule::order::TOOL_CHANGE_BEFORE_SPINDLE, &[P::ChangeTool], &[P::Spindle]),
+    rule(rule::order::TOOL_LENGTH_BEFORE_MOTION, &[P::ToolLength], &[P::Motion]),
+    rule(rule::order::UNITS_BEFORE_MOTION, &[P::Units], &[P::Motion]),
+    rule(rule::order::UNITS_BEFORE_OFFSET_DATA, &[P::Units], &[P::OffsetData]),
+    rule(rule::order::UNITS_BEFORE_PATH, &[P::Units], &[P::Path]),
+    rule(rule::order::USER_CODE_BEFORE_MODES, &[P::UserCode], MODES),
+    rule(rule::order::WORK_OFFSET_BEFORE_MOTION, &[P::WorkOffset], &[P::Motion]),
+    rule(rule::order::WORK_OFFSET_BEFORE_OFFSET_DATA, &[P::WorkOffset], &[P::OffsetData]),
+    rule(rule::program_end::LAST_IN_BLOCK, Phase::ALL.split_at(Phase::ALL.len() - 1).0, &[P::Stop]),
     OrderRule {
-        id: "saved-state.block-order",
+        rule: rule::saved_state::BLOCK_ORDER,
         first: Phases::these(BEFORE_SAVE),
         later: Phases::these(&[P::SavedState]),
         saved_state: &[70, 72, 73],
         refuses: false,
     },
     OrderRule {
-        id: "saved-state.block-order",
+        rule: rule::saved_state::BLOCK_ORDER,
         first: Phases::these(&[P::SavedState]),
         later: Phases::these(AFTER_SAVE),
         saved_state: &[70, 72, 73],
@@ -173,7 +174,7 @@ mod tests {
     #[test]
     fn the_table_does_not_contradict_the_order() {
         for rule in ORDER_RULES {
-            assert!(rule.first.iter().max() < rule.later.iter().min(), "{}", rule.id);
+            assert!(rule.first.iter().max() < rule.later.iter().min(), "{}", rule.rule);
         }
     }
 }

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::State;
+use crate::ids::{Rule, rule};
 use crate::rs274::environment::Item;
 use crate::rs274::refusal::{StepError, refuse};
 
@@ -35,17 +36,17 @@ pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
 pub(super) fn value(name: &str, state: &State) -> Result<f64, StepError> {
     entry(name, state).ok_or_else(|| {
         let message = format!("there is no #<{name}>");
-        refuse("parameters.ini-absent", FaultKind::NoSuchParameter, message)
+        refuse(rule::parameters::INI_ABSENT, FaultKind::NoSuchParameter, message)
     })
 }
 
 /// The rules that the refusal of an absent one reaches besides its own.
-pub(super) fn refused_too(name: &str, state: &State) -> Vec<&'static str> {
+pub(super) fn refused_too(name: &str, state: &State) -> Vec<Rule> {
     let mut rules = Vec::new();
     if !is_enabled(name, state) {
-        rules.push("parameters.ini-disabled");
+        rules.push(rule::parameters::INI_DISABLED);
     } else if is_hal(name) {
-        rules.push("parameters.hal");
+        rules.push(rule::parameters::HAL);
     }
     rules
 }

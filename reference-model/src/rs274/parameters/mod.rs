@@ -12,9 +12,10 @@ use std::fmt;
 
 use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 
-use super::choices::Choices;
 use super::refusal::{StepError, refuse};
 use super::state::State;
+use crate::Choices;
+use crate::ids::{choice, quirk, rule};
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
@@ -138,15 +139,15 @@ pub fn value(name: &Name, state: &State) -> Result<f64, StepError> {
     if ini::is_outside(name) {
         return ini::value(name, state);
     }
-    if is_global(name) && state.choices.is("parameters.absent-global", "zero") {
+    if is_global(name) && state.choices.is(choice::parameters::AbsentGlobal::Zero) {
         return Ok(0.0);
     }
     let (rule, message) = if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {
-        ("parameters.named-local", "belongs to another scope")
+        (rule::parameters::NAMED_LOCAL, "belongs to another scope")
     } else if state.parameters.local_names.contains(name) {
-        ("parameters.local-deleted", "was deleted when its subroutine returned")
+        (rule::parameters::LOCAL_DELETED, "was deleted when its subroutine returned")
     } else {
-        ("parameters.named-absent", "does not exist")
+        (rule::parameters::NAMED_ABSENT, "does not exist")
     };
     Err(refuse(rule, FaultKind::NoSuchParameter, format!("the parameter #<{name}> {message}")))
 }
@@ -188,23 +189,23 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), StepErro
 pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
     let (rule, name) = match name {
         Name::Numbered(number) if numbered::is_computed(*number) => {
-            if state.choices.is("parameters.read-only-numbered", "written") {
+            if state.choices.is(choice::parameters::ReadOnlyNumbered::Written) {
                 return Ok(());
             }
-            ("parameters.read-only", number.to_string())
+            (rule::parameters::READ_ONLY, number.to_string())
         }
         Name::Named(name) if predefined::is_predefined(name) => {
-            ("parameters.read-only", format!("<{name}>"))
+            (rule::parameters::READ_ONLY, format!("<{name}>"))
         }
         Name::Named(name)
             if ini::is_outside(name)
                 && ini::entry(name, state).is_none()
-                && state.choices.quirk("rs274.hal-assignment") =>
+                && state.choices.quirk(quirk::rs274::HAL_ASSIGNMENT) =>
         {
             return Ok(());
         }
         Name::Named(name) if ini::is_outside(name) => {
-            ("parameters.ini-read-only", format!("<{name}>"))
+            (rule::parameters::INI_READ_ONLY, format!("<{name}>"))
         }
         Name::Numbered(_) | Name::Named(_) => return Ok(()),
     };

@@ -6,7 +6,8 @@ use std::ops::RangeInclusive;
 use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::State;
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::quirk;
 use crate::rs274::execute::tool::loaded;
 use crate::rs274::modes::start_system;
 use crate::rs274::quirks::text as quirks;
@@ -80,7 +81,7 @@ pub(super) fn assign(number: u32, value: f64, state: &mut State) {
 /// Rule parameters.range. The greatest number of a parameter is 5602.
 /// Quirk rs274.last-parameter: it is one less.
 pub fn last(choices: &Choices) -> u32 {
-    if choices.quirk("rs274.last-parameter") { quirks::LAST_PARAMETER } else { LAST }
+    if choices.quirk(quirk::rs274::LAST_PARAMETER) { quirks::LAST_PARAMETER } else { LAST }
 }
 
 /// The parameters whose value the machine's state decides.

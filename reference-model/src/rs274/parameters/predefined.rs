@@ -6,102 +6,111 @@ use gaugeblock_vocabulary::{
 };
 
 use super::State;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::modes::{Spindle, motion_code};
 use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
 
 /// A predefined parameter: its name, the rule that states it, its value.
-struct Predefined(&'static str, &'static str, fn(&State) -> f64);
+struct Predefined(&'static str, Rule, fn(&State) -> f64);
 
 /// Every predefined parameter but those of axes and pockets.
 const PREDEFINED: &[Predefined] = &[
-    Predefined("_vmajor", "parameters.version", |_| 2.9),
-    Predefined("_vminor", "parameters.version", |_| 0.0),
-    Predefined("_line", "parameters.line", |state| f64::from(state.line)),
-    Predefined("_motion_mode", "parameters.motion-mode", |state| motion(state.modes.motion)),
-    Predefined("_plane", "parameters.plane", |state| plane(state.modes.plane)),
-    Predefined("_ccomp", "parameters.compensation", compensation),
-    Predefined("_metric", "parameters.units", |state| {
+    Predefined("_vmajor", rule::parameters::VERSION, |_| 2.9),
+    Predefined("_vminor", rule::parameters::VERSION, |_| 0.0),
+    Predefined("_line", rule::parameters::LINE, |state| f64::from(state.line)),
+    Predefined("_motion_mode", rule::parameters::MOTION_MODE, |state| motion(state.modes.motion)),
+    Predefined("_plane", rule::parameters::PLANE, |state| plane(state.modes.plane)),
+    Predefined("_ccomp", rule::parameters::COMPENSATION, compensation),
+    Predefined("_metric", rule::parameters::UNITS, |state| {
         flag(state.modes.units == LengthUnit::Millimetre)
     }),
-    Predefined("_imperial", "parameters.units", |state| {
+    Predefined("_imperial", rule::parameters::UNITS, |state| {
         flag(state.modes.units == LengthUnit::Inch)
     }),
-    Predefined("_absolute", "parameters.distance", |state| {
+    Predefined("_absolute", rule::parameters::DISTANCE, |state| {
         flag(state.modes.distance == Distance::Absolute)
     }),
-    Predefined("_incremental", "parameters.distance", |state| {
+    Predefined("_incremental", rule::parameters::DISTANCE, |state| {
         flag(state.modes.distance == Distance::Incremental)
     }),
-    Predefined("_inverse_time", "parameters.feed-mode", |state| {
+    Predefined("_inverse_time", rule::parameters::FEED_MODE, |state| {
         flag(state.modes.feed_mode == FeedMode::InverseTime)
     }),
-    Predefined("_units_per_minute", "parameters.feed-mode", |state| {
+    Predefined("_units_per_minute", rule::parameters::FEED_MODE, |state| {
         flag(state.modes.feed_mode == FeedMode::PerMinute)
     }),
-    Predefined("_units_per_rev", "parameters.feed-mode", |state| {
+    Predefined("_units_per_rev", rule::parameters::FEED_MODE, |state| {
         flag(state.modes.feed_mode == FeedMode::PerRevolution)
     }),
-    Predefined("_coord_system", "parameters.coordinate-system", |state| {
+    Predefined("_coord_system", rule::parameters::COORDINATE_SYSTEM, |state| {
         coordinate_system(state.modes.work_offset)
     }),
-    Predefined("_tool_offset", "parameters.tool-offset", tool_offset),
-    Predefined("_retract_r_plane", "parameters.retract", |state| retract(state, Retract::RPlane)),
-    Predefined("_retract_old_z", "parameters.retract", |state| retract(state, Retract::OldZ)),
-    Predefined("_spindle_rpm_mode", "parameters.spindle-mode", |state| {
+    Predefined("_tool_offset", rule::parameters::TOOL_OFFSET, tool_offset),
+    Predefined("_retract_r_plane", rule::parameters::RETRACT, |state| {
+        retract(state, Retract::RPlane)
+    }),
+    Predefined("_retract_old_z", rule::parameters::RETRACT, |state| retract(state, Retract::OldZ)),
+    Predefined("_spindle_rpm_mode", rule::parameters::SPINDLE_MODE, |state| {
         flag(spindle(state).mode == SpindleMode::Rpm)
     }),
-    Predefined("_spindle_css_mode", "parameters.spindle-mode", |state| {
+    Predefined("_spindle_css_mode", rule::parameters::SPINDLE_MODE, |state| {
         flag(spindle(state).mode == SpindleMode::SurfaceSpeed)
     }),
-    Predefined("_ijk_absolute_mode", "parameters.arc-distance", |state| {
+    Predefined("_ijk_absolute_mode", rule::parameters::ARC_DISTANCE, |state| {
         flag(state.modes.arc_distance == Distance::Absolute)
     }),
-    Predefined("_lathe_diameter_mode", "parameters.lathe-mode", |state| {
+    Predefined("_lathe_diameter_mode", rule::parameters::LATHE_MODE, |state| {
         lathe(state, Lathe::Diameter)
     }),
-    Predefined("_lathe_radius_mode", "parameters.lathe-mode", |state| lathe(state, Lathe::Radius)),
-    Predefined("_spindle_on", "parameters.spindle-status", spindle_on),
-    Predefined("_spindle_cw", "parameters.spindle-status", |state| {
+    Predefined("_lathe_radius_mode", rule::parameters::LATHE_MODE, |state| {
+        lathe(state, Lathe::Radius)
+    }),
+    Predefined("_spindle_on", rule::parameters::SPINDLE_STATUS, spindle_on),
+    Predefined("_spindle_cw", rule::parameters::SPINDLE_STATUS, |state| {
         flag(spindle(state).known_turn() == SpindleTurn::Clockwise)
     }),
-    Predefined("_mist", "parameters.coolant", |state| flag(state.modes.mist == Switch::On)),
-    Predefined("_flood", "parameters.coolant", |state| flag(state.modes.flood == Switch::On)),
-    Predefined("_feed_override", "parameters.override-flags", |state| override_flag(state, true)),
-    Predefined("_speed_override", "parameters.override-flags", |state| override_flag(state, false)),
-    Predefined("_adaptive_feed", "parameters.adaptive-feed", |state| {
+    Predefined("_mist", rule::parameters::COOLANT, |state| flag(state.modes.mist == Switch::On)),
+    Predefined("_flood", rule::parameters::COOLANT, |state| flag(state.modes.flood == Switch::On)),
+    Predefined("_feed_override", rule::parameters::OVERRIDE_FLAGS, |state| {
+        override_flag(state, true)
+    }),
+    Predefined("_speed_override", rule::parameters::OVERRIDE_FLAGS, |state| {
+        override_flag(state, false)
+    }),
+    Predefined("_adaptive_feed", rule::parameters::ADAPTIVE_FEED, |state| {
         flag(state.modes.adaptive_feed == Switch::On)
     }),
-    Predefined("_feed_hold", "parameters.feed-hold", |state| {
+    Predefined("_feed_hold", rule::parameters::FEED_HOLD, |state| {
         flag(state.modes.feed_stop == Switch::On)
     }),
-    Predefined("_feed", "parameters.feed", quirks::feed),
-    Predefined("_rpm", "parameters.speed", |state| spindle(state).speed),
-    Predefined("_current_tool", "parameters.tool", |state| f64::from(state.known_tool)),
-    Predefined("_selected_tool", "parameters.tool", selected_tool),
-    Predefined("_value", "parameters.returned-value", |state| state.parameters.returned),
-    Predefined("_value_returned", "parameters.returned-value", |state| {
+    Predefined("_feed", rule::parameters::FEED, quirks::feed),
+    Predefined("_rpm", rule::parameters::SPEED, |state| spindle(state).speed),
+    Predefined("_current_tool", rule::parameters::TOOL, |state| f64::from(state.known_tool)),
+    Predefined("_selected_tool", rule::parameters::TOOL, selected_tool),
+    Predefined("_value", rule::parameters::RETURNED_VALUE, |state| state.parameters.returned),
+    Predefined("_value_returned", rule::parameters::RETURNED_VALUE, |state| {
         flag(state.parameters.has_returned)
     }),
-    Predefined("_task", "parameters.task", |state| flag(!state.environment.is_stand_alone())),
-    Predefined("_call_level", "parameters.call-level", |state| f64::from(state.call_level())),
-    Predefined("_remap_level", "parameters.remap-level", |_| 0.0),
+    Predefined("_task", rule::parameters::TASK, |state| flag(!state.environment.is_stand_alone())),
+    Predefined("_call_level", rule::parameters::CALL_LEVEL, |state| f64::from(state.call_level())),
+    Predefined("_remap_level", rule::parameters::REMAP_LEVEL, |_| 0.0),
 ];
 
 /// Parameters of axes are the prefix and the axis' letter.
 ///
 /// Rule parameters.position. `_x` to `_w` are the position in the active coordinate system with all offsets.
 /// Rule parameters.absolute-position. `_abs_x` to `_abs_c` are the position without offsets.
-fn of_axis(name: &str, state: &State) -> Option<(&'static str, f64)> {
+fn of_axis(name: &str, state: &State) -> Option<(Rule, f64)> {
     let axis = |letter: &str| Axis::ALL.iter().find(|axis| axis.word() == letter);
     if let Some(axis) = name.strip_prefix("_abs_").and_then(axis) {
         let beside = beside_machine_point(state).get(*axis);
         let value = state.modes.machine_point(state.position).get(*axis) - beside;
-        return (*axis <= Axis::C).then_some(("parameters.absolute-position", value));
+        return (*axis <= Axis::C).then_some((rule::parameters::ABSOLUTE_POSITION, value));
     }
     let axis = name.strip_prefix('_').and_then(axis)?;
-    Some(("parameters.position", state.position.get(*axis)))
+    Some((rule::parameters::POSITION, state.position.get(*axis)))
 }
 
 /// Whether a name is that of a predefined parameter.
@@ -122,10 +131,10 @@ pub(super) fn value(name: &str, state: &State) -> Option<Result<f64, StepError>>
 }
 
 /// The rule that states a predefined parameter.
-pub(super) fn rule(name: &str, state: &State) -> Option<&'static str> {
+pub(super) fn rule(name: &str, state: &State) -> Option<Rule> {
     let rule = entry(name).map(|Predefined(_, rule, _)| *rule);
     let rule = rule.or_else(|| of_axis(name, state).map(|(rule, _)| rule));
-    rule.or_else(|| is_pocket(name).then_some("parameters.tool"))
+    rule.or_else(|| is_pocket(name).then_some(rule::parameters::TOOL))
 }
 
 fn entry(name: &str) -> Option<&'static Predefined> {
@@ -163,7 +172,7 @@ fn spindle_on(state: &State) -> f64 {
     let spindle = spindle(state);
     let commanded =
         matches!(spindle.known_turn(), SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
-    let by_command = state.choices.is("parameters.spindle-on-at-zero", "commanded");
+    let by_command = state.choices.is(choice::parameters::SpindleOnAtZero::Commanded);
     flag(commanded && (by_command || spindle.speed > 0.0))
 }
 
@@ -188,7 +197,7 @@ fn plane(plane: Plane) -> f64 {
 /// Quirk rs274.dynamic-compensation-code: G41.1 and G42.1 look like G41 and G42.
 fn compensation(state: &State) -> f64 {
     let compensation = state.modes.compensation;
-    if state.choices.quirk("rs274.dynamic-compensation-code") {
+    if state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_CODE) {
         return f64::from(quirks::compensation_code(compensation));
     }
     f64::from(match compensation {
@@ -208,7 +217,7 @@ fn coordinate_system(system: u32) -> f64 {
 /// Rule parameters.tool-offset. `_tool_offset` is 1 while a tool offset is on, else 0.
 /// Quirk rs274.zero-tool-offset-off: it is 1 while an offset is not zero.
 fn tool_offset(state: &State) -> f64 {
-    if state.choices.quirk("rs274.zero-tool-offset-off") {
+    if state.choices.quirk(quirk::rs274::ZERO_TOOL_OFFSET_OFF) {
         return flag(quirks::has_tool_offset(state));
     }
     flag(state.modes.tool_length == Switch::On)
@@ -217,20 +226,20 @@ fn tool_offset(state: &State) -> f64 {
 /// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
 /// Choice parameters.retract-names: each as it is named, or each under the other one's code.
 fn retract(state: &State, named: Retract) -> f64 {
-    let by_name = state.choices.is("parameters.retract-names", "by-name");
+    let by_name = state.choices.is(choice::parameters::RetractNames::ByName);
     flag((state.modes.retract == named) == by_name)
 }
 
 /// Rule parameters.lathe-mode. `_lathe_diameter_mode` and `_lathe_radius_mode` are 1 under G7 and G8.
 /// Choice parameters.lathe-flags: on every machine or on a lathe only, which no machine of a scenario is.
 fn lathe(state: &State, mode: Lathe) -> f64 {
-    flag(state.modes.lathe == mode && state.choices.is("parameters.lathe-flags", "any-machine"))
+    flag(state.modes.lathe == mode && state.choices.is(choice::parameters::LatheFlags::AnyMachine))
 }
 
 /// Rule parameters.override-flags. `_feed_override` and `_speed_override` are 1 while that override is enabled.
 /// Choice parameters.override-names: each as it is named, or each under the other one's code.
 fn override_flag(state: &State, feed: bool) -> f64 {
-    let by_name = state.choices.is("parameters.override-names", "by-name");
+    let by_name = state.choices.is(choice::parameters::OverrideNames::ByName);
     let switch =
         if feed == by_name { state.modes.feed_override } else { spindle(state).speed_override };
     flag(switch == Switch::On)
@@ -239,7 +248,7 @@ fn override_flag(state: &State, feed: bool) -> f64 {
 /// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
 /// Quirk rs274.selected-tool-zero: 0 before.
 fn selected_tool(state: &State) -> f64 {
-    if state.choices.quirk("rs274.selected-tool-zero") {
+    if state.choices.quirk(quirk::rs274::SELECTED_TOOL_ZERO) {
         return f64::from(quirks::selected_tool(state));
     }
     f64::from(state.selected_tool)

@@ -1,9 +1,10 @@
 //! Which rules the use of a parameter reaches.
 
 use super::{Name, State, exists, ini, is_global, numbered, predefined};
+use crate::ids::{Rule, rule};
 
 /// The rules that a value read or a setting made reaches.
-pub fn rules_of(name: &Name, state: &State) -> Vec<&'static str> {
+pub fn rules_of(name: &Name, state: &State) -> Vec<Rule> {
     match name {
         Name::Numbered(number) => of_number(*number, state),
         Name::Named(name) => {
@@ -11,84 +12,92 @@ pub fn rules_of(name: &Name, state: &State) -> Vec<&'static str> {
                 return vec![rule];
             }
             if ini::is_hal(name) {
-                return vec!["parameters.hal", "parameters.hal-time", "parameters.ini-absent"];
+                return vec![
+                    rule::parameters::HAL,
+                    rule::parameters::HAL_TIME,
+                    rule::parameters::INI_ABSENT,
+                ];
             }
             if ini::is_outside(name) {
-                return vec!["parameters.ini", "parameters.ini-absent"];
+                return vec![rule::parameters::INI, rule::parameters::INI_ABSENT];
             }
             if is_global(name) {
                 return vec![
-                    "parameters.named",
-                    "parameters.named-global",
-                    "subroutines.global-named",
+                    rule::parameters::NAMED,
+                    rule::parameters::NAMED_GLOBAL,
+                    rule::subroutines::GLOBAL_NAMED,
                 ];
             }
-            vec!["parameters.named", "parameters.named-local", "subroutines.local-named"]
+            vec![
+                rule::parameters::NAMED,
+                rule::parameters::NAMED_LOCAL,
+                rule::subroutines::LOCAL_NAMED,
+            ]
         }
     }
 }
 
-fn of_number(number: u32, state: &State) -> Vec<&'static str> {
+fn of_number(number: u32, state: &State) -> Vec<Rule> {
     let mut rules = Vec::with_capacity(8);
-    rules.push("parameters.assignment");
+    rules.push(rule::parameters::ASSIGNMENT);
     rules.push(match number {
-        1..=31 => "parameters.local-numbers",
-        5220 => "parameters.active-system",
-        5221..=5390 => "parameters.system-origins",
-        5400..=5413 => "parameters.tool",
-        5420..=5428 => "parameters.position",
-        5599 => "parameters.debug-switch",
-        _ => "parameters.assignment",
+        1..=31 => rule::parameters::LOCAL_NUMBERS,
+        5220 => rule::parameters::ACTIVE_SYSTEM,
+        5221..=5390 => rule::parameters::SYSTEM_ORIGINS,
+        5400..=5413 => rule::parameters::TOOL,
+        5420..=5428 => rule::parameters::POSITION,
+        5599 => rule::parameters::DEBUG_SWITCH,
+        _ => rule::parameters::ASSIGNMENT,
     });
     if (5420..=5428).contains(&number) {
-        rules.extend(["parameters.position-units", "offsets.position-parameters"]);
+        rules.extend([rule::parameters::POSITION_UNITS, rule::offsets::POSITION_PARAMETERS]);
     }
     if number > 30 {
-        rules.push("subroutines.global-numbered");
+        rules.push(rule::subroutines::GLOBAL_NUMBERED);
     }
     if state.machine.parameters.0.contains_key(&number) || (5161..=5390).contains(&number) {
-        rules.push("parameters.stored");
+        rules.push(rule::parameters::STORED);
     }
     if numbered::value(number, state).is_ok_and(|value| value.abs() <= 0.0) {
-        rules.push("parameters.unset-numbered");
+        rules.push(rule::parameters::UNSET_NUMBERED);
     }
     rules
 }
 
 /// The rules that EXISTS reaches besides its own.
-pub fn rules_of_existence(name: &Name, state: &State) -> Vec<&'static str> {
+pub fn rules_of_existence(name: &Name, state: &State) -> Vec<Rule> {
     let Name::Named(text) = name else { return Vec::new() };
     if ini::is_outside(text) {
-        let mut rules = vec!["parameters.ini-absent"];
+        let mut rules = vec![rule::parameters::INI_ABSENT];
         if !ini::is_enabled(text, state) {
-            rules.push("parameters.ini-disabled");
+            rules.push(rule::parameters::INI_DISABLED);
         }
         return rules;
     }
     let mut rules = Vec::new();
     if !exists(name, state) && state.frames.iter().any(|frame| frame.locals.contains_key(text)) {
-        rules.extend(["parameters.named-local", "subroutines.caller-locals"]);
+        rules.extend([rule::parameters::NAMED_LOCAL, rule::subroutines::CALLER_LOCALS]);
     }
     if !exists(name, state) && state.parameters.local_names.contains(text) {
-        rules.push("parameters.local-deleted");
+        rules.push(rule::parameters::LOCAL_DELETED);
     }
     rules
 }
 
 /// The rules that the refusal of an absent parameter reaches besides the one that it names.
-pub fn refused_too(name: &Name, state: &State) -> Vec<&'static str> {
+pub fn refused_too(name: &Name, state: &State) -> Vec<Rule> {
     let Name::Named(name) = name else { return Vec::new() };
     if ini::is_outside(name) {
         return ini::refused_too(name, state);
     }
-    let mut rules = vec!["parameters.named-absent"];
+    let mut rules = vec![rule::parameters::NAMED_ABSENT];
     if state.frames.iter().any(|frame| frame.locals.contains_key(name)) {
-        rules.push("subroutines.caller-locals");
+        rules.push(rule::subroutines::CALLER_LOCALS);
         if state.frame().shares_parameters() {
-            rules.push("fanuc-subs.named-locals");
+            rules.push(rule::fanuc_subs::NAMED_LOCALS);
         }
     } else if state.parameters.local_names.contains(name) {
-        rules.push("subroutines.local-named-deleted");
+        rules.push(rule::subroutines::LOCAL_NAMED_DELETED);
     }
     rules
 }

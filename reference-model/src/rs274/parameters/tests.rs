@@ -8,7 +8,7 @@ fn named(name: &str) -> Name {
 
 fn rule(result: Result<f64, StepError>) -> &'static str {
     match result {
-        Err(StepError::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule.id(),
         other => panic!("{other:?}"),
     }
 }

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::ids::{quirk, rule};
 use crate::rs274::control::{Control, Frame, Next, Place, Structure, turns};
 use crate::rs274::evaluate;
 use crate::rs274::parameters::{self, Name};
@@ -48,9 +49,9 @@ pub fn shared_repeat(
 /// it was found by its call.
 pub fn is_head_within(control: &Control, state: &State) -> bool {
     let quirk = if control.place.file == 0 {
-        state.frame().is_sub() && state.choices.quirk("rs274.sub-found-later")
+        state.frame().is_sub() && state.choices.quirk(quirk::rs274::SUB_FOUND_LATER)
     } else {
-        state.choices.quirk("rs274.file-with-two-subs")
+        state.choices.quirk(quirk::rs274::FILE_WITH_TWO_SUBS)
     };
     state.call_level() > 0 && quirk
 }
@@ -59,7 +60,7 @@ pub fn is_head_within(control: &Control, state: &State) -> bool {
 /// stands in.
 pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
     let first = control.numbers_called.get(label).copied();
-    first.filter(|_| state.choices.quirk("rs274.numbers-of-all-files"))
+    first.filter(|_| state.choices.quirk(quirk::rs274::NUMBERS_OF_ALL_FILES))
 }
 
 /// Quirk rs274.fanuc-count-too-large. L of M98 is refused, as if it were negative, from 2147483648 on.
@@ -67,7 +68,7 @@ pub fn known_number(control: &Control, label: &str, state: &State) -> Option<Pla
 /// # Errors
 /// Such an L.
 pub fn count_too_large(turns: f64, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.fanuc-count-too-large";
+    let rule = quirk::rs274::FANUC_COUNT_TOO_LARGE;
     if turns.round() > f64::from(i32::MAX) && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
     }
@@ -103,12 +104,12 @@ pub fn while_ends(control: &mut Control, label: &str, end: u32, state: &mut Stat
 /// Quirk rs274.continue-remembered, and rs274.break-remembered for a break that is skipped: a do loop is continued
 /// whose while stands on line `end`.
 pub fn do_continues(control: &mut Control, label: &str, end: u32, state: &mut State) {
-    control.continue_remembered = state.choices.quirk("rs274.continue-remembered");
+    control.continue_remembered = state.choices.quirk(quirk::rs274::CONTINUE_REMEMBERED);
     breaks_skipped(control, label, end, state);
 }
 
 fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut State) {
-    if state.choices.quirk("rs274.break-remembered") {
+    if state.choices.quirk(quirk::rs274::BREAK_REMEMBERED) {
         let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
         control.break_remembered |= skipped.is_some_and(|line| line < end);
     }
@@ -118,12 +119,12 @@ fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut Stat
 /// value as a sub's would, and the program goes on behind it.
 pub fn returns_in_main(control: &Control, state: &State) -> bool {
     let in_main = state.frame().call.is_none();
-    in_main && control.has_called && state.choices.quirk("rs274.return-after-call")
+    in_main && control.has_called && state.choices.quirk(quirk::rs274::RETURN_AFTER_CALL)
 }
 
 /// Quirk rs274.sub-reached-again. A definition that is reached a second time, as in a loop, is refused.
 pub fn is_reached_again(known: Option<&Place>, place: Place, state: &State) -> bool {
-    known == Some(&place) && state.choices.quirk("rs274.sub-reached-again")
+    known == Some(&place) && state.choices.quirk(quirk::rs274::SUB_REACHED_AGAIN)
 }
 
 /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
@@ -149,7 +150,7 @@ pub fn value_at_definition(
 pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
     let word = match syntax::parse(text, state) {
         Ok(block) => block.o_word,
-        Err(StepError::Refused(refusal)) if refusal.rule == "control.unrelated-words" => {
+        Err(StepError::Refused(refusal)) if refusal.rule == rule::control::UNRELATED_WORDS => {
             syntax::o_word_of(text, state)
         }
         Err(error) => return Err(error),
@@ -195,7 +196,7 @@ pub(super) fn with_zeros(expression: &Expression, state: &State) -> Expression {
 /// Quirk rs274.fanuc-zero-loops. Whether what is executed may belong to a level left behind, where the labels of the
 /// program around it are not known.
 pub fn is_left_behind(state: &State) -> bool {
-    state.choices.quirk("rs274.fanuc-zero-loops") && state.frame().shares_parameters()
+    state.choices.quirk(quirk::rs274::FANUC_ZERO_LOOPS) && state.frame().shares_parameters()
 }
 
 /// Quirk rs274.nine-levels. The main program counts as a level.

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Plane, Position};
 
+use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::whole;
 use crate::rs274::state::State;
@@ -9,14 +10,14 @@ use crate::rs274::state::State;
 /// Quirk rs274.cycle-rise. Whether there is a rise before the first move in the plane goes by the level at which the
 /// row of cycles began, not by the current one.
 pub(crate) fn rises(below: bool, began_below: bool, state: &State) -> bool {
-    if state.choices.quirk("rs274.cycle-rise") { began_below } else { below }
+    if state.choices.quirk(quirk::rs274::CYCLE_RISE) { began_below } else { below }
 }
 
 /// Quirk rs274.cycle-rise. In a row that began above R the first move in the plane rises to the clear height on its
 /// way, when it begins at R or below.
 pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &mut State) {
     let at_retract = state.position.get(normal) <= retract;
-    if at_retract && state.choices.quirk("rs274.cycle-rise") {
+    if at_retract && state.choices.quirk(quirk::rs274::CYCLE_RISE) {
         *state.position.get_mut(normal) = clear;
     }
 }
@@ -26,7 +27,7 @@ pub(crate) fn rise_on_the_way(normal: Axis, [retract, clear]: [f64; 2], state: &
 pub(crate) fn tapped(state: &State) -> Position {
     let end = state.position;
     let Position { x, y, z, .. } = end;
-    let mixed = state.choices.quirk("rs274.tap-axes");
+    let mixed = state.choices.quirk(quirk::rs274::TAP_AXES);
     match state.modes.plane {
         Plane::Zx if mixed => Position { x: y, y: z, z: x, ..end },
         Plane::Yz if mixed => Position { x: z, y: x, z: y, ..end },
@@ -36,29 +37,29 @@ pub(crate) fn tapped(state: &State) -> Position {
 
 /// Quirk rs274.cycle-retract-from-initial. In incremental distance mode R counts from where the row of cycles began.
 pub(crate) fn retract_from(position: f64, initial: f64, state: &State) -> f64 {
-    if state.choices.quirk("rs274.cycle-retract-from-initial") { initial } else { position }
+    if state.choices.quirk(quirk::rs274::CYCLE_RETRACT_FROM_INITIAL) { initial } else { position }
 }
 
 /// Quirk rs274.cycle-negative-dwell. A negative dwell is accepted, unless it is -1.
 pub(crate) fn negative_dwell(seconds: f64, state: &State) -> bool {
-    whole(seconds) != Some(-1) && state.choices.quirk("rs274.cycle-negative-dwell")
+    whole(seconds) != Some(-1) && state.choices.quirk(quirk::rs274::CYCLE_NEGATIVE_DWELL)
 }
 
 /// Quirk rs274.tap-dwell-kept. A tap without P dwells as the last cycle did that had one.
 pub(crate) fn dwell_of_tap(state: &State) -> Option<f64> {
-    state.choices.quirk("rs274.tap-dwell-kept").then_some(state.cycle_dwell)
+    state.choices.quirk(quirk::rs274::TAP_DWELL_KEPT).then_some(state.cycle_dwell)
 }
 
 /// Quirk rs274.unused-q-minus-one. A Q-1 is none for a cycle either.
 pub(crate) fn peck(words: &Words, state: &State) -> Option<f64> {
     let peck = words.letters.get(&'q').copied();
-    let none = peck == Some(-1.0) && state.choices.quirk("rs274.unused-q-minus-one");
+    let none = peck == Some(-1.0) && state.choices.quirk(quirk::rs274::UNUSED_Q_MINUS_ONE);
     peck.filter(|_| !none)
 }
 
 /// Quirk rs274.cycle-dollar. No cycle uses $. Quirk rs274.left-tap-repeat. G74 does not use L.
 pub(crate) fn is_unused(letter: char, code: u32, state: &State) -> bool {
     let cycle = matches!(code, 730 | 740 | 810..=890);
-    let dollar = letter == '$' && cycle && state.choices.quirk("rs274.cycle-dollar");
-    dollar || letter == 'l' && code == 740 && state.choices.quirk("rs274.left-tap-repeat")
+    let dollar = letter == '$' && cycle && state.choices.quirk(quirk::rs274::CYCLE_DOLLAR);
+    dollar || letter == 'l' && code == 740 && state.choices.quirk(quirk::rs274::LEFT_TAP_REPEAT)
 }

@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{
     SpindleTurn, Switch,
 };
 
+use crate::ids::{Quirk, quirk};
 use crate::rs274::execute::restore::{restored_turn, same};
 use crate::rs274::execute::tool_length::{apply, table_offset};
 use crate::rs274::modes::{Modes, Spindle, unit_size};
@@ -22,7 +23,8 @@ pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), StepEr
         (_, false) => apply(None, state),
         (true, true) => {}
         (false, true) => {
-            let offset = table_offset(state.known_tool, "rs274.tool-offset-restore", state)?;
+            let offset =
+                table_offset(state.known_tool, quirk::rs274::TOOL_OFFSET_RESTORE.into(), state)?;
             apply(Some(offset), state);
         }
     }
@@ -42,7 +44,7 @@ pub(crate) fn programs(saved: &Modes, now: &Modes) -> bool {
 
 /// Quirk rs274.plane-restore. G17, G18 or G19 is programmed before G40, and refused where the cutter is compensated.
 pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.plane-restore";
+    let rule = quirk::rs274::PLANE_RESTORE;
     let compensated = state.modes.compensation != Compensation::Off;
     let three = matches!(saved.plane, Plane::Xy | Plane::Zx | Plane::Yz);
     if compensated && three && saved.plane != state.modes.plane && state.choices.quirk(rule) {
@@ -54,7 +56,7 @@ pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
 
 /// Quirk rs274.system-restore. G54 to G59.3 is programmed behind G41 or G42, and refused then.
 pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.system-restore";
+    let rule = quirk::rs274::SYSTEM_RESTORE;
     let selected = saved.work_offset != state.modes.work_offset;
     if selected && saved.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a restore of the coordinate system beside that of the compensation";
@@ -74,7 +76,7 @@ pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), StepError> {
 /// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
 /// compensated.
 pub(crate) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
-    let rule = "rs274.retract-under-compensation";
+    let rule = quirk::rs274::RETRACT_UNDER_COMPENSATION;
     if state.modes.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a return mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
@@ -97,7 +99,7 @@ pub(crate) fn path_under_compensation(state: &State) -> Result<(), StepError> {
 }
 
 fn path_under(compensation: Compensation, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.path-under-compensation";
+    let rule = quirk::rs274::PATH_UNDER_COMPENSATION;
     if compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "a path control mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
@@ -132,21 +134,21 @@ pub(crate) fn compensation(saved: &Modes, state: &mut State) {
 }
 
 /// The quirks that concern the feed.
-pub(crate) const FEED: &[&str] =
-    &["rs274.feed-mode-feed", "rs274.feed-speed-rounded", "rs274.feed-unit"];
+pub(crate) const FEED: &[Quirk] =
+    &[quirk::rs274::FEED_MODE_FEED, quirk::rs274::FEED_SPEED_ROUNDED, quirk::rs274::FEED_UNIT];
 
 /// Quirk rs274.feed-speed-rounded. A feed that changed comes back with one decimal. Quirk rs274.feed-mode-feed. With
 /// another mode it does not come back: F is ignored under inverse time, and G94 and G95 leave no feed when F is not
 /// programmed again, because it is the same. Quirk rs274.feed-unit. F comes back as the number that was programmed,
 /// whatever the length unit was.
 pub(crate) fn feed(saved: &Modes, state: &mut State) {
-    let by_number = state.choices.quirk("rs274.feed-unit");
+    let by_number = state.choices.quirk(quirk::rs274::FEED_UNIT);
     let number = |modes: &Modes| if by_number { modes.feed_number } else { modes.feed_rate };
     let is_same = same(number(&state.modes), number(saved));
-    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
+    let rounded = state.choices.quirk(quirk::rs274::FEED_SPEED_ROUNDED);
     let programmed = if rounded { decimals(number(saved), 1) } else { number(saved) };
     let mode_changed = saved.feed_mode != state.modes.feed_mode;
-    let lost = state.choices.quirk("rs274.feed-mode-feed");
+    let lost = state.choices.quirk(quirk::rs274::FEED_MODE_FEED);
     let ignored = lost && saved.feed_mode == FeedMode::InverseTime;
     if !ignored && (!is_same || lost && mode_changed) {
         let number = if is_same { 0.0 } else { programmed };
@@ -161,16 +163,16 @@ pub(crate) fn feed(saved: &Modes, state: &mut State) {
 }
 
 /// The quirks that concern spindles.
-pub(crate) const SPINDLES: &[&str] = &[
-    "rs274.feed-speed-rounded",
-    "rs274.surface-speed-restore",
-    "rs274.first-spindle-saved",
-    "rs274.oriented-as-stopped",
+pub(crate) const SPINDLES: &[Quirk] = &[
+    quirk::rs274::FEED_SPEED_ROUNDED,
+    quirk::rs274::SURFACE_SPEED_RESTORE,
+    quirk::rs274::FIRST_SPINDLE_SAVED,
+    quirk::rs274::ORIENTED_AS_STOPPED,
 ];
 
 /// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
 pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    let first_only = state.choices.quirk("rs274.first-spindle-saved");
+    let first_only = state.choices.quirk(quirk::rs274::FIRST_SPINDLE_SAVED);
     let count = if first_only { 1 } else { saved.spindles.len() };
     if saved.spindles[0].mode != state.modes.spindles[0].mode {
         choose(0, state);
@@ -185,19 +187,23 @@ pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError
 /// G96 comes back without D, and is refused when S is not programmed again, because it is the same.
 fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, StepError> {
     let is_same = same(saved.speed, now.speed);
-    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
+    let rounded = state.choices.quirk(quirk::rs274::FEED_SPEED_ROUNDED);
     let speed = match (is_same, rounded) {
         (true, _) => now.speed,
         (false, true) => decimals(saved.speed, 0),
         (false, false) => saved.speed,
     };
     let mut limit = saved.limit;
-    if state.choices.quirk("rs274.surface-speed-restore") {
+    if state.choices.quirk(quirk::rs274::SURFACE_SPEED_RESTORE) {
         let to_surface = saved.mode == SpindleMode::SurfaceSpeed;
         limit = if saved.mode == now.mode { now.limit } else { SpindleLimit::None };
         if to_surface && saved.mode != now.mode && is_same {
             let message = "G96 is programmed again without S";
-            return Err(refuse("rs274.surface-speed-restore", FaultKind::MissingWord, message));
+            return Err(refuse(
+                quirk::rs274::SURFACE_SPEED_RESTORE,
+                FaultKind::MissingWord,
+                message,
+            ));
         }
     }
     let (turn, taken_for_stopped) = restored(saved, now, state);
@@ -216,7 +222,7 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Ste
 /// at the save. Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how
 /// it turns, and whether it is taken for stopped.
 fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
-    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
+    let as_stopped = state.choices.quirk(quirk::rs274::ORIENTED_AS_STOPPED);
     let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
     let oriented = now.turn == SpindleTurn::Oriented;
     if was_stopped && (oriented && as_stopped || now.taken_for_stopped) {
@@ -227,7 +233,7 @@ fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool
 
 /// Quirk rs274.oriented-as-stopped. How a spindle is taken to turn.
 fn taken_turn(spindle: &Spindle, state: &State) -> SpindleTurn {
-    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
+    let as_stopped = state.choices.quirk(quirk::rs274::ORIENTED_AS_STOPPED);
     let turn = spindle.known_turn();
     if turn == SpindleTurn::Oriented && as_stopped { SpindleTurn::Stopped } else { turn }
 }
@@ -251,7 +257,7 @@ pub(crate) fn path(saved: &Modes, state: &mut State) {
 /// Quirk rs274.tolerance-unit. G64 is programmed again with the numbers of its tolerances, in whatever unit.
 pub(crate) fn tolerances_as_numbers(state: &mut State) {
     let modes = &mut state.modes;
-    if state.choices.quirk("rs274.tolerance-unit") {
+    if state.choices.quirk(quirk::rs274::TOLERANCE_UNIT) {
         let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
         modes.blend_tolerance *= factor;
         modes.naive_cam_tolerance *= factor;
@@ -285,7 +291,7 @@ pub(crate) enum Control {
 pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
     let has_p = saved.path == Path::Continuous && programs_path(saved, now);
     let is_zero = same(saved.blend_tolerance, 0.0);
-    if !(has_p && is_zero && state.choices.quirk("rs274.shared-p")) {
+    if !(has_p && is_zero && state.choices.quirk(quirk::rs274::SHARED_P)) {
         return None;
     }
     let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;

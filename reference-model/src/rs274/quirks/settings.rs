@@ -6,7 +6,8 @@ use gaugeblock_vocabulary::{
     Axis, Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
 };
 
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::motion_of;
 use crate::rs274::execute::{spindle, whole};
@@ -18,7 +19,7 @@ use crate::rs274::state::State;
 /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
 /// millimetres.
 pub(crate) fn initial_tolerance(choices: &Choices) -> f64 {
-    if choices.quirk("linuxcnc.initial-tolerance") { 0.0254 } else { 0.0 }
+    if choices.quirk(quirk::linuxcnc::INITIAL_TOLERANCE) { 0.0254 } else { 0.0 }
 }
 
 /// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns
@@ -26,7 +27,7 @@ pub(crate) fn initial_tolerance(choices: &Choices) -> f64 {
 pub(crate) fn reported_modes(state: &State) -> Cow<'_, Modes> {
     let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
     let any = state.modes.spindles.iter().any(limited);
-    if !any || !state.choices.quirk("rs274.surface-limit-zero") {
+    if !any || !state.choices.quirk(quirk::rs274::SURFACE_LIMIT_ZERO) {
         return Cow::Borrowed(&state.modes);
     }
     let mut modes = state.modes.clone();
@@ -45,19 +46,23 @@ pub(crate) fn switch_of_any_p(value: f64) -> Switch {
 /// Quirk rs274.override-dollar. M48 and M49 do not use $: whether one of them stands in a block where it is not theirs.
 pub(crate) fn is_of_others(words: &Words, state: &State) -> bool {
     let both = words.m.iter().any(|code| [48, 49].contains(code));
-    both && state.choices.quirk("rs274.override-dollar")
+    both && state.choices.quirk(quirk::rs274::OVERRIDE_DOLLAR)
 }
 
 /// Quirk rs274.override-dollar. M48 and M49 do not use $.
 pub(crate) fn m_uses_no_dollar(m_code: u32, state: &State) -> bool {
-    [48, 49].contains(&m_code) && state.choices.quirk("rs274.override-dollar")
+    [48, 49].contains(&m_code) && state.choices.quirk(quirk::rs274::OVERRIDE_DOLLAR)
 }
 
 /// Quirk rs274.speed-override-dollar. M51 takes no $0, nor what is rounded toward that.
 pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), StepError> {
-    if spindle.trunc() == 0.0 && state.choices.quirk("rs274.speed-override-dollar") {
+    if spindle.trunc() == 0.0 && state.choices.quirk(quirk::rs274::SPEED_OVERRIDE_DOLLAR) {
         let message = "M51 with $0";
-        return Err(refuse("rs274.speed-override-dollar", FaultKind::SpindleOutOfRange, message));
+        return Err(refuse(
+            quirk::rs274::SPEED_OVERRIDE_DOLLAR,
+            FaultKind::SpindleOutOfRange,
+            message,
+        ));
     }
     Ok(())
 }
@@ -66,8 +71,8 @@ pub(crate) fn override_dollar(spindle: f64, state: &State) -> Result<(), StepErr
 /// Quirk rs274.rpm-mode-dollar. Neither does G97.
 pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
     match g_code {
-        950 => state.choices.quirk("rs274.per-revolution-dollar"),
-        970 => state.choices.quirk("rs274.rpm-mode-dollar"),
+        950 => state.choices.quirk(quirk::rs274::PER_REVOLUTION_DOLLAR),
+        970 => state.choices.quirk(quirk::rs274::RPM_MODE_DOLLAR),
         _ => false,
     }
 }
@@ -76,7 +81,7 @@ pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
 /// spindle 0, choose the spindle that cycles, synchronised moves and feeds per revolution follow where they have no
 /// $.
 pub(crate) fn choose(place: usize, state: &mut State) {
-    if state.choices.quirk("rs274.chosen-spindle") {
+    if state.choices.quirk(quirk::rs274::CHOSEN_SPINDLE) {
         state.chosen_spindle = place;
     }
 }
@@ -86,10 +91,10 @@ pub(crate) fn choose(place: usize, state: &mut State) {
 /// # Errors
 /// $ names no spindle of the machine.
 pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let rule = "rs274.chosen-spindle";
+    let rule = quirk::rs274::CHOSEN_SPINDLE;
     if state.choices.quirk(rule) {
         let dollar = words.letters.get(&'$').copied();
-        let named = dollar.map(|number| spindle::number(number, state, rule)).transpose()?;
+        let named = dollar.map(|number| spindle::number(number, state, rule.into())).transpose()?;
         state.chosen_spindle = named.unwrap_or(0);
     }
     Ok(())
@@ -97,13 +102,13 @@ pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<()
 
 /// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.
 pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
-    if state.choices.quirk("rs274.spindle-number-cut") { number.trunc() } else { number }
+    if state.choices.quirk(quirk::rs274::SPINDLE_NUMBER_CUT) { number.trunc() } else { number }
 }
 
 /// Quirk rs274.stored-rotation. Where the machine stands at the start is told without the stored rotation.
 pub(crate) fn start(modes: &Modes, choices: &Choices) -> Position {
     let mut seen = modes.clone();
-    if choices.quirk("rs274.stored-rotation") {
+    if choices.quirk(quirk::rs274::STORED_ROTATION) {
         seen.rotation = 0.0;
     }
     seen.program_point(Position::default())
@@ -111,12 +116,12 @@ pub(crate) fn start(modes: &Modes, choices: &Choices) -> Position {
 
 /// Quirk rs274.same-system-kept. Whether a coordinate system stays as it is, since it is selected already.
 pub(crate) fn keeps_system(system: u32, state: &State) -> bool {
-    state.modes.work_offset == system && state.choices.quirk("rs274.same-system-kept")
+    state.modes.work_offset == system && state.choices.quirk(quirk::rs274::SAME_SYSTEM_KEPT)
 }
 
 /// Quirk rs274.origin-number-cut. A fraction of a half or more of P is cut off.
 pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
-    let cut = state.choices.quirk("rs274.origin-number-cut");
+    let cut = state.choices.quirk(quirk::rs274::ORIGIN_NUMBER_CUT);
     if cut && number - number.floor() >= 0.5 { number.floor() } else { number }
 }
 
@@ -133,7 +138,7 @@ pub(crate) fn tool_offset_as_programmed(state: &mut State) {
 /// beside the point as far in the other direction.
 pub(crate) fn beside_machine_point(state: &State) -> Position {
     let modes = &state.modes;
-    if !state.choices.quirk("rs274.tool-offset-unit") {
+    if !state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
         return Position::default();
     }
     let number = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
@@ -143,26 +148,28 @@ pub(crate) fn beside_machine_point(state: &State) -> Position {
 /// Quirk rs274.machine-rotary-offset. G53, G28, G30 and an M6 at the position of G30 do not take the tool offset of
 /// A, B and C into account: how far they lead beside the point of a rotary axis.
 pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
-    let beside = is_rotary(axis) && state.choices.quirk("rs274.machine-rotary-offset");
+    let beside = is_rotary(axis) && state.choices.quirk(quirk::rs274::MACHINE_ROTARY_OFFSET);
     if beside { state.modes.tool_offset.get(axis) } else { 0.0 }
 }
 
 /// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.
 pub(crate) fn group_of(m_code: u32, state: &State) -> Option<ModalGroup> {
     let saves = (70..=73).contains(&m_code);
-    (saves && state.choices.quirk("rs274.save-in-spindle-group")).then_some(ModalGroup::Spindle)
+    (saves && state.choices.quirk(quirk::rs274::SAVE_IN_SPINDLE_GROUP))
+        .then_some(ModalGroup::Spindle)
 }
 
 /// Quirk rs274.g92-codes-apart. G92.1, G92.2 and G92.3 exclude each other and no other code of group 0, after which
 /// they act.
 pub(crate) fn group_of_g(g_code: u32, state: &State) -> Option<ModalGroup> {
     let clears = (921..=923).contains(&g_code);
-    (clears && state.choices.quirk("rs274.g92-codes-apart")).then_some(ModalGroup::LocalOffset)
+    (clears && state.choices.quirk(quirk::rs274::G92_CODES_APART))
+        .then_some(ModalGroup::LocalOffset)
 }
 
 /// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
 pub(crate) fn machine_incremental(state: &State) -> Result<(), StepError> {
-    let rule = "rs274.machine-incremental";
+    let rule = quirk::rs274::MACHINE_INCREMENTAL;
     if state.modes.distance == Distance::Incremental && state.choices.quirk(rule) {
         let message = "G53 in incremental distance mode";
         return Err(refuse(rule, FaultKind::ModalConflict, message));
@@ -172,25 +179,26 @@ pub(crate) fn machine_incremental(state: &State) -> Result<(), StepError> {
 
 /// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.
 pub(crate) fn moves_as_without_radius(state: &State) -> bool {
-    state.modes.compensation_radius == 0.0 && state.choices.quirk("rs274.machine-under-zero-radius")
+    state.modes.compensation_radius == 0.0
+        && state.choices.quirk(quirk::rs274::MACHINE_UNDER_ZERO_RADIUS)
 }
 
 /// Quirks rs274.spindle-mode-at-end and rs274.feed-zero-at-end.
 pub(crate) fn program_end(state: &mut State) {
-    if state.choices.quirk("rs274.spindle-mode-at-end") {
+    if state.choices.quirk(quirk::rs274::SPINDLE_MODE_AT_END) {
         for spindle in &mut state.modes.spindles {
             spindle.mode = SpindleMode::Rpm;
             spindle.limit = SpindleLimit::None;
         }
     }
-    if state.choices.quirk("rs274.feed-zero-at-end") {
+    if state.choices.quirk(quirk::rs274::FEED_ZERO_AT_END) {
         state.modes.feed_rate = 0.0;
     }
 }
 
 /// Quirk rs274.orient-forgets-turning. After M19 every spindle is taken for stopped, until it is started again.
 pub(crate) fn forget_turning(state: &mut State) {
-    if state.choices.quirk("rs274.orient-forgets-turning") {
+    if state.choices.quirk(quirk::rs274::ORIENT_FORGETS_TURNING) {
         for spindle in &mut state.modes.spindles {
             spindle.taken_for_stopped = true;
         }
@@ -199,13 +207,13 @@ pub(crate) fn forget_turning(state: &mut State) {
 
 /// Quirk linuxcnc.speed-releases-brake. A speed releases the brake of a spindle that stands, until the next stop.
 pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
-    let quirk = state.choices.quirk("linuxcnc.speed-releases-brake");
+    let quirk = state.choices.quirk(quirk::linuxcnc::SPEED_RELEASES_BRAKE);
     state.modes.spindles[place].brake_released |= quirk;
 }
 
 /// Quirk rs274.cancel-beside-offset. G80 is refused beside G43.1 and G43.2 with axis words.
 pub(crate) fn cancel_beside_offset(words: &Words, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.cancel-beside-offset";
+    let rule = quirk::rs274::CANCEL_BESIDE_OFFSET;
     let offset = words.g.iter().any(|code| [431, 432].contains(code)) && has_axis_words(words);
     if offset && words.g.contains(&800) && state.choices.quirk(rule) {
         let message = "G80 in a block with the axis words of a tool length offset";
@@ -222,17 +230,17 @@ pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
     match letter {
         'q' => {
             words.letters.get(&'q') == Some(&-1.0)
-                && state.choices.quirk("rs274.unused-q-minus-one")
+                && state.choices.quirk(quirk::rs274::UNUSED_Q_MINUS_ONE)
         }
         'l' => {
             let order = words.letters.get(&'l').copied().and_then(whole);
             words.g.iter().any(|code| [410, 420].contains(code))
                 && order.is_some_and(|order| order >= 0)
-                && state.choices.quirk("rs274.compensation-l-word")
+                && state.choices.quirk(quirk::rs274::COMPENSATION_L_WORD)
         }
         'r' => {
             words.g.iter().any(|code| [411, 421].contains(code))
-                && state.choices.quirk("rs274.dynamic-compensation-r-word")
+                && state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_R_WORD)
         }
         'e' => takes_e(words, state),
         _ => false,
@@ -243,7 +251,7 @@ pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
 pub(crate) fn takes_e(words: &Words, state: &State) -> bool {
     let synchronised = [Motion::SpindleSynchronised, Motion::RigidTap];
     motion_of(words, state).is_some_and(|motion| synchronised.contains(&motion))
-        && state.choices.quirk("rs274.synchronised-e-word")
+        && state.choices.quirk(quirk::rs274::SYNCHRONISED_E_WORD)
 }
 
 /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.
@@ -253,5 +261,5 @@ pub(crate) fn goes_with_offset_data(letter: char, kind: Option<i32>, state: &Sta
         Some(2 | 20) => "q",
         _ => return false,
     };
-    letters.contains(letter) && state.choices.quirk("rs274.offset-data-words")
+    letters.contains(letter) && state.choices.quirk(quirk::rs274::OFFSET_DATA_WORDS)
 }

@@ -3,6 +3,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::ids::{Quirk, quirk, rule};
 use crate::math;
 use crate::rs274::control::{Call, Control, Frame, Place, Style, enabled, label_of, passed};
 use crate::rs274::evaluate;
@@ -39,7 +40,8 @@ pub(crate) enum SearchTarget<'a> {
 }
 
 /// Without any of these, what is passed over is not looked at.
-const QUIRKS: [&str; 3] = ["rs274.skipped-is-read", "rs274.skipped-labels", "rs274.number-in-sub"];
+const QUIRKS: [Quirk; 3] =
+    [quirk::rs274::SKIPPED_IS_READ, quirk::rs274::SKIPPED_LABELS, quirk::rs274::NUMBER_IN_SUB];
 
 /// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
 ///
@@ -55,7 +57,7 @@ pub(crate) fn pass_over(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.choices.quirk(quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.choices.quirk(*quirk)) {
         return Ok(());
     }
     let start = control.place;
@@ -100,7 +102,7 @@ pub(crate) fn to_called(
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.choices.quirk(quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.choices.quirk(*quirk)) {
         return Ok(());
     }
     let call = Call { label: label.to_owned(), back: control.place, style: Style::OWord };
@@ -113,7 +115,7 @@ pub(crate) fn to_called(
 
 /// A line that is passed over.
 fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(), StepError> {
-    let reads = state.choices.quirk("rs274.skipped-is-read");
+    let reads = state.choices.quirk(quirk::rs274::SKIPPED_IS_READ);
     let in_sub = matches!(target, SearchTarget::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
@@ -145,32 +147,33 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
     };
     match target {
         SearchTarget::Structure { label: own, ends }
-            if label.as_deref() == Some(own) && state.choices.quirk("rs274.skipped-labels") =>
+            if label.as_deref() == Some(own)
+                && state.choices.quirk(quirk::rs274::SKIPPED_LABELS) =>
         {
             own_label(word.keyword, ends)
         }
         SearchTarget::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
-                && state.choices.quirk("rs274.number-in-sub") =>
+                && state.choices.quirk(quirk::rs274::NUMBER_IN_SUB) =>
         {
             let message = "a number alone within a sub that is defined";
-            Err(refuse("rs274.number-in-sub", FaultKind::NestedSub, message))
+            Err(refuse(quirk::rs274::NUMBER_IN_SUB, FaultKind::NestedSub, message))
         }
         SearchTarget::EndSub { .. } if word.keyword == Keyword::Sub && reads => {
-            let rule = "subroutines.nested-definition";
+            let rule = rule::subroutines::NESTED_DEFINITION;
             Err(refuse(rule, FaultKind::NestedSub, "a sub within a sub that is defined"))
         }
         SearchTarget::EndSub { label: own }
             if label.as_deref() == Some(own)
                 && word.keyword == Keyword::Return
-                && state.choices.quirk("rs274.value-at-definition") =>
+                && state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(true, text, state)
         }
         SearchTarget::Called { label: own }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
-                && state.choices.quirk("rs274.value-at-definition") =>
+                && state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(false, text, state)
         }
@@ -221,10 +224,12 @@ fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     let block = syntax::parse(text, state)?;
     let words = match evaluate::words(&block, state) {
         // Whether an E has its code is not asked here.
-        Err(StepError::Refused(refusal)) if refusal.rule == "text.word-letters" => return Ok(()),
+        Err(StepError::Refused(refusal)) if refusal.rule == rule::text::WORD_LETTERS => {
+            return Ok(());
+        }
         read => read?,
     };
-    let rule = "rs274.skipped-is-read";
+    let rule = quirk::rs274::SKIPPED_IS_READ;
     let Some(number) = words.letters.get(&'p') else {
         return Err(refuse(rule, FaultKind::MissingWord, "M98 without P"));
     };
@@ -266,5 +271,5 @@ fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), StepError> {
         | Keyword::ProgramNumber => return Ok(()),
     };
     let message = "the label of the condition or loop around it, which does not end here";
-    Err(refuse("rs274.skipped-labels", kind, message))
+    Err(refuse(quirk::rs274::SKIPPED_LABELS, kind, message))
 }

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, FeedMode};
 
+use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::{is_spline, motion_of};
 use crate::rs274::refusal::{StepError, refuse};
@@ -11,28 +12,28 @@ use crate::rs274::state::State;
 pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {
     state.modes.feed_mode == FeedMode::PerRevolution
         && motion_of(words, state).is_some_and(is_spline)
-        && state.choices.quirk("rs274.spline-per-revolution")
+        && state.choices.quirk(quirk::rs274::SPLINE_PER_REVOLUTION)
 }
 
 /// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline
 /// of a point alone ends.
 pub(crate) fn takes_machine_coordinates(words: &Words, state: &State) -> bool {
-    words.g.contains(&52) && state.choices.quirk("rs274.nurbs-machine-coordinates")
+    words.g.contains(&52) && state.choices.quirk(quirk::rs274::NURBS_MACHINE_COORDINATES)
 }
 
 /// Quirk rs274.spline-not-modal. G5 and G5.1 leave the motion mode as it was.
 pub(crate) fn is_not_modal(state: &State) -> bool {
-    state.choices.quirk("rs274.spline-not-modal")
+    state.choices.quirk(quirk::rs274::SPLINE_NOT_MODAL)
 }
 
 /// Quirk rs274.cubic-without-direction. The first G5 of a row needs no I and J.
 pub(crate) fn begins_without_direction(state: &State) -> bool {
-    state.choices.quirk("rs274.cubic-without-direction")
+    state.choices.quirk(quirk::rs274::CUBIC_WITHOUT_DIRECTION)
 }
 
 /// Quirk rs274.quadratic-needs-both. G5.1 needs both I and J.
 pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.quadratic-needs-both";
+    let rule = quirk::rs274::QUADRATIC_NEEDS_BOTH;
     let both = ['i', 'j'].iter().all(|letter| words.letters.contains_key(letter));
     if !both && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::MissingWord, "G5.1 with only one of I and J"));
@@ -42,12 +43,12 @@ pub(crate) fn quadratic_needs_both(words: &Words, state: &State) -> Result<(), S
 
 /// Quirk rs274.quadratic-of-zero. Both may be zero.
 pub(crate) fn quadratic_of_zero(state: &State) -> bool {
-    state.choices.quirk("rs274.quadratic-of-zero")
+    state.choices.quirk(quirk::rs274::QUADRATIC_OF_ZERO)
 }
 
 /// Quirk rs274.nurbs-weight. Each control point behind that of G5.2 needs P.
 pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.nurbs-weight";
+    let rule = quirk::rs274::NURBS_WEIGHT;
     let opens = words.g.contains(&52);
     if !opens && !words.letters.contains_key(&'p') && state.choices.quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "a control point without its weight"));
@@ -57,7 +58,7 @@ pub(crate) fn needs_weight(words: &Words, state: &State) -> Result<(), StepError
 
 /// Quirk rs274.nurbs-order-two. A NURBS of order two needs three control points too.
 pub(crate) fn of_two_points(points: u32, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.nurbs-order-two";
+    let rule = quirk::rs274::NURBS_ORDER_TWO;
     if points == 2 && state.choices.quirk(rule) {
         let message = "a NURBS of two control points";
         return Err(refuse(rule, FaultKind::MissingWord, message));

@@ -6,8 +6,9 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
+use crate::Choices;
+use crate::ids::{Quirk, quirk};
 use crate::math;
-use crate::rs274::choices::Choices;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -20,7 +21,7 @@ pub(crate) const LONGEST_LINE: usize = 252;
 pub(crate) const LAST_PARAMETER: u32 = 5601;
 
 /// Quirk rs274.comment-before-o-word: a comment at the beginning of a block leaves neither an O-word nor M98 behind it.
-pub(crate) const COMMENT_FIRST: &str = "rs274.comment-before-o-word";
+pub(crate) const COMMENT_FIRST: Quirk = quirk::rs274::COMMENT_BEFORE_O_WORD;
 
 /// Quirk rs274.semicolon-plain: the comment that may be active is the last one in parentheses.
 pub(crate) fn active_comment(comments: Vec<Comment>) -> Option<Comment> {
@@ -40,7 +41,7 @@ pub(crate) fn loses_percent_sign(text: &str) -> bool {
 /// Quirk rs274.position-under-compensation: 5420 to 5428 have no value while the cutter is compensated, but in
 /// messages.
 pub(crate) fn read_under_compensation(name: &Name, state: &State) -> Result<(), StepError> {
-    let rule = "rs274.position-under-compensation";
+    let rule = quirk::rs274::POSITION_UNDER_COMPENSATION;
     let of_position = matches!(name, Name::Numbered(5420..=5428));
     if of_position && state.modes.compensation != Compensation::Off && state.choices.quirk(rule) {
         let message = "the position while the cutter is compensated";
@@ -62,12 +63,12 @@ pub(crate) fn create_early(name: &Name, state: &mut State) {
 pub(crate) fn close_g_code(tenfold: f64, choices: &Choices) -> Option<i64> {
     let near = math::near_integer(tenfold.round())?;
     let close = (tenfold - tenfold.round()).abs() <= 0.001;
-    Some(near).filter(|_| close && choices.quirk("rs274.g-code-tolerance"))
+    Some(near).filter(|_| close && choices.quirk(quirk::rs274::G_CODE_TOLERANCE))
 }
 
 /// Quirk rs274.absolute-negative-zero: ABS leaves the sign of a zero.
 pub(crate) fn absolute(argument: f64, choices: &Choices) -> f64 {
-    let left = argument == 0.0 && choices.quirk("rs274.absolute-negative-zero");
+    let left = argument == 0.0 && choices.quirk(quirk::rs274::ABSOLUTE_NEGATIVE_ZERO);
     if left { argument } else { argument.abs() }
 }
 
@@ -75,15 +76,15 @@ pub(crate) fn absolute(argument: f64, choices: &Choices) -> f64 {
 /// Quirk rs274.polar-repeated: so may a polar word in any case.
 pub(crate) fn may_be_repeated(letter: char, earlier: f64, choices: &Choices) -> bool {
     match letter {
-        '@' | '^' => choices.quirk("rs274.polar-repeated"),
-        'p' | 'q' => earlier <= -1.0 && choices.quirk("rs274.repeated-negative-word"),
+        '@' | '^' => choices.quirk(quirk::rs274::POLAR_REPEATED),
+        'p' | 'q' => earlier <= -1.0 && choices.quirk(quirk::rs274::REPEATED_NEGATIVE_WORD),
         _ => false,
     }
 }
 
 /// Quirk rs274.rounded-zero-sign: what ROUND makes zero has no sign.
 pub(crate) fn rounded(value: f64, choices: &Choices) -> f64 {
-    let zero = value == 0.0 && choices.quirk("rs274.rounded-zero-sign");
+    let zero = value == 0.0 && choices.quirk(quirk::rs274::ROUNDED_ZERO_SIGN);
     if zero { 0.0 } else { value }
 }
 
@@ -106,9 +107,9 @@ pub(crate) fn has_tool_offset(state: &State) -> bool {
 pub(crate) fn feed(state: &State) -> f64 {
     let modes = &state.modes;
     let by_number = state.choices.quirk(if modes.feed_mode == FeedMode::InverseTime {
-        "rs274.feed-name-inverse-time"
+        quirk::rs274::FEED_NAME_INVERSE_TIME
     } else {
-        "rs274.feed-name-number"
+        quirk::rs274::FEED_NAME_NUMBER
     });
     if by_number { modes.feed_number } else { modes.feed_rate }
 }
@@ -120,13 +121,13 @@ pub(crate) fn selected_tool(state: &State) -> i32 {
 
 /// Quirk rs274.message-small-value. A message shows what is nearer to zero than a ten-thousandth as zero.
 pub(crate) fn reported_value(value: f64, choices: &Choices) -> f64 {
-    let small = value.abs() < 1e-4 && choices.quirk("rs274.message-small-value");
+    let small = value.abs() < 1e-4 && choices.quirk(quirk::rs274::MESSAGE_SMALL_VALUE);
     if small { 0.0 } else { value }
 }
 
 /// Quirk rs274.message-parameter-zero. #0 stands for zero in a message: what stands behind it.
 pub(crate) fn parameter_zero<'a>(text: &'a str, choices: &Choices) -> Option<&'a str> {
-    if !choices.quirk("rs274.message-parameter-zero") {
+    if !choices.quirk(quirk::rs274::MESSAGE_PARAMETER_ZERO) {
         return None;
     }
     let number = text.strip_prefix('#')?;

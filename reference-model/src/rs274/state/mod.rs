@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
-use super::choices::Choices;
 use super::control::Frame;
 use super::environment::EnvironmentState;
 use super::execute::cycles::Series;
@@ -13,6 +12,7 @@ use super::modes::Modes;
 use super::parameters::Parameters;
 use super::syntax::Room;
 use super::task::PinSnapshot;
+use crate::Choices;
 use crate::RuleCoverage;
 
 /// The whole state of a controller.

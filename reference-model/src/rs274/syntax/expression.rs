@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Expression, Operator};
+use crate::ids::{Rule, rule};
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -60,13 +61,13 @@ impl Group {
     }
 
     /// The rule that puts a group before all that follow it.
-    fn rule(self) -> &'static str {
+    fn rule(self) -> Rule {
         match self {
-            Self::Power => "expressions.power-first",
-            Self::Product => "expressions.multiply-before-add",
-            Self::Sum => "expressions.add-before-compare",
-            Self::Comparison => "expressions.compare-before-logical",
-            Self::Logic => "expressions.left-first",
+            Self::Power => rule::expressions::POWER_FIRST,
+            Self::Product => rule::expressions::MULTIPLY_BEFORE_ADD,
+            Self::Sum => rule::expressions::ADD_BEFORE_COMPARE,
+            Self::Comparison => rule::expressions::COMPARE_BEFORE_LOGICAL,
+            Self::Logic => rule::expressions::LEFT_FIRST,
         }
     }
 }
@@ -79,7 +80,7 @@ impl Parser<'_> {
     pub(super) fn bracketed(&mut self) -> Result<Expression, StepError> {
         self.advance();
         if self.peek() == Some('[') {
-            self.reach("expressions.nested");
+            self.reach(rule::expressions::NESTED);
         }
         let mut operands = vec![self.value(Wanted::Operand)?];
         let mut operators = Vec::new();
@@ -106,21 +107,23 @@ impl Parser<'_> {
             |character: Option<char>| character.is_some_and(|character| character.is_ascii_digit());
         let exponent = digit(self.last()) && next == Some('e');
         let (rule, kind, message) = match next {
-            None => ("expressions.unbalanced", FaultKind::BadExpression, "a bracket is not closed"),
+            None => {
+                (rule::expressions::UNBALANCED, FaultKind::BadExpression, "a bracket is not closed")
+            }
             Some(Glyph::COMMENT) => {
-                ("text.comment-inside-word", FaultKind::BadComment, "an expression goes on")
+                (rule::text::COMMENT_INSIDE_WORD, FaultKind::BadComment, "an expression goes on")
             }
             Some('[' | '#' | '0'..='9') => {
-                ("expressions.incomplete", FaultKind::BadExpression, "an operator is missing")
+                (rule::expressions::INCOMPLETE, FaultKind::BadExpression, "an operator is missing")
             }
             Some(_) if self.sees_function() => {
-                ("expressions.incomplete", FaultKind::BadExpression, "an operator is missing")
+                (rule::expressions::INCOMPLETE, FaultKind::BadExpression, "an operator is missing")
             }
             Some(_) if exponent => {
-                ("numbers.no-exponent", FaultKind::BadNumber, "a number has no exponent")
+                (rule::numbers::NO_EXPONENT, FaultKind::BadNumber, "a number has no exponent")
             }
             Some(_) => {
-                ("expressions.unknown-operator", FaultKind::BadExpression, "no such operator")
+                (rule::expressions::UNKNOWN_OPERATOR, FaultKind::BadExpression, "no such operator")
             }
         };
         self.refuse(rule, kind, message)
@@ -132,14 +135,14 @@ impl Parser<'_> {
             let of_group =
                 operators.iter().filter(|operator| Group::of(**operator) == group).count();
             if of_group > 1 {
-                self.reach("expressions.left-first");
+                self.reach(rule::expressions::LEFT_FIRST);
             }
             if of_group > 0 && operators.iter().any(|operator| Group::of(*operator) > group) {
                 self.reach(group.rule());
             }
         }
         if !operators.is_empty() {
-            self.reach("expressions.operators-in-brackets");
+            self.reach(rule::expressions::OPERATORS_IN_BRACKETS);
         }
     }
 }

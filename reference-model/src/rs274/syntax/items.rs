@@ -6,6 +6,7 @@ use super::expression::operator_at;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
+use crate::ids::{quirk, rule};
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
@@ -31,7 +32,7 @@ impl Parser<'_> {
             self.items(&mut block)?;
         }
         if comments.len() > 1 {
-            self.reach("active-comments.last-comment");
+            self.reach(rule::active_comments::LAST_COMMENT);
         }
         block.comment = self.active(comments);
         self.reach_items(&block);
@@ -43,9 +44,9 @@ impl Parser<'_> {
     pub(super) fn block_delete(&mut self) -> bool {
         let slash = self.take("/");
         if slash {
-            self.reach("text.block-delete-off");
-            self.fail("text.block-delete-off");
-            self.reach("text.block-delete-place");
+            self.reach(rule::text::BLOCK_DELETE_OFF);
+            self.fail(rule::text::BLOCK_DELETE_OFF);
+            self.reach(rule::text::BLOCK_DELETE_PLACE);
         }
         slash
     }
@@ -60,7 +61,7 @@ impl Parser<'_> {
         }
         let wrong = |parser: &Self| {
             Err(parser.refuse(
-                "text.line-number-form",
+                rule::text::LINE_NUMBER_FORM,
                 FaultKind::BadNumber,
                 "a line number is digits, no others stand",
             ))
@@ -76,8 +77,8 @@ impl Parser<'_> {
             }
             number = format!("{number}.{second}");
         }
-        self.reach("text.line-number");
-        self.reach("text.line-number-order");
+        self.reach(rule::text::LINE_NUMBER);
+        self.reach(rule::text::LINE_NUMBER_ORDER);
         Ok(Some(number))
     }
 
@@ -136,7 +137,7 @@ impl Parser<'_> {
             self.go_back(stopped);
         }
         if value.is_err() && AXIS_LETTERS.contains(letter) {
-            self.fail("motion.axis-without-value");
+            self.fail(rule::motion::AXIS_WITHOUT_VALUE);
         }
         Ok(Word { letter, value: value?, span: self.span_from(start) })
     }
@@ -148,7 +149,11 @@ impl Parser<'_> {
         let target = self.parameter()?;
         if !self.take("=") {
             let message = "a parameter alone: an equals sign is missing";
-            return Err(self.refuse("parameters.assignment-form", FaultKind::BadBlock, message));
+            return Err(self.refuse(
+                rule::parameters::ASSIGNMENT_FORM,
+                FaultKind::BadBlock,
+                message,
+            ));
         }
         let value = self.value(Wanted::Setting)?;
         Ok(Setting { target, value, span: self.span_from(start) })
@@ -163,23 +168,27 @@ impl Parser<'_> {
         let ends = matches!(self.peek_behind(1), None | Some(Glyph::COMMENT));
         let (rule, kind, message) = match next {
             '%' => (
-                "text.percent-line",
+                rule::text::PERCENT_LINE,
                 FaultKind::BadCharacter,
                 "a percent sign stands alone on its line, not",
             ),
             'o' => (
-                "control.unrelated-words",
+                rule::control::UNRELATED_WORDS,
                 FaultKind::BadBlock,
                 "other words stand before an O-word",
             ),
-            'n' => {
-                ("text.line-number-place", FaultKind::BadBlock, "a line number stands first, not")
-            }
-            '.' => {
-                ("numbers.form", FaultKind::BadNumber, "a number has one decimal point, no other")
-            }
+            'n' => (
+                rule::text::LINE_NUMBER_PLACE,
+                FaultKind::BadBlock,
+                "a line number stands first, not",
+            ),
+            '.' => (
+                rule::numbers::FORM,
+                FaultKind::BadNumber,
+                "a number has one decimal point, no other",
+            ),
             '+' | '-' if follows && ends => {
-                ("numbers.form", FaultKind::BadNumber, "a sign stands before its number, not")
+                (rule::numbers::FORM, FaultKind::BadNumber, "a sign stands before its number, not")
             }
             '+' | '-' | '*' if follows => return self.operator_outside(),
             '/' if follows
@@ -187,13 +196,23 @@ impl Parser<'_> {
             {
                 return self.operator_outside();
             }
-            '/' => ("text.block-delete-place", FaultKind::BadBlock, "a slash stands first, not"),
-            ']' => ("expressions.unbalanced", FaultKind::BadExpression, "no bracket was opened"),
-            '[' | '=' | '<' | '>' | '+' | '-' | '*' | '0'..='9' => {
-                ("text.illegal-item", FaultKind::BadBlock, "no word, setting or comment begins")
+            '/' => {
+                (rule::text::BLOCK_DELETE_PLACE, FaultKind::BadBlock, "a slash stands first, not")
             }
-            '_' => ("text.word-letters", FaultKind::BadCharacter, "no word begins"),
-            _ => ("text.illegal-input", FaultKind::BadCharacter, "a character that is not allowed"),
+            ']' => {
+                (rule::expressions::UNBALANCED, FaultKind::BadExpression, "no bracket was opened")
+            }
+            '[' | '=' | '<' | '>' | '+' | '-' | '*' | '0'..='9' => (
+                rule::text::ILLEGAL_ITEM,
+                FaultKind::BadBlock,
+                "no word, setting or comment begins",
+            ),
+            '_' => (rule::text::WORD_LETTERS, FaultKind::BadCharacter, "no word begins"),
+            _ => (
+                rule::text::ILLEGAL_INPUT,
+                FaultKind::BadCharacter,
+                "a character that is not allowed",
+            ),
         };
         self.refuse(rule, kind, message)
     }
@@ -207,37 +226,37 @@ impl Parser<'_> {
     /// Rule expressions.operators-in-brackets. Binary operators stand inside expressions only.
     fn operator_outside(&self) -> StepError {
         let message = "an operator stands inside brackets only, not";
-        self.refuse("expressions.operators-in-brackets", FaultKind::BadExpression, message)
+        self.refuse(rule::expressions::OPERATORS_IN_BRACKETS, FaultKind::BadExpression, message)
     }
 
     /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
     /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
     /// Quirk rs274.semicolon-plain: it is never active, and does not silence an active comment before it.
     fn active(&mut self, mut comments: Vec<Comment>) -> Option<Comment> {
-        if self.choices.quirk("rs274.semicolon-plain") {
+        if self.choices.quirk(quirk::rs274::SEMICOLON_PLAIN) {
             return quirks::active_comment(comments);
         }
         if comments.last().is_some_and(|comment| comment.semicolon) {
-            self.reach("active-comments.semicolon");
+            self.reach(rule::active_comments::SEMICOLON);
         }
         comments.pop()
     }
 
     fn reach_items(&mut self, block: &Block) {
         if !block.words.is_empty() {
-            self.reach("text.word-letters");
-            self.reach("text.word-value");
+            self.reach(rule::text::WORD_LETTERS);
+            self.reach(rule::text::WORD_VALUE);
         }
         if block.words.is_empty() && block.settings.is_empty() && block.o_word.is_none() {
-            self.reach("text.items-optional");
+            self.reach(rule::text::ITEMS_OPTIONAL);
         }
         if !block.words.is_empty() && !block.settings.is_empty() {
-            self.reach("text.item-order");
-            self.reach("parameters.setting-order");
+            self.reach(rule::text::ITEM_ORDER);
+            self.reach(rule::parameters::SETTING_ORDER);
         }
         if !block.settings.is_empty() {
-            self.reach("parameters.assignment");
-            self.reach("parameters.setting-last");
+            self.reach(rule::parameters::ASSIGNMENT);
+            self.reach(rule::parameters::SETTING_LAST);
         }
     }
 }

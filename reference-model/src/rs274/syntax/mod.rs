@@ -30,7 +30,7 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
     let parsed = parser.block(comments);
     let (room, failed) = parser.into_rules();
     if parsed.is_ok() {
-        room.reached.iter().for_each(|rule| state.coverage.accepted(rule));
+        room.reached.iter().for_each(|rule| state.coverage.accepted(*rule));
     } else {
         failed.into_iter().for_each(|rule| state.coverage.refused(rule));
     }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Expression, Keyword, Label, OWord, PassedOver};
+use crate::ids::rule;
 use crate::rs274::refusal::StepError;
 
 /// `elseif` stands before `else`, which it begins with.
@@ -41,22 +42,30 @@ impl Parser<'_> {
         }
         if o_word.arguments.len() < fewest_arguments(o_word.keyword) {
             let message = "a value in brackets is missing behind the keyword";
-            return Err(self.refuse("expressions.incomplete", FaultKind::BadExpression, message));
+            return Err(self.refuse(
+                rule::expressions::INCOMPLETE,
+                FaultKind::BadExpression,
+                message,
+            ));
         }
         o_word.span = self.span_from(start);
         if o_word.keyword == Keyword::Call && !o_word.arguments.is_empty() {
-            self.reach("subroutines.arguments-in-brackets");
+            self.reach(rule::subroutines::ARGUMENTS_IN_BRACKETS);
         }
         self.comments();
         match self.peek() {
             None => Ok(o_word),
             Some('0'..='9' | '#' | '.' | '+' | '-') if o_word.keyword == Keyword::Call => {
                 let message = "arguments stand in brackets, not";
-                Err(self.refuse("subroutines.arguments-in-brackets", FaultKind::BadBlock, message))
+                Err(self.refuse(
+                    rule::subroutines::ARGUMENTS_IN_BRACKETS,
+                    FaultKind::BadBlock,
+                    message,
+                ))
             }
             Some(_) => {
                 let message = "nothing else stands on the line of an O-word, not what begins";
-                Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message))
+                Err(self.refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message))
             }
         }
     }
@@ -129,7 +138,7 @@ impl Parser<'_> {
         };
         if word.keyword == Keyword::ProgramNumber && self.peek().is_some() {
             let message = "behind the number of an O-word stands a keyword, which does not begin";
-            let error = self.refuse("control.unrelated-words", FaultKind::BadBlock, message);
+            let error = self.refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message);
             return Ok(PassedOver::WithoutKeyword(error));
         }
         Ok(PassedOver::OWord(word))
@@ -163,7 +172,11 @@ impl Parser<'_> {
             None if matches!(label, Label::Number(_)) => Keyword::ProgramNumber,
             None => {
                 let message = "an O-word with a name has a keyword, which does not begin";
-                return Err(self.refuse("control.unrelated-words", FaultKind::BadBlock, message));
+                return Err(self.refuse(
+                    rule::control::UNRELATED_WORDS,
+                    FaultKind::BadBlock,
+                    message,
+                ));
             }
         };
         Ok(OWord {

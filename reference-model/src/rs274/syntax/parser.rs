@@ -2,7 +2,8 @@
 
 use gaugeblock_vocabulary::{FaultKind, Span};
 
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::Rule;
 use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::text::Glyph;
 
@@ -14,7 +15,7 @@ pub struct Room {
     /// The digits of a number.
     pub(super) digits: String,
     /// Rules that decided something; they count when the whole line is accepted.
-    pub(super) reached: Vec<&'static str>,
+    pub(super) reached: Vec<Rule>,
 }
 
 impl Clone for Room {
@@ -34,7 +35,7 @@ pub(super) struct Parser<'a> {
     at: usize,
     pub(super) choices: &'a Choices,
     /// Rules that refuse the line besides the one that the refusal names.
-    failed: Vec<&'static str>,
+    failed: Vec<Rule>,
 }
 
 impl<'a> Parser<'a> {
@@ -45,17 +46,17 @@ impl<'a> Parser<'a> {
     }
 
     /// A rule decided something.
-    pub(super) fn reach(&mut self, rule: &'static str) {
+    pub(super) fn reach(&mut self, rule: Rule) {
         self.room.reached.push(rule);
     }
 
     /// A rule refuses the line besides the one that the refusal names.
-    pub(super) fn fail(&mut self, rule: &'static str) {
+    pub(super) fn fail(&mut self, rule: Rule) {
         self.failed.push(rule);
     }
 
     /// The room, with the rules that decided something for a line that is accepted, and those for one that is refused.
-    pub(super) fn into_rules(self) -> (Room, Vec<&'static str>) {
+    pub(super) fn into_rules(self) -> (Room, Vec<Rule>) {
         (self.room, self.failed)
     }
 
@@ -126,7 +127,12 @@ impl<'a> Parser<'a> {
     }
 
     /// A refusal at the next character.
-    pub(super) fn refuse(&self, rule: &'static str, kind: FaultKind, message: &str) -> StepError {
+    pub(super) fn refuse(
+        &self,
+        rule: impl Into<Rule>,
+        kind: FaultKind,
+        message: &str,
+    ) -> StepError {
         let place = match self.peek() {
             None => "at the end of the line".to_owned(),
             Some(Glyph::COMMENT) => "before a comment".to_owned(),

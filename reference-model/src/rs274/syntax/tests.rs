@@ -8,7 +8,7 @@ fn parsed(line: &str) -> Block {
 /// The rule that refuses a line.
 fn refused(line: &str) -> &'static str {
     match parse(line, &mut State::under(&[])) {
-        Err(StepError::Refused(Refusal { rule, .. })) => rule,
+        Err(StepError::Refused(Refusal { rule, .. })) => rule.id(),
         other => panic!("{line:?}: {other:?}"),
     }
 }

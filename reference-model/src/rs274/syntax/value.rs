@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::expression::operator_at;
 use super::parser::Parser;
 use super::{Expression, Function, Parameter};
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -48,7 +49,7 @@ impl Parser<'_> {
             Some('[') => self.bracketed(),
             Some(Glyph::COMMENT) => {
                 let message = "a value stands";
-                Err(self.refuse("text.comment-inside-word", FaultKind::BadComment, message))
+                Err(self.refuse(rule::text::COMMENT_INSIDE_WORD, FaultKind::BadComment, message))
             }
             _ => self.function(wanted),
         }
@@ -76,28 +77,34 @@ impl Parser<'_> {
         self.advance();
         let value = match self.peek() {
             Some('0'..='9' | '.') => {
-                self.reach("numbers.sign");
+                self.reach(rule::numbers::SIGN);
                 self.value(wanted)?
             }
-            Some('+' | '-') if self.choices.quirk("rs274.repeated-signs") => self.value(wanted)?,
+            Some('+' | '-') if self.choices.quirk(quirk::rs274::REPEATED_SIGNS) => {
+                self.value(wanted)?
+            }
             Some('+' | '-') => {
                 return Err(self.refuse(
-                    "numbers.form",
+                    rule::numbers::FORM,
                     FaultKind::BadNumber,
                     "a number has one sign, no second one",
                 ));
             }
             Some(Glyph::COMMENT) => self.value(wanted)?,
             _ if self.sees_value() => {
-                if self.choices.is("expressions.unary-minus", "refused") {
+                if self.choices.is(choice::expressions::UnaryMinus::Refused) {
                     let message = "a sign belongs to a number, which does not begin";
-                    return Err(self.refuse("numbers.form", FaultKind::BadExpression, message));
+                    return Err(self.refuse(
+                        rule::numbers::FORM,
+                        FaultKind::BadExpression,
+                        message,
+                    ));
                 }
                 self.value(wanted)?
             }
             _ => {
                 return Err(self.refuse(
-                    "numbers.digits",
+                    rule::numbers::DIGITS,
                     FaultKind::BadNumber,
                     "a sign without digits",
                 ));
@@ -132,26 +139,26 @@ impl Parser<'_> {
         }
         if self.peek() == Some('.') {
             return Err(self.refuse(
-                "numbers.form",
+                rule::numbers::FORM,
                 FaultKind::BadNumber,
                 "a number has one decimal point, no other",
             ));
         }
         let Ok(number) = text.parse() else {
             return Err(self.refuse(
-                "numbers.digits",
+                rule::numbers::DIGITS,
                 FaultKind::BadNumber,
                 "a decimal point without digits",
             ));
         };
         if whole == 0 || text.ends_with('.') {
-            self.reach("numbers.digits");
+            self.reach(rule::numbers::DIGITS);
         }
         if text.starts_with('0') || text.ends_with('0') {
-            self.reach("numbers.zeros");
+            self.reach(rule::numbers::ZEROS);
         }
         if text.len() > 15 {
-            self.reach("numbers.many-digits");
+            self.reach(rule::numbers::MANY_DIGITS);
         }
         self.room.digits = text;
         Ok(number)
@@ -168,14 +175,14 @@ impl Parser<'_> {
             return self.name().map(Parameter::Named);
         }
         if matches!(self.peek(), Some('#' | '[')) {
-            self.reach("parameters.indirect");
+            self.reach(rule::parameters::INDIRECT);
         }
-        if self.sees_function() && self.choices.is("parameters.function-number", "refused") {
+        if self.sees_function() && self.choices.is(choice::parameters::FunctionNumber::Refused) {
             let message = "a parameter's number is wanted, not a function, which stands";
-            return Err(self.refuse("parameters.indirect", FaultKind::BadExpression, message));
+            return Err(self.refuse(rule::parameters::INDIRECT, FaultKind::BadExpression, message));
         }
         let number = self.value(Wanted::ParameterNumber)?;
-        self.reach("parameters.sign-first");
+        self.reach(rule::parameters::SIGN_FIRST);
         Ok(Parameter::Numbered(Box::new(number)))
     }
 
@@ -186,12 +193,12 @@ impl Parser<'_> {
         // A NUL is no character of a text, wherever it stands.
         let ends = ['>', Glyph::COMMENT, '\0'];
         let name = self.take_while(|character| !ends.contains(&character));
-        let empty = name.is_empty() && !self.choices.quirk("rs274.empty-name");
+        let empty = name.is_empty() && !self.choices.quirk(quirk::rs274::EMPTY_NAME);
         if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";
-            return Err(self.refuse("parameters.name-marks", FaultKind::BadBlock, message));
+            return Err(self.refuse(rule::parameters::NAME_MARKS, FaultKind::BadBlock, message));
         }
-        self.reach("parameters.name-spelling");
+        self.reach(rule::parameters::NAME_SPELLING);
         Ok(name)
     }
 
@@ -206,7 +213,7 @@ impl Parser<'_> {
         match FUNCTIONS.iter().find(|(name, _)| self.sees(name)) {
             Some((name, function)) => {
                 self.take(name);
-                let argument = self.argument("expressions.function-brackets")?;
+                let argument = self.argument(rule::expressions::FUNCTION_BRACKETS)?;
                 Ok(Expression::Function(*function, Box::new(argument)))
             }
             None => Err(self.missing(wanted)),
@@ -214,7 +221,7 @@ impl Parser<'_> {
     }
 
     /// A function's argument.
-    fn argument(&mut self, rule: &'static str) -> Result<Expression, StepError> {
+    fn argument(&mut self, rule: Rule) -> Result<Expression, StepError> {
         if self.peek() == Some('[') {
             return self.bracketed();
         }
@@ -227,7 +234,7 @@ impl Parser<'_> {
 
     /// Rule expressions.arctangent. ATAN takes two bracketed arguments with a slash between them.
     fn arc_tangent(&mut self) -> Result<Expression, StepError> {
-        const RULE: &str = "expressions.arctangent";
+        const RULE: Rule = rule::expressions::ARCTANGENT;
         let opposite = self.argument(RULE)?;
         if !self.take("/") {
             return Err(self.refuse(
@@ -245,13 +252,17 @@ impl Parser<'_> {
     fn exists(&mut self) -> Result<Expression, StepError> {
         let wrong = |parser: &Self| {
             let message = "EXISTS takes one named parameter in brackets, not what stands";
-            Err(parser.refuse("expressions.exists-argument", FaultKind::BadExpression, message))
+            Err(parser.refuse(
+                rule::expressions::EXISTS_ARGUMENT,
+                FaultKind::BadExpression,
+                message,
+            ))
         };
         if !self.take("[") || self.peek() != Some('#') {
             return wrong(self);
         }
         let numbered = self.peek_behind(1) != Some('<');
-        if numbered && !self.choices.quirk("rs274.exists-numbered") {
+        if numbered && !self.choices.quirk(quirk::rs274::EXISTS_NUMBERED) {
             return wrong(self);
         }
         let parameter = self.parameter()?;
@@ -271,32 +282,38 @@ impl Parser<'_> {
             .count();
         let called = letters > 1 && self.peek_behind(letters) == Some('[');
         let (rule, kind, message) = match wanted {
-            Wanted::ParameterNumber if letter => {
-                ("parameters.name-marks", FaultKind::BadBlock, "a name stands between < and >, not")
-            }
+            Wanted::ParameterNumber if letter => (
+                rule::parameters::NAME_MARKS,
+                FaultKind::BadBlock,
+                "a name stands between < and >, not",
+            ),
             Wanted::ParameterNumber if self.peek() == Some('=') => (
-                "parameters.assignment-form",
+                rule::parameters::ASSIGNMENT_FORM,
                 FaultKind::BadBlock,
                 "a parameter's number is missing",
             ),
             Wanted::Operand | Wanted::ParameterNumber if self.peek().is_none() => {
-                ("expressions.unbalanced", FaultKind::BadExpression, "a bracket is not closed")
+                (rule::expressions::UNBALANCED, FaultKind::BadExpression, "a bracket is not closed")
             }
             _ if called => {
-                ("expressions.unknown-operator", FaultKind::BadExpression, "no such function")
+                (rule::expressions::UNKNOWN_OPERATOR, FaultKind::BadExpression, "no such function")
             }
             Wanted::Operand if letter && operator_at(self).is_none() => {
-                ("expressions.unknown-operator", FaultKind::BadExpression, "no such function")
+                (rule::expressions::UNKNOWN_OPERATOR, FaultKind::BadExpression, "no such function")
             }
             Wanted::Operand | Wanted::ParameterNumber => {
-                ("expressions.incomplete", FaultKind::BadExpression, "a value is missing")
+                (rule::expressions::INCOMPLETE, FaultKind::BadExpression, "a value is missing")
             }
-            Wanted::Word => ("text.word-value", FaultKind::BadNumber, "a word's value is missing"),
-            Wanted::Setting => {
-                ("parameters.assignment-form", FaultKind::BadBlock, "a setting's value is missing")
+            Wanted::Word => {
+                (rule::text::WORD_VALUE, FaultKind::BadNumber, "a word's value is missing")
             }
+            Wanted::Setting => (
+                rule::parameters::ASSIGNMENT_FORM,
+                FaultKind::BadBlock,
+                "a setting's value is missing",
+            ),
             Wanted::Label => (
-                "control.unrelated-words",
+                rule::control::UNRELATED_WORDS,
                 FaultKind::BadBlock,
                 "the label of an O-word is missing",
             ),

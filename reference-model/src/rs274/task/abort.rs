@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{End, SpindleTurn, Switch};
 
 use super::operator::Operator;
 use super::{ModelRun, Record};
+use crate::ids::{choice, rule};
 use crate::rs274::execute;
 use crate::rs274::modes::converted;
 use crate::rs274::quirks::task as quirks;
@@ -16,12 +17,12 @@ impl ModelRun<'_> {
     ///
     /// How it ends: what was read ahead may be what the documents leave open.
     pub(super) fn aborted(&mut self) -> End {
-        self.state.coverage.accepted("abort.ends");
+        self.state.coverage.accepted(rule::abort::ENDS);
         if self.state.frames.iter().any(|frame| frame.restore_at_return.is_some()) {
-            self.state.coverage.accepted("abort.autorestore");
+            self.state.coverage.accepted(rule::abort::AUTORESTORE);
         }
-        self.state.coverage.accepted("abort.read-ahead");
-        let reads_on = self.state.choices.is("abort.read-ahead", "read-on");
+        self.state.coverage.accepted(rule::abort::READ_AHEAD);
+        let reads_on = self.state.choices.is(choice::abort::ReadAhead::ReadOn);
         let end = if reads_on && !self.by_hand && !self.waits_for_machine {
             self.read_on()
         } else {
@@ -41,9 +42,9 @@ impl ModelRun<'_> {
     /// waits for the next one.
     pub(super) fn forget_waiting(&mut self) {
         if self.state.environment.awaits_motion() {
-            let choice = "outputs.waiting-after-abort";
+            let choice = rule::outputs::WAITING_AFTER_ABORT;
             self.state.coverage.accepted(choice);
-            if self.state.choices.is(choice, "forgotten") {
+            if self.state.choices.is(choice::outputs::WaitingAfterAbort::Forgotten) {
                 self.state.environment.forget_all_with_motion();
             }
         }
@@ -52,8 +53,8 @@ impl ModelRun<'_> {
     /// Choice abort.spindle-and-coolant. An abort stops all spindles and switches coolant off, as M5 and M9 do
     /// (orient.cleared), or leaves them alone.
     pub(super) fn switch_off(&mut self) {
-        self.state.coverage.accepted("abort.spindle-and-coolant");
-        if self.state.choices.is("abort.spindle-and-coolant", "switched-off") {
+        self.state.coverage.accepted(rule::abort::SPINDLE_AND_COOLANT);
+        if self.state.choices.is(choice::abort::SpindleAndCoolant::SwitchedOff) {
             let modes = &mut self.state.modes;
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;

@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{ControllerMode, End};
 
 use super::request::{Activity, Answer};
 use super::{ModelRun, open_entries};
+use crate::ids::rule;
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::execute;
 use crate::rs274::quirks::task as quirks;
@@ -55,11 +56,11 @@ impl ModelRun<'_> {
     /// Rule abort.restart. After an abort too.
     /// Rule parameters.returned-value. What the last program's subs have returned is 0 then.
     fn begin_again(&mut self, aborted: bool) {
-        let rule = if aborted { "abort.restart" } else { "program-end.restart" };
+        let rule = if aborted { rule::abort::RESTART } else { rule::program_end::RESTART };
         self.state.coverage.accepted(rule);
         if !aborted {
-            self.state.coverage.accepted("task.modes-carry-over");
-            self.state.coverage.accepted("task.parameters-carry-over");
+            self.state.coverage.accepted(rule::task::MODES_CARRY_OVER);
+            self.state.coverage.accepted(rule::task::PARAMETERS_CARRY_OVER);
         }
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();

@@ -33,7 +33,6 @@ pub(crate) use pins::{pins_are_current, update_pins};
 pub use record::Record;
 
 use self::operator::Operator;
-use super::choices::Choices;
 use super::control::{Control, Frame, MAIN, Place};
 use super::environment::EnvironmentState;
 use super::execute;
@@ -43,15 +42,15 @@ use super::quirks::settings;
 use super::refusal::{Refusal, StepError};
 use super::state::{Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
-use crate::{Evidence, RuleCoverage};
+use crate::Choices;
+use crate::RuleCoverage;
+use crate::ids::{choice, quirk, rule};
 
 /// What a run leaves for the next one, so that it need not be made again.
 #[derive(Debug, Default)]
 pub struct RunCache {
     /// How the documents are read under some options.
     choices: Option<(Options, Shared<Choices>)>,
-    /// Who looks on.
-    coverage: RuleCoverage,
     /// Room for what the parser makes of a line.
     room: Room,
 }
@@ -73,16 +72,19 @@ impl RunCache {
 /// Runs a scenario as the documents say; how positions are rounded they leave open.
 ///
 /// Options that the model does not know end the run before its first block.
-pub fn run(cache: &mut RunCache, scenario: &Scenario, rounding: Rounding) -> (Outcome, Evidence) {
+pub fn run(
+    cache: &mut RunCache,
+    scenario: &Scenario,
+    rounding: Rounding,
+) -> (Outcome, RuleCoverage) {
     let choices = match cache.choices(&scenario.options) {
         Ok(choices) => choices,
-        Err(what) => return (not_begun(what), Evidence::default()),
+        Err(what) => return (not_begun(what), RuleCoverage::default()),
     };
-    let coverage = std::mem::take(&mut cache.coverage);
-    let mut state = start(scenario, choices, rounding, coverage);
+    let mut state = start(scenario, choices, rounding);
     state.room = std::mem::take(&mut cache.room);
-    state.coverage.accepted("modal-groups.initial-modes");
-    state.coverage.accepted("offsets.start-system");
+    state.coverage.accepted(rule::modal_groups::INITIAL_MODES);
+    state.coverage.accepted(rule::offsets::START_SYSTEM);
     let mut record = Record::new(&state);
     record.allow(&scenario.budget);
     let mut run = ModelRun::new(scenario, state, record);
@@ -93,9 +95,8 @@ pub fn run(cache: &mut RunCache, scenario: &Scenario, rounding: Rounding) -> (Ou
     run.leave_calls();
     let parameters = run.parameters();
     let pins = run.state.environment.changes().to_vec();
-    let coverage = run.state.coverage.take();
-    (cache.coverage, cache.room) = (run.state.coverage, run.state.room);
-    (run.record.finish(end, parameters, pins), coverage)
+    cache.room = run.state.room;
+    (run.record.finish(end, parameters, pins), run.state.coverage)
 }
 
 /// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects
@@ -115,12 +116,7 @@ fn leaves_nothing(end: &End) -> bool {
 }
 
 /// The state before the first block.
-fn start(
-    scenario: &Scenario,
-    choices: Shared<Choices>,
-    rounding: Rounding,
-    coverage: RuleCoverage,
-) -> State {
+fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> State {
     let machine = scenario.machine.clone();
     let mut modes = Modes { rounding, ..Modes::new(&machine, &choices) };
     if scenario.program.start == Start::Mdi {
@@ -153,7 +149,7 @@ fn start(
         curve: execute::splines::Curve::default(),
         pin_snapshot: None,
         room: Room::default(),
-        coverage,
+        coverage: RuleCoverage::default(),
     }
 }
 
@@ -284,7 +280,7 @@ impl<'a> ModelRun<'a> {
     fn parameters(&mut self) -> Indexed<u32, f64> {
         let mut all = self.state.parameters.nonzero();
         if parameters::changed_persistent(&self.state) {
-            self.state.coverage.accepted("parameters.saved");
+            self.state.coverage.accepted(rule::parameters::SAVED);
         }
         let others = (1..=30).chain(parameters::computed_numbers());
         let known = others.filter_map(|number| {
@@ -311,7 +307,8 @@ impl<'a> ModelRun<'a> {
         let mut scenario = self.scenario.clone();
         scenario.budget.steps = u32::try_from(self.record.steps()).unwrap_or(u32::MAX);
         let (choices, rounding) = (self.state.choices.clone(), self.state.modes.rounding);
-        let state = start(&scenario, choices, rounding, RuleCoverage::muted());
+        let mut state = start(&scenario, choices, rounding);
+        state.coverage = RuleCoverage::muted();
         let mut record = Record::new(&state);
         record.allow(&scenario.budget);
         let mut again = ModelRun::new(&scenario, state, record);
@@ -328,12 +325,12 @@ impl<'a> ModelRun<'a> {
         let shares = |frame: &&mut Frame| frame.shares_parameters();
         let Some(sharing) = called.iter_mut().take_while(shares).last() else { return };
         let main = &mut self.state.frames[0];
-        main.arguments = if self.state.choices.quirk("rs274.fanuc-changes-at-end") {
+        main.arguments = if self.state.choices.quirk(quirk::rs274::FANUC_CHANGES_AT_END) {
             self.control.at_last_call
         } else {
             sharing.arguments
         };
-        if self.state.choices.is("fanuc-subs.named-locals", "shared") {
+        if self.state.choices.is(choice::fanuc_subs::NamedLocals::Shared) {
             main.locals = std::mem::take(&mut sharing.locals);
         }
     }
@@ -347,7 +344,7 @@ impl<'a> ModelRun<'a> {
             StepError::Refused(Refusal { rule, kind, message, span }) => {
                 self.state.coverage.refused(rule);
                 if ![MAIN, self.entries.file].contains(&self.control.place.file) {
-                    self.state.coverage.refused("subroutines.file-fault");
+                    self.state.coverage.refused(rule::subroutines::FILE_FAULT);
                 }
                 execute::saved_state::broken_off(&mut self.state);
                 if execute::probe::has_moved(rule) {

@@ -145,7 +145,7 @@ impl ModelRun<'_> {
         words: &Words,
         began: &mut f64,
     ) -> Result<AfterPhase, StepError> {
-        let before = self.without_evidence();
+        let before = self.without_coverage();
         let mark = self.record.mark();
         let mut watch = Watch {
             place: 0,

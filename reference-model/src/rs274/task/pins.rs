@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
 use super::ModelRun;
+use crate::ids::{Rule, rule};
 use crate::rs274::execute;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
@@ -91,19 +92,19 @@ fn set_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
 fn changed_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
     let coverage = &mut state.coverage;
     if pin == Pin::CoolantMist {
-        coverage.accepted("coolant.mist-pin");
+        coverage.accepted(rule::coolant::MIST_PIN);
     } else if pin == Pin::CoolantFlood {
-        coverage.accepted("coolant.flood-pin");
+        coverage.accepted(rule::coolant::FLOOD_PIN);
     } else if let Pin::SpindleOn(number) = pin {
-        coverage.accepted("spindle.turns-at-speed");
+        coverage.accepted(rule::spindle::TURNS_AT_SPEED);
         if number > 0 {
-            coverage.accepted("spindle.each-turns");
+            coverage.accepted(rule::spindle::EACH_TURNS);
         }
         let starts = value > 0.0;
         if starts && after == Some(Phase::SpindleSpeed) {
-            coverage.accepted("spindle.turns-later");
+            coverage.accepted(rule::spindle::TURNS_LATER);
         } else if starts && after.is_none() {
-            coverage.accepted("spindle.override-turned-up");
+            coverage.accepted(rule::spindle::OVERRIDE_TURNED_UP);
         }
     }
 }
@@ -114,19 +115,19 @@ fn changed_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
 /// Rule spindle.override-zero-stands. Nor does it while its override is enabled and zero.
 /// Rule spindle.override-counts. An override that is enabled changes its speed.
 /// Rule overrides.speed-value. One that is disabled does not.
-fn of_override(spindle: &Spindle, factor: f64) -> Option<&'static str> {
+fn of_override(spindle: &Spindle, factor: f64) -> Option<Rule> {
     if spindle.turn == SpindleTurn::Stopped {
         None
     } else if spindle.speed == 0.0 {
-        Some("spindle.zero-speed-stands")
+        Some(rule::spindle::ZERO_SPEED_STANDS)
     } else if (factor - 1.0).abs() == 0.0 {
         None
     } else if spindle.speed_override == Switch::Off {
-        Some("overrides.speed-value")
+        Some(rule::overrides::SPEED_VALUE)
     } else if factor == 0.0 {
-        Some("spindle.override-zero-stands")
+        Some(rule::spindle::OVERRIDE_ZERO_STANDS)
     } else {
-        Some("spindle.override-counts")
+        Some(rule::spindle::OVERRIDE_COUNTS)
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::{ModelRun, Record};
+use crate::ids::{choice, rule};
 use crate::rs274::control::{self, Control, MAIN, Next};
 use crate::rs274::environment::stub;
 use crate::rs274::evaluate::{self, Words};
@@ -39,7 +40,7 @@ impl ModelRun<'_> {
             }
             Some(Line::End) => {
                 self.between()?;
-                self.state.coverage.accepted("program-end.percent");
+                self.state.coverage.accepted(rule::program_end::PERCENT);
                 self.over();
                 return Ok(Some(End::PercentEnd));
             }
@@ -66,14 +67,14 @@ impl ModelRun<'_> {
     fn missing_end(&self) -> StepError {
         if self.state.frame().is_sub() {
             let message = "the file ends without an endsub";
-            return refuse("subroutines.missing-endsub", FaultKind::MissingEnd, message);
+            return refuse(rule::subroutines::MISSING_ENDSUB, FaultKind::MissingEnd, message);
         }
         let source = self.control.files.source(self.control.place.file);
         if source.percent {
             return source.unclosed();
         }
         let message = "the file ends without a program end";
-        refuse("program-end.missing", FaultKind::MissingEnd, message)
+        refuse(rule::program_end::MISSING, FaultKind::MissingEnd, message)
     }
 
     /// One block: parsed, evaluated, checked, executed, recorded.
@@ -153,8 +154,8 @@ impl ModelRun<'_> {
     fn execute(&mut self, words: &Words) -> Result<AfterPhase, StepError> {
         let mut after_phase = AfterPhase::Execute;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
-        let before_words =
-            settings.is_some() && self.state.choices.is("parameters.setting-time", "before-words");
+        let before_words = settings.is_some()
+            && self.state.choices.is(choice::parameters::SettingTime::BeforeWords);
         let phases = Phases::of(words);
         for phase in phases.iter() {
             if before_words
@@ -172,7 +173,7 @@ impl ModelRun<'_> {
             }
             let mut began = self.state.environment.time();
             let may_break_off = may_take_time(phase) && self.operator.is_due();
-            let before = may_break_off.then(|| self.without_evidence());
+            let before = may_break_off.then(|| self.without_coverage());
             let executed = if self.is_watched(phase, words) {
                 self.watched(phase, words, &mut began)
             } else {
@@ -276,7 +277,7 @@ impl ModelRun<'_> {
     }
 
     /// The state as an abort brings it back: what was reached stays reached.
-    pub(super) fn without_evidence(&mut self) -> State {
+    pub(super) fn without_coverage(&mut self) -> State {
         let coverage = std::mem::take(&mut self.state.coverage);
         let state = self.state.clone();
         self.state.coverage = coverage;
@@ -314,16 +315,16 @@ impl ModelRun<'_> {
         let inside_control = !self.state.frame().open.is_empty();
         let inside_sub = self.state.call_level() > 0;
         let coverage = &mut self.state.coverage;
-        coverage.accepted("program-end.ends");
-        coverage.accepted("program-end.lines-after");
+        coverage.accepted(rule::program_end::ENDS);
+        coverage.accepted(rule::program_end::LINES_AFTER);
         if deletable {
-            coverage.accepted("fanuc-subs.block-deleted-end");
+            coverage.accepted(rule::fanuc_subs::BLOCK_DELETED_END);
         }
         if inside_control {
-            coverage.accepted("program-end.inside-control");
+            coverage.accepted(rule::program_end::INSIDE_CONTROL);
         }
         if inside_sub {
-            coverage.accepted("subroutines.program-end-in-sub");
+            coverage.accepted(rule::subroutines::PROGRAM_END_IN_SUB);
             self.record.leads_elsewhere();
         }
         self.leave_calls();
@@ -336,7 +337,7 @@ impl ModelRun<'_> {
     fn over(&mut self) {
         execute::saved_state::run_is_over(&mut self.state);
         // What is only read ahead has not ended.
-        if !self.ahead && self.state.choices.is("outputs.waiting-after-end", "forgotten") {
+        if !self.ahead && self.state.choices.is(choice::outputs::WaitingAfterEnd::Forgotten) {
             self.state.environment.forget_all_with_motion();
         }
     }
@@ -345,7 +346,7 @@ impl ModelRun<'_> {
 /// Whether a rule of feeds refuses it.
 fn is_of_feed(error: &StepError) -> bool {
     let StepError::Refused(refusal) = error else { return false };
-    refusal.rule.split('.').next() == Some("feed")
+    refusal.rule.chapter() == "feed"
 }
 
 /// Whether time may go by in a phase, so that somebody can break it off.

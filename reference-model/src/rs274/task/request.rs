@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 
 use super::ModelRun;
 use super::operator::Happening;
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::StepError;
 
@@ -111,7 +112,7 @@ impl ModelRun<'_> {
         if !matches!(activity, Activity::Paused(_)) {
             return Ok(Answer::Nothing);
         }
-        self.state.coverage.accepted("pause.resume");
+        self.state.coverage.accepted(rule::pause::RESUME);
         Ok(Answer::GoesOn)
     }
 
@@ -127,14 +128,14 @@ impl ModelRun<'_> {
             }
             Activity::Idle => return Ok(Answer::Begins),
             Activity::Paused(By::Pallets) => {
-                if !self.state.choices.quirk("linuxcnc.cycle-start-while-paused") {
-                    self.state.coverage.accepted("pause.pallet-restart");
+                if !self.state.choices.quirk(quirk::linuxcnc::CYCLE_START_WHILE_PAUSED) {
+                    self.state.coverage.accepted(rule::pause::PALLET_RESTART);
                     return Ok(Answer::GoesOn);
                 }
             }
             Activity::Paused(By::Stop) => {
-                let rule = "pause.cycle-start";
-                if self.state.choices.is(rule, "goes-on") {
+                let rule = rule::pause::CYCLE_START;
+                if self.state.choices.is(choice::pause::CycleStart::GoesOn) {
                     self.state.coverage.accepted(rule);
                     return Ok(Answer::GoesOn);
                 }
@@ -154,12 +155,16 @@ impl ModelRun<'_> {
             return if drops { Err(StepError::Ended(End::Aborted)) } else { Ok(()) };
         }
         if activity == Activity::Idle {
-            self.state.coverage.accepted("task.mode-kept");
+            self.state.coverage.accepted(rule::task::MODE_KEPT);
             self.change_mode_to(mode);
             return Ok(());
         }
         let paused = matches!(activity, Activity::Paused(_));
-        self.state.coverage.refused(if paused { "pause.mode-kept" } else { "task.mode-kept" });
+        self.state.coverage.refused(if paused {
+            rule::pause::MODE_KEPT
+        } else {
+            rule::task::MODE_KEPT
+        });
         self.refuse(Request::Mode);
         Ok(())
     }
@@ -179,24 +184,25 @@ impl ModelRun<'_> {
     /// changes to MDI mode by itself then.
     fn enter(&mut self, place: usize, activity: Activity) -> Result<Answer, StepError> {
         let mode = self.state.modes.controller_mode;
-        let in_manual = "task.mdi-in-manual";
+        let in_manual = rule::task::MDI_IN_MANUAL;
         let rule = match mode {
-            ControllerMode::Mdi if activity == Activity::Idle => "task.auto-refuses-mdi",
+            ControllerMode::Mdi if activity == Activity::Idle => rule::task::AUTO_REFUSES_MDI,
             ControllerMode::Mdi => return Err(self.open("another block")),
             ControllerMode::Manual => in_manual,
-            ControllerMode::Auto => "task.auto-refuses-mdi",
+            ControllerMode::Auto => rule::task::AUTO_REFUSES_MDI,
         };
         let allowed = mode == ControllerMode::Mdi
-            || mode == ControllerMode::Manual && self.state.choices.is(in_manual, "executed");
+            || mode == ControllerMode::Manual
+                && self.state.choices.is(choice::task::MdiInManual::Executed);
         if allowed {
             self.state.coverage.accepted(rule);
-            self.state.coverage.accepted("program-end.mdi-follows");
+            self.state.coverage.accepted(rule::program_end::MDI_FOLLOWS);
             self.change_mode_to(ControllerMode::Mdi);
             return Ok(Answer::Executes(place));
         }
         self.state.coverage.refused(rule);
         if matches!(activity, Activity::Paused(_)) {
-            self.state.coverage.refused("pause.mdi-refused");
+            self.state.coverage.refused(rule::pause::MDI_REFUSED);
         }
         Ok(self.refuse(Request::Mdi))
     }

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{BlockLocation, End};
 
 use super::ModelRun;
 use super::request::{Activity, Answer, By};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::Phase;
 use crate::rs274::refusal::StepError;
@@ -22,7 +23,7 @@ impl ModelRun<'_> {
             self.operator.begins(block, now);
             self.between()?;
             if pauses || self.operator.events_left() < events {
-                self.before_block = Some(Box::new(self.without_evidence()));
+                self.before_block = Some(Box::new(self.without_coverage()));
             }
         }
         Ok(())
@@ -33,8 +34,8 @@ impl ModelRun<'_> {
     pub(super) fn between(&mut self) -> Result<(), StepError> {
         // Only what is read ahead begins again where the block did, or where a block of it is refused.
         let may_be_broken_off = self.ahead || self.operator.may_abort();
-        if may_be_broken_off && self.state.choices.is("abort.read-ahead", "read-on") {
-            self.at_block = Some(Box::new(self.without_evidence()));
+        if may_be_broken_off && self.state.choices.is(choice::abort::ReadAhead::ReadOn) {
+            self.at_block = Some(Box::new(self.without_coverage()));
         }
         loop {
             self.meanwhile(self.state.environment.time(), false)?;
@@ -80,12 +81,12 @@ impl ModelRun<'_> {
     /// A dwell of a program that is paused: where it stands still it does so until the program goes on; the seconds
     /// that it took.
     pub(super) fn stand_in_dwell(&mut self) -> Result<f64, StepError> {
-        let rule = "pause.during-dwell";
+        let rule = rule::pause::DURING_DWELL;
         if !self.pause_asked {
             return Ok(0.0);
         }
         self.state.coverage.accepted(rule);
-        if self.state.choices.is(rule, "goes-on") {
+        if self.state.choices.is(choice::pause::DuringDwell::GoesOn) {
             return Ok(0.0);
         }
         self.stand_paused(Activity::Paused(By::Operator))
@@ -100,7 +101,7 @@ impl ModelRun<'_> {
             return Ok(());
         }
         if self.by_hand && self.state.call_level() == 0 {
-            self.state.coverage.accepted("pause.by-hand");
+            self.state.coverage.accepted(rule::pause::BY_HAND);
             return Ok(());
         }
         if self.by_hand {

@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -73,14 +74,14 @@ pub fn condense(
         at += 1;
     }
     if blanks {
-        state.coverage.accepted("text.blanks");
+        state.coverage.accepted(rule::text::BLANKS);
     }
     if upper_case {
-        state.coverage.accepted("text.case");
+        state.coverage.accepted(rule::text::CASE);
     }
-    state.coverage.accepted("text.line-length");
+    state.coverage.accepted(rule::text::LINE_LENGTH);
     if comments.len() > 1 {
-        state.coverage.accepted("text.comment-format-checked");
+        state.coverage.accepted(rule::text::COMMENT_FORMAT_CHECKED);
     }
     Ok(comments)
 }
@@ -95,15 +96,15 @@ fn checked_comment(
 ) -> Result<Comment, StepError> {
     let comment = comment_at(line, at, &state.choices).inspect_err(|_| {
         if another {
-            state.coverage.refused("text.comment-format-checked");
+            state.coverage.refused(rule::text::COMMENT_FORMAT_CHECKED);
         }
     })?;
     state.coverage.accepted(if comment.semicolon {
-        "text.comment-semicolon"
+        rule::text::COMMENT_SEMICOLON
     } else {
-        "text.comment-parentheses"
+        rule::text::COMMENT_PARENTHESES
     });
-    state.coverage.accepted("text.comment-verbatim");
+    state.coverage.accepted(rule::text::COMMENT_VERBATIM);
     Ok(comment)
 }
 
@@ -115,16 +116,16 @@ fn line_length(line: &str, choices: &Choices) -> Result<(), StepError> {
         // So many are allowed whatever is chosen.
         return Ok(());
     }
-    let (limit, length) = if choices.quirk("rs274.shorter-lines") {
+    let (limit, length) = if choices.quirk(quirk::rs274::SHORTER_LINES) {
         (quirks::LONGEST_LINE, line.len())
-    } else if choices.is("text.line-end-counted", "counted") {
+    } else if choices.is(choice::text::LineEndCounted::Counted) {
         (255, line.chars().count())
     } else {
         (256, line.chars().count())
     };
     if length > limit {
         let message = format!("the line has {length} characters; {limit} are allowed");
-        return Err(refuse("text.line-length", FaultKind::LineTooLong, message));
+        return Err(refuse(rule::text::LINE_LENGTH, FaultKind::LineTooLong, message));
     }
     Ok(())
 }

@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::characters::span;
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::syntax::Comment;
 
@@ -20,7 +21,7 @@ use crate::rs274::syntax::Comment;
 pub(super) fn comment_at(line: &str, at: usize, choices: &Choices) -> Result<Comment, StepError> {
     let rest = &line[at..];
     let wrong = |end: usize, message: &str| {
-        Err(refuse_at("text.comment-unclosed", FaultKind::BadComment, span(at, end), message))
+        Err(refuse_at(rule::text::COMMENT_UNCLOSED, FaultKind::BadComment, span(at, end), message))
     };
     if let Some(text) = rest.strip_prefix(';') {
         let span = span(at, line.len());
@@ -33,7 +34,7 @@ pub(super) fn comment_at(line: &str, at: usize, choices: &Choices) -> Result<Com
         return wrong(line.len(), "the comment is not closed");
     };
     let end = at + 1 + text.len() + 1;
-    if text.contains('(') && choices.is("text.comment-nested", "refused") {
+    if text.contains('(') && choices.is(choice::text::CommentNested::Refused) {
         return wrong(end, "a left parenthesis within a comment");
     }
     Ok(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) })

@@ -9,9 +9,11 @@ pub use characters::{Glyph, condense};
 
 use std::ops::Range;
 
-use super::choices::Choices;
 use super::refusal::{StepError, refuse};
 use super::state::State;
+use crate::Choices;
+use crate::ids::choice::text::PercentAlone;
+use crate::ids::{choice, quirk, rule};
 use gaugeblock_vocabulary::FaultKind;
 
 /// A file of program text, cut into lines.
@@ -73,26 +75,26 @@ impl Source {
     /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = &self.text[self.lines.get(index)?.clone()];
-        state.coverage.accepted("text.line-end");
+        state.coverage.accepted(rule::text::LINE_END);
         let Some(begins) = first(line) else {
-            state.coverage.accepted("text.blank-lines");
+            state.coverage.accepted(rule::text::BLANK_LINES);
             return Some(Line::Nothing);
         };
         if block_delete && begins == b'/' {
-            state.coverage.accepted("text.block-delete-on");
-            state.coverage.accepted("text.block-delete-place");
+            state.coverage.accepted(rule::text::BLOCK_DELETE_ON);
+            state.coverage.accepted(rule::text::BLOCK_DELETE_PLACE);
             return Some(Line::Nothing);
         }
         if begins == b'%' && is_percent(line) && !self.plain {
             if self.percent {
-                state.coverage.accepted("text.percent-file");
-                state.coverage.accepted("text.percent-line");
+                state.coverage.accepted(rule::text::PERCENT_FILE);
+                state.coverage.accepted(rule::text::PERCENT_LINE);
                 return Some(Line::End);
             }
-            match state.choices.choice("text.percent-alone") {
-                "ends" => return Some(Line::End),
-                "ignored" => return Some(Line::Nothing),
-                _ => {}
+            match state.choices.get::<PercentAlone>() {
+                PercentAlone::Ends => return Some(Line::End),
+                PercentAlone::Ignored => return Some(Line::Nothing),
+                PercentAlone::Refused => {}
             }
         }
         Some(Line::Block(line))
@@ -102,7 +104,7 @@ impl Source {
     /// end, is refused. One without any percent line needs the program end as much: see `program-end`.
     pub fn unclosed(&self) -> StepError {
         refuse(
-            "text.percent-unclosed",
+            rule::text::PERCENT_UNCLOSED,
             FaultKind::MissingEnd,
             "the file ends without a second percent line or a program end",
         )
@@ -117,10 +119,13 @@ impl Source {
     pub fn program_ends(&self, state: &mut State) -> Result<(), StepError> {
         let useful = &self.lines[self.first..];
         let second = || useful.iter().any(|line| is_percent(&self.text[line.clone()]));
-        if self.percent && state.choices.is("text.percent-unclosed-ended", "refused") && !second() {
+        if self.percent
+            && state.choices.is(choice::text::PercentUnclosedEnded::Refused)
+            && !second()
+        {
             return Err(self.unclosed());
         }
-        state.coverage.accepted("text.percent-optional");
+        state.coverage.accepted(rule::text::PERCENT_OPTIONAL);
         Ok(())
     }
 }
@@ -145,7 +150,7 @@ fn with_line_feeds(text: &str, choices: &Choices) -> String {
         return text.to_owned();
     }
     let text = text.replace("\r\n", "\n");
-    if choices.quirk("rs274.lone-return") { text } else { text.replace('\r', "\n") }
+    if choices.quirk(quirk::rs274::LONE_RETURN) { text } else { text.replace('\r', "\n") }
 }
 
 /// The place of each line of a text, without its line feed; a last one without a line feed is a line too.

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::{letter, word};
 use crate::rs274::order::has_axis_words;
@@ -16,7 +17,7 @@ use crate::rs274::state::State;
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(axes) = has_axis_words(words).then(|| super::axes_of(state.modes.plane)) else {
         let message = "a cycle without axis words";
-        return Err(refuse("cycles.axis-words-missing", FaultKind::MissingWord, message));
+        return Err(refuse(rule::cycles::AXIS_WORDS_MISSING, FaultKind::MissingWord, message));
     };
     let family = axes.map(letter);
     let foreign =
@@ -25,20 +26,30 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     let off = state.modes.compensation == Compensation::Off;
     let inverse = state.modes.feed_mode == FeedMode::InverseTime;
     let faults = [
-        (rotary.is_some(), "cycles.rotary-words", FaultKind::AxisWords, "a rotary axis in a cycle"),
+        (
+            rotary.is_some(),
+            rule::cycles::ROTARY_WORDS,
+            FaultKind::AxisWords,
+            "a rotary axis in a cycle",
+        ),
         (
             foreign.is_some(),
-            "cycles.words-of-plane",
+            rule::cycles::WORDS_OF_PLANE,
             FaultKind::AxisWords,
             "an axis of the other family of planes in a cycle",
         ),
         (
             !off,
-            "cycles.under-compensation",
+            rule::cycles::UNDER_COMPENSATION,
             FaultKind::CompensationActive,
             "a cycle while cutter compensation is on",
         ),
-        (inverse, "cycles.inverse-time", FaultKind::ModalConflict, "a cycle under inverse time"),
+        (
+            inverse,
+            rule::cycles::INVERSE_TIME,
+            FaultKind::ModalConflict,
+            "a cycle under inverse time",
+        ),
     ];
     for (fault, rule, kind, message) in faults {
         if fault {
@@ -46,6 +57,6 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
         }
         state.coverage.accepted(rule);
     }
-    state.coverage.accepted("cycles.axis-words-missing");
+    state.coverage.accepted(rule::cycles::AXIS_WORDS_MISSING);
     Ok(())
 }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::{Cycle, Kind, axes_of};
+use crate::ids::{Rule, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::moved;
 use crate::rs274::execute::{spindle, word};
@@ -73,9 +74,13 @@ pub(super) fn find(
     let same = before.filter(|before| before.motion == motion);
     let values = moved(words, state);
     let depth = values.iter().find(|(axis, _)| *axis == normal).map(|(_, value)| *value);
-    let retract =
-        sticky(word(words, 'r'), same.map(|same| same.retract), "cycles.sticky-retract", state)?;
-    let depth = sticky(depth, same.map(|same| same.depth), "cycles.sticky-depth", state)?;
+    let retract = sticky(
+        word(words, 'r'),
+        same.map(|same| same.retract),
+        rule::cycles::STICKY_RETRACT,
+        state,
+    )?;
+    let depth = sticky(depth, same.map(|same| same.depth), rule::cycles::STICKY_DEPTH, state)?;
     unchanged(words, before, normal, state)?;
     let position = state.position.get(normal);
     let initial = before.map_or(position, |before| before.initial);
@@ -85,9 +90,9 @@ pub(super) fn find(
     let bottom = if incremental { retract_at + depth } else { depth };
     if retract_at < bottom {
         let message = "R below the bottom of the hole";
-        return Err(refuse("cycles.retract-below-bottom", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::cycles::RETRACT_BELOW_BOTTOM, FaultKind::WordOutOfRange, message));
     }
-    state.coverage.accepted("cycles.retract-below-bottom");
+    state.coverage.accepted(rule::cycles::RETRACT_BELOW_BOTTOM);
     let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
     let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
     let last = Frame::of(state);
@@ -120,7 +125,7 @@ fn clear(initial: f64, retract: f64, state: &State) -> f64 {
 fn sticky(
     number: Option<f64>,
     before: Option<f64>,
-    rule: &'static str,
+    rule: Rule,
     state: &mut State,
 ) -> Result<f64, StepError> {
     let found = number.or(before).ok_or_else(|| {
@@ -157,8 +162,8 @@ fn unchanged(
 /// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk
 /// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
 fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
-    let rule = "cycles.spindle";
-    let dollar = word(words, '$').filter(|_| !state.choices.quirk("rs274.cycle-dollar"));
+    let rule = rule::cycles::SPINDLE;
+    let dollar = word(words, '$').filter(|_| !state.choices.quirk(quirk::rs274::CYCLE_DOLLAR));
     let Some(number) = dollar else { return Ok(state.chosen_spindle) };
     let place = spindle::number(number, state, rule)?;
     state.coverage.accepted(rule);

@@ -13,6 +13,7 @@ use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Path, Pla
 
 use super::target::{moved, polar};
 use super::word;
+use crate::ids::{Rule, quirk, rule};
 use crate::math::near_integer;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::motion_mode;
@@ -49,22 +50,22 @@ enum Kind {
 }
 
 /// Each cycle with its kind and its rule.
-const KINDS: &[(Motion, Kind, &str)] = &[
-    (Motion::Cycle73, Kind::ChipBreaking, "cycles.chip-breaking"),
-    (Motion::Cycle74, Kind::TapLeft, "cycles.tap-left"),
-    (Motion::Cycle81, Kind::Drill, "cycles.drill"),
-    (Motion::Cycle82, Kind::DrillDwell, "cycles.drill-dwell"),
-    (Motion::Cycle83, Kind::Peck, "cycles.peck"),
-    (Motion::Cycle84, Kind::TapRight, "cycles.tap-right"),
-    (Motion::Cycle85, Kind::Bore, "cycles.bore"),
-    (Motion::Cycle86, Kind::BoreSpindleStop, "cycles.bore-spindle-stop"),
-    (Motion::Cycle87, Kind::Undefined, "cycles.drill"),
-    (Motion::Cycle88, Kind::Undefined, "cycles.drill"),
-    (Motion::Cycle89, Kind::BoreDwell, "cycles.bore-dwell"),
+const KINDS: &[(Motion, Kind, Rule)] = &[
+    (Motion::Cycle73, Kind::ChipBreaking, rule::cycles::CHIP_BREAKING),
+    (Motion::Cycle74, Kind::TapLeft, rule::cycles::TAP_LEFT),
+    (Motion::Cycle81, Kind::Drill, rule::cycles::DRILL),
+    (Motion::Cycle82, Kind::DrillDwell, rule::cycles::DRILL_DWELL),
+    (Motion::Cycle83, Kind::Peck, rule::cycles::PECK),
+    (Motion::Cycle84, Kind::TapRight, rule::cycles::TAP_RIGHT),
+    (Motion::Cycle85, Kind::Bore, rule::cycles::BORE),
+    (Motion::Cycle86, Kind::BoreSpindleStop, rule::cycles::BORE_SPINDLE_STOP),
+    (Motion::Cycle87, Kind::Undefined, rule::cycles::DRILL),
+    (Motion::Cycle88, Kind::Undefined, rule::cycles::DRILL),
+    (Motion::Cycle89, Kind::BoreDwell, rule::cycles::BORE_DWELL),
 ];
 
 /// The kind of a motion mode that is a cycle, with the cycle's rule.
-fn kind_of(motion: Motion) -> Option<(Kind, &'static str)> {
+fn kind_of(motion: Motion) -> Option<(Kind, Rule)> {
     let found = KINDS.iter().find(|(cycle, ..)| *cycle == motion);
     found.map(|(_, kind, rule)| (*kind, *rule))
 }
@@ -138,7 +139,7 @@ pub(super) fn perform(
     accepted(words, rule, state);
     rise(&cycle, state, record);
     let path = state.modes.path;
-    if state.choices.quirk("rs274.cycle-exact-path") {
+    if state.choices.quirk(quirk::rs274::CYCLE_EXACT_PATH) {
         state.modes.path = Path::ExactPath;
     }
     for place in places {
@@ -148,7 +149,7 @@ pub(super) fn perform(
         in_between(&cycle, place, state, record);
         strokes::perform(&cycle, state, record)?;
     }
-    if path == Path::Continuous && state.choices.quirk("rs274.cycle-exact-path") {
+    if path == Path::Continuous && state.choices.quirk(quirk::rs274::CYCLE_EXACT_PATH) {
         tolerances_as_numbers(state);
     }
     state.modes.path = path;
@@ -158,9 +159,9 @@ pub(super) fn perform(
 /// Rule cycles.repeat-count. L is a positive integer, however large: the budget bounds what is executed of it.
 /// Rule cycles.repeat-not-sticky. Without it the cycle is executed once.
 fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
-    let rule = "cycles.repeat-count";
+    let rule = rule::cycles::REPEAT_COUNT;
     let Some(value) = word(words, 'l') else {
-        state.coverage.accepted("cycles.repeat-not-sticky");
+        state.coverage.accepted(rule::cycles::REPEAT_NOT_STICKY);
         return Ok(1);
     };
     let number = near_integer(value).ok_or_else(|| {
@@ -171,7 +172,7 @@ fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
     })?;
     state.coverage.accepted(rule);
     if count > 1 {
-        state.coverage.accepted("cycles.repeat");
+        state.coverage.accepted(rule::cycles::REPEAT);
     }
     Ok(count)
 }
@@ -200,7 +201,11 @@ fn places(
         |axis: Axis| values.iter().find(|(named, _)| *named == axis).map(|(_, value)| *value);
     let start = [from.get(first), from.get(second)];
     let words = [value(first), value(second)];
-    state.coverage.accepted(if incremental { "cycles.incremental" } else { "cycles.absolute" });
+    state.coverage.accepted(if incremental {
+        rule::cycles::INCREMENTAL
+    } else {
+        rule::cycles::ABSOLUTE
+    });
     let mut place = start;
     Ok((0..repeats).map(move |_| {
         for (place, word) in place.iter_mut().zip(words) {
@@ -218,7 +223,7 @@ fn places(
 fn rise(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let below = state.position.get(normal) < cycle.retract;
-    state.coverage.accepted("cycles.preliminary-motion");
+    state.coverage.accepted(rule::cycles::PRELIMINARY_MOTION);
     if quirks::rises(below, cycle.initial < cycle.retract, state) {
         traverse_along(normal, cycle.retract, state, record);
     } else {
@@ -237,7 +242,7 @@ fn in_between(cycle: &Cycle, place: [f64; 2], state: &mut State, record: &mut Re
     if (end.get(normal) - cycle.retract).abs() > 0.0 {
         traverse_along(normal, cycle.retract, state, record);
     }
-    state.coverage.accepted("cycles.in-between-motion");
+    state.coverage.accepted(rule::cycles::IN_BETWEEN_MOTION);
 }
 
 fn traverse(end: Position, state: &mut State, record: &mut Record) {
@@ -256,11 +261,12 @@ fn feed_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
 }
 
 /// The rules that an accepted cycle follows.
-fn accepted(words: &Words, rule: &'static str, state: &mut State) {
+fn accepted(words: &Words, rule: Rule, state: &mut State) {
     if words.g.iter().all(|code| motion_mode(*code).is_none()) {
-        state.coverage.accepted("cycles.repeats-itself");
+        state.coverage.accepted(rule::cycles::REPEATS_ITSELF);
     }
-    for rule in [rule, "cycles.plane", "cycles.return-level", "cycles.initial-level"] {
+    for rule in [rule, rule::cycles::PLANE, rule::cycles::RETURN_LEVEL, rule::cycles::INITIAL_LEVEL]
+    {
         state.coverage.accepted(rule);
     }
 }

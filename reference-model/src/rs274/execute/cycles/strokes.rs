@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
 
 use super::{Cycle, Kind, feed_along, tapping, traverse_along};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::{spindle, word};
 use crate::rs274::order::Phase;
@@ -29,24 +30,28 @@ pub(super) fn dwell(
     if !taps && !matches!(kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
         return Ok(None);
     }
-    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
+    let before = before.filter(|_| state.choices.is(choice::cycles::StickyArguments::Sticky));
     let Some(seconds) = word(words, 'p').or(before) else {
-        if taps && state.choices.is("cycles.tap-without-dwell", "zero") {
+        if taps && state.choices.is(choice::cycles::TapWithoutDwell::Zero) {
             return Ok(quirks::dwell_of_tap(state));
         }
-        let rule = if taps { "cycles.tap-without-dwell" } else { "cycles.dwell-needed" };
+        let rule = if taps {
+            Rule::of_choice::<choice::cycles::TapWithoutDwell>()
+        } else {
+            rule::cycles::DWELL_NEEDED
+        };
         return Err(refuse(
             rule,
             FaultKind::MissingWord,
             "this cycle needs P, the seconds of its dwell",
         ));
     };
-    state.coverage.accepted("cycles.dwell-needed");
+    state.coverage.accepted(rule::cycles::DWELL_NEEDED);
     if seconds < 0.0 && !quirks::negative_dwell(seconds, state) {
         let message = format!("a dwell of {seconds} seconds");
-        return Err(refuse("cycles.negative-dwell", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::cycles::NEGATIVE_DWELL, FaultKind::WordOutOfRange, message));
     }
-    state.coverage.accepted("cycles.negative-dwell");
+    state.coverage.accepted(rule::cycles::NEGATIVE_DWELL);
     state.cycle_dwell = seconds;
     Ok(Some(seconds))
 }
@@ -62,17 +67,17 @@ pub(super) fn peck(
     if !matches!(kind, Kind::ChipBreaking | Kind::Peck) {
         return Ok(None);
     }
-    let before = before.filter(|_| state.choices.is("cycles.sticky-arguments", "sticky"));
+    let before = before.filter(|_| state.choices.is(choice::cycles::StickyArguments::Sticky));
     let Some(peck) = quirks::peck(words, state).or(before) else {
         let message = "this cycle needs Q, the increment of its pecks";
-        return Err(refuse("cycles.peck-needed", FaultKind::MissingWord, message));
+        return Err(refuse(rule::cycles::PECK_NEEDED, FaultKind::MissingWord, message));
     };
-    state.coverage.accepted("cycles.peck-needed");
+    state.coverage.accepted(rule::cycles::PECK_NEEDED);
     if peck <= 0.0 {
         let message = format!("pecks of {peck}");
-        return Err(refuse("cycles.peck-increment", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::cycles::PECK_INCREMENT, FaultKind::WordOutOfRange, message));
     }
-    state.coverage.accepted("cycles.peck-increment");
+    state.coverage.accepted(rule::cycles::PECK_INCREMENT);
     Ok(Some(peck))
 }
 
@@ -84,7 +89,7 @@ pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError
         Kind::TapLeft => tapping::possible(cycle, SpindleTurn::Counterclockwise, state),
         Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
         Kind::BoreSpindleStop => {
-            let rule = "cycles.bore-needs-spindle";
+            let rule = rule::cycles::BORE_NEEDS_SPINDLE;
             let turn = state.modes.spindles[cycle.spindle].known_turn();
             if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
                 let message = "G86 while the spindle does not turn";
@@ -177,8 +182,8 @@ fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), St
         drilled -= cycle.peck;
     }
     feed_along(normal, cycle.bottom, state, record);
-    let ends_at_retract =
-        cycle.kind == Kind::ChipBreaking && state.choices.is("cycles.chip-break-return", "retract");
+    let ends_at_retract = cycle.kind == Kind::ChipBreaking
+        && state.choices.is(choice::cycles::ChipBreakReturn::Retract);
     let end = if ends_at_retract { cycle.retract } else { cycle.clear };
     traverse_along(normal, end, state, record);
     Ok(())

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{Axis, Effect, FaultKind, SpindleTurn, Switch};
 
 use super::strokes::{dwells, turns};
 use super::{Cycle, Kind};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -15,8 +16,8 @@ pub(super) fn possible(
     cutting: SpindleTurn,
     state: &State,
 ) -> Result<(), StepError> {
-    let rule = "cycles.tap-direction";
-    if state.choices.is(rule, "any") {
+    let rule = Rule::of_choice::<choice::cycles::TapDirection>();
+    if state.choices.is(choice::cycles::TapDirection::Any) {
         return Ok(());
     }
     let kind = match state.modes.spindles[cycle.spindle].known_turn() {
@@ -48,7 +49,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
     feed(normal, cycle.clear, state, record);
-    if state.choices.is("cycles.tap-return", "as-before") {
+    if state.choices.is(choice::cycles::TapReturn::AsBefore) {
         turns(SpindleTurn::Stopped, cycle, state);
         if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
             turns(before.turn, cycle, state);
@@ -56,7 +57,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     }
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;
-    state.coverage.accepted("cycles.tap-overrides");
+    state.coverage.accepted(rule::cycles::TAP_OVERRIDES);
 }
 
 /// A feed move along the axis of the thread.

@@ -1,7 +1,8 @@
 //! Values of parameters in messages.
 
 use super::shown_value;
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
@@ -29,7 +30,7 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
         } else {
             let loses_sign = next == '%' && wrong_format(rest, &state.choices);
             if next == '%' {
-                state.coverage.accepted("active-comments.wrong-format");
+                state.coverage.accepted(rule::active_comments::WRONG_FORMAT);
             }
             if !loses_sign {
                 expanded.push(next);
@@ -49,36 +50,37 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
 /// Quirk rs274.long-format: it is none.
 fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     let format = text.strip_prefix('%')?;
-    let long = format.strip_prefix("lf").filter(|_| !state.choices.quirk("rs274.long-format"));
+    let long =
+        format.strip_prefix("lf").filter(|_| !state.choices.quirk(quirk::rs274::LONG_FORMAT));
     let (decimals, behind) = if let Some(behind) = long {
-        state.coverage.accepted("active-comments.long-format");
+        state.coverage.accepted(rule::active_comments::LONG_FORMAT);
         (default_decimals(&state.choices), behind)
     } else if let Some(behind) = format.strip_prefix('d') {
-        state.coverage.accepted("active-comments.integer-format");
+        state.coverage.accepted(rule::active_comments::INTEGER_FORMAT);
         (0, behind)
     } else if let Some(behind) = format.strip_prefix('f') {
-        let four = state.choices.is("active-comments.plain-f-format", "four-decimals");
+        let four = state.choices.is(choice::active_comments::PlainFFormat::FourDecimals);
         (if four { 4 } else { 6 }, behind)
     } else {
         let format = format.strip_prefix('.')?;
         let digit = format.chars().next()?.to_digit(10)?;
         (digit as usize, format[1..].strip_prefix('f')?)
     };
-    state.coverage.accepted("active-comments.decimals-format");
-    state.coverage.accepted("active-comments.format-lasts");
-    state.coverage.accepted("active-comments.format-per-line");
+    state.coverage.accepted(rule::active_comments::DECIMALS_FORMAT);
+    state.coverage.accepted(rule::active_comments::FORMAT_LASTS);
+    state.coverage.accepted(rule::active_comments::FORMAT_PER_LINE);
     Some((decimals, behind))
 }
 
 /// Choice active-comments.default-format: the decimals of a value before any format.
 fn default_decimals(choices: &Choices) -> usize {
-    if choices.is("active-comments.default-format", "six-decimals") { 6 } else { 4 }
+    if choices.is(choice::active_comments::DefaultFormat::SixDecimals) { 6 } else { 4 }
 }
 
 /// Rule active-comments.wrong-format. What is not a format is shown as it stands.
 /// Quirk rs274.wrong-format-sign: one with a period loses its percent sign.
 fn wrong_format(text: &str, choices: &Choices) -> bool {
-    choices.quirk("rs274.wrong-format-sign") && quirks::loses_percent_sign(text)
+    choices.quirk(quirk::rs274::WRONG_FORMAT_SIGN) && quirks::loses_percent_sign(text)
 }
 
 /// A parameter, or `None` for a number that none has, and what stands behind it.
@@ -92,7 +94,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
         let (name, behind) = named.split_once('>')?;
         let name: String =
             name.chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
-        state.coverage.accepted("active-comments.named");
+        state.coverage.accepted(rule::active_comments::NAMED);
         return Some((Some(Name::Named(name.to_ascii_lowercase())), behind));
     }
     let digits =
@@ -101,7 +103,7 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
     if number.is_empty() {
         return None;
     }
-    state.coverage.accepted("active-comments.numbered");
+    state.coverage.accepted(rule::active_comments::NUMBERED);
     let last = parameters::last(&state.choices);
     let number = number.parse().ok().filter(|number| (1..=last).contains(number));
     Some((number.map(Name::Numbered), behind))
@@ -121,15 +123,15 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
                     .for_each(|rule| state.coverage.accepted(rule));
             }
             let value = quirks::reported_value(value, &state.choices);
-            let signed = value != 0.0 || state.choices.is("expressions.negative-zero", "kept");
+            let signed = value != 0.0 || state.choices.is(choice::expressions::NegativeZero::Kept);
             let value = if signed { value } else { 0.0 };
             let text = format!("{value:.decimals$}");
             // An integer has no negative zero.
             Ok(if text == "-0" { "0".to_owned() } else { text })
         }
         None | Some(Err(StepError::Refused(_))) => {
-            state.coverage.accepted("active-comments.absent-named");
-            let one = state.choices.is("active-comments.absent-name", "number-sign");
+            state.coverage.accepted(rule::active_comments::ABSENT_NAMED);
+            let one = state.choices.is(choice::active_comments::AbsentName::NumberSign);
             Ok(if one { "#" } else { "######" }.to_owned())
         }
         Some(Err(error)) => Err(error),

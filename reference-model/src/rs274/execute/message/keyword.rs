@@ -1,6 +1,7 @@
 //! What makes a comment active.
 
-use crate::rs274::choices::Choices;
+use crate::Choices;
+use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::quirks::text as quirks;
 
 /// What an active comment does.
@@ -30,15 +31,15 @@ pub(super) enum Active {
 
 impl Active {
     /// The rule that states what it does.
-    pub(super) fn rule(self) -> &'static str {
+    pub(super) fn rule(self) -> Rule {
         match self {
-            Self::Message => "active-comments.msg",
-            Self::Debug => "active-comments.debug",
-            Self::Print => "active-comments.print",
-            Self::Log => "active-comments.log",
-            Self::LogOpen | Self::LogAppend | Self::LogClose => "active-comments.log-open",
-            Self::ProbeOpen | Self::ProbeClose => "active-comments.probe-log",
-            Self::Abort => "active-comments.abort",
+            Self::Message => rule::active_comments::MSG,
+            Self::Debug => rule::active_comments::DEBUG,
+            Self::Print => rule::active_comments::PRINT,
+            Self::Log => rule::active_comments::LOG,
+            Self::LogOpen | Self::LogAppend | Self::LogClose => rule::active_comments::LOG_OPEN,
+            Self::ProbeOpen | Self::ProbeClose => rule::active_comments::PROBE_LOG,
+            Self::Abort => rule::active_comments::ABORT,
         }
     }
 }
@@ -61,7 +62,7 @@ const WITH_TEXT: [(&str, Active); 7] = [
 /// active-comments.msg-without-comma: whether MSG without a comma is a message.
 pub(super) fn active<'a>(comment: &'a str, choices: &Choices) -> Option<(Active, &'a str)> {
     if let Some((before, text)) = comment.split_once(',') {
-        let keyword = if choices.quirk("rs274.message-blanks") {
+        let keyword = if choices.quirk(quirk::rs274::MESSAGE_BLANKS) {
             quirks::keyword(before)
         } else {
             spelled(before)
@@ -79,7 +80,7 @@ pub(super) fn active<'a>(comment: &'a str, choices: &Choices) -> Option<(Active,
     if let Some(file) = behind(comment, "probeopen") {
         return Some((Active::ProbeOpen, file));
     }
-    if choices.is("active-comments.msg-without-comma", "message") {
+    if choices.is(choice::active_comments::MsgWithoutComma::Message) {
         return behind(comment, "msg").map(|text| (Active::Message, text));
     }
     None

@@ -7,6 +7,7 @@ mod tests;
 
 use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -25,15 +26,15 @@ use keyword::{Active, active};
 pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some((active, text)) = active(&comment.text, &state.choices) else {
         state.coverage.accepted(if keyword::has_msg_inside(&comment.text) {
-            "active-comments.msg-first"
+            rule::active_comments::MSG_FIRST
         } else {
-            "active-comments.plain"
+            rule::active_comments::PLAIN
         });
         return Ok(());
     };
     if active != Active::Abort {
         state.coverage.accepted(active.rule());
-        state.coverage.accepted("active-comments.message-first");
+        state.coverage.accepted(rule::active_comments::MESSAGE_FIRST);
     }
     match active {
         Active::Message => msg(text, state, record),
@@ -44,13 +45,13 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
             state.log_open = true;
             let append = active == Active::LogAppend;
             // Choice active-comments.file-name-blanks.
-            let whole = state.choices.is("active-comments.file-name-blanks", "part-of-it");
+            let whole = state.choices.is(choice::active_comments::FileNameBlanks::PartOfIt);
             let name = if whole { text } else { text.trim_matches(keyword::is_blank) };
             record.effect(state, Effect::LogOpen { file: name.to_owned(), append });
         }
         Active::LogClose => {
             let open = std::mem::replace(&mut state.log_open, false);
-            if open || state.choices.quirk("rs274.log-closed") {
+            if open || state.choices.quirk(quirk::rs274::LOG_CLOSED) {
                 record.effect(state, Effect::LogClose {});
             }
         }
@@ -68,7 +69,7 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
         }
         Active::Abort => {
             let message = expand(text, state)?;
-            return Err(refuse("active-comments.abort", FaultKind::AbortedByProgram, message));
+            return Err(refuse(rule::active_comments::ABORT, FaultKind::AbortedByProgram, message));
         }
     }
     Ok(())
@@ -77,15 +78,15 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
 /// Rule active-comments.msg. MSG and a comma at the beginning of a comment display the rest of it.
 /// Rule active-comments.msg-verbatim. The text is displayed as it stands; parameters are not replaced.
 fn msg(text: &str, state: &mut State, record: &mut Record) {
-    state.coverage.accepted("active-comments.msg-verbatim");
-    state.coverage.accepted("active-comments.msg-spelling");
+    state.coverage.accepted(rule::active_comments::MSG_VERBATIM);
+    state.coverage.accepted(rule::active_comments::MSG_SPELLING);
     record.effect(state, Effect::Message { channel: Channel::Display, text: text.to_owned() });
 }
 
 /// Rule active-comments.debug. DEBUG displays a message with the values of parameters in it.
 /// Rule parameters.debug-switch. While 5599 is 0 the DEBUG comments say nothing.
 fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    state.coverage.accepted("parameters.debug-switch");
+    state.coverage.accepted(rule::parameters::DEBUG_SWITCH);
     let switch = shown_value(&Name::Numbered(parameters::DEBUG_SWITCH), state)?;
     if switch.abs() > 0.0 { say(Channel::Display, text, state, record) } else { Ok(()) }
 }
@@ -94,8 +95,8 @@ fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepE
 /// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
 /// Quirk rs274.log-closed: it speaks all the same.
 fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    state.coverage.accepted("active-comments.log-closed");
-    if state.log_open || state.choices.quirk("rs274.log-closed") {
+    state.coverage.accepted(rule::active_comments::LOG_CLOSED);
+    if state.log_open || state.choices.quirk(quirk::rs274::LOG_CLOSED) {
         return say(Channel::Log, text, state, record);
     }
     Ok(())
@@ -119,13 +120,13 @@ fn say(
 /// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
 /// or its old one.
 fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
-    let new =
-        state.choices.is("active-comments.same-block-setting", "new") && !parameters::is_told(name);
+    let new = state.choices.is(choice::active_comments::SameBlockSetting::New)
+        && !parameters::is_told(name);
     match state.parameters.announced(name) {
         Some(value) if new => Ok(value),
         _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
             let message = "a message shows that the parameter does not exist";
-            let rule = "active-comments.absent-named";
+            let rule = rule::active_comments::ABSENT_NAMED;
             Err(refuse(rule, FaultKind::NoSuchParameter, message))
         }
         _ => parameters::value(name, state),

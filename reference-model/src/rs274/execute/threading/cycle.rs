@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::{number, selected_spindle, turning_spindle};
+use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::{letter, whole, word};
 use crate::rs274::quirks::threading as quirks;
@@ -77,13 +78,13 @@ pub(in crate::rs274::execute) fn perform(
         pass(&thread, depth, state, record);
     }
     if thread.springs > 0 {
-        state.coverage.accepted("threading.spring-passes");
+        state.coverage.accepted(rule::threading::SPRING_PASSES);
     }
     if let Some(end) = quirks::after_thread(words, thread.start, thread.end, state)? {
         traverse(end, state, record);
     }
-    state.coverage.accepted("threading.thread");
-    state.coverage.accepted("threading.degression");
+    state.coverage.accepted(rule::threading::THREAD);
+    state.coverage.accepted(rule::threading::DEGRESSION);
     Ok(())
 }
 
@@ -103,7 +104,7 @@ impl Thread {
 fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
     let direction = quirks::direction(thread.end - thread.start.z, state);
     let along = direction * crate::math::tangent_of_degrees(thread.slide);
-    let both = state.choices.is("threading.slide-end", "with-depth");
+    let both = state.choices.is(choice::threading::SlideEnd::WithDepth);
     let behind = if both { (thread.full - depth) * along } else { 0.0 };
     [thread.start.z + depth * along, thread.end - behind]
 }
@@ -122,14 +123,14 @@ fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
     let cut = thread.start.x + thread.peak + inward * depth;
     let out = cut - inward * thread.full;
     let at = |x: f64, z: f64| Position { x, z, ..line };
-    if state.position != line || state.choices.quirk("rs274.thread-clearance") {
+    if state.position != line || state.choices.quirk(quirk::rs274::THREAD_CLEARANCE) {
         traverse(line, state, record);
     }
     if !thread.tapers_in {
         traverse(at(cut, from), state, record);
     }
     let feed_override = state.modes.feed_override;
-    if state.choices.quirk("rs274.thread-feed-override") {
+    if state.choices.quirk(quirk::rs274::THREAD_FEED_OVERRIDE) {
         state.modes.feed_override = Switch::Off;
     }
     let aslant = thread.pitch * crate::math::hypotenuse(thread.full, thread.taper) / thread.taper;
@@ -175,7 +176,7 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
 fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     refused_words(words, state)?;
-    let spindle = if state.choices.is("threading.cycle-spindle", "turning") {
+    let spindle = if state.choices.is(choice::threading::CycleSpindle::Turning) {
         turning_spindle(words, state)?
     } else {
         selected_spindle(words, state)?
@@ -186,16 +187,16 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     let start = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     let end = if incremental { start.z + value('z') } else { value('z') };
-    let any_taper = state.choices.quirk("rs274.thread-long-taper");
+    let any_taper = state.choices.quirk(quirk::rs274::THREAD_LONG_TAPER);
     if value('e') > (end - start.z).abs() / 2.0 && !any_taper {
         let message = "a taper of more than half the thread";
-        return Err(refuse("threading.thread-taper", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::threading::THREAD_TAPER, FaultKind::WordOutOfRange, message));
     }
     if diameter {
-        state.coverage.accepted("threading.thread-diameter");
+        state.coverage.accepted(rule::threading::THREAD_DIAMETER);
     }
     let degression = word(words, 'r').unwrap_or_else(|| {
-        let areas = state.choices.is("threading.without-degression", "constant-area");
+        let areas = state.choices.is(choice::threading::WithoutDegression::ConstantArea);
         if areas { 2.0 } else { 1.0 }
     });
     let springs = word(words, 'h').map_or(Some(0), whole);
@@ -223,11 +224,11 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
 }
 
 fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
-    if state.modes.plane != Plane::Zx && !state.choices.quirk("rs274.thread-any-plane") {
+    if state.modes.plane != Plane::Zx && !state.choices.quirk(quirk::rs274::THREAD_ANY_PLANE) {
         let message = "G76 in another plane than ZX";
-        return Err(refuse("threading.thread-plane", FaultKind::ModalConflict, message));
+        return Err(refuse(rule::threading::THREAD_PLANE, FaultKind::ModalConflict, message));
     }
-    let x_and_y = state.choices.quirk("rs274.thread-other-axes");
+    let x_and_y = state.choices.quirk(quirk::rs274::THREAD_OTHER_AXES);
     let other = |axis: &Axis| {
         let allowed = *axis == Axis::Z || x_and_y && matches!(axis, Axis::X | Axis::Y);
         !allowed && word(words, letter(*axis)).is_some()
@@ -235,22 +236,22 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
     let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some());
     if Axis::ALL.iter().any(other) || polar && !x_and_y {
         let message = "G76 with another axis word than Z";
-        return Err(refuse("threading.thread-axis-words", FaultKind::AxisWords, message));
+        return Err(refuse(rule::threading::THREAD_AXIS_WORDS, FaultKind::AxisWords, message));
     }
     if let Some(missing) = "pzijk".chars().find(|letter| word(words, *letter).is_none()) {
         let message = format!("G76 needs {}", missing.to_ascii_uppercase());
-        return Err(refuse("threading.thread-words", FaultKind::MissingWord, message));
+        return Err(refuse(rule::threading::THREAD_WORDS, FaultKind::MissingWord, message));
     }
     let below = |letter: char, least: f64| word(words, letter).is_some_and(|value| value < least);
-    let any_springs = state.choices.quirk("rs274.thread-negative-springs");
+    let any_springs = state.choices.quirk(quirk::rs274::THREAD_NEGATIVE_SPRINGS);
     let not_negative = if any_springs { "pjk" } else { "pjkh" };
     if let Some(negative) = not_negative.chars().find(|letter| below(*letter, 0.0)) {
         let message = format!("a negative {} of G76", negative.to_ascii_uppercase());
-        return Err(refuse("threading.thread-negative", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::threading::THREAD_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
-    if below('r', 1.0) && !state.choices.quirk("rs274.thread-low-degression") {
+    if below('r', 1.0) && !state.choices.quirk(quirk::rs274::THREAD_LOW_DEGRESSION) {
         let message = "a degression of less than 1";
-        return Err(refuse("threading.thread-degression", FaultKind::WordOutOfRange, message));
+        return Err(refuse(rule::threading::THREAD_DEGRESSION, FaultKind::WordOutOfRange, message));
     }
     Ok(())
 }
@@ -276,11 +277,11 @@ fn open(thread: &Thread, state: &mut State) -> Result<(), StepError> {
         return Err(StepError::Unsupported("a thread under cutter compensation".to_owned()));
     }
     if thread.slide.abs() > 0.0 {
-        state.coverage.accepted("threading.thread-slide");
+        state.coverage.accepted(rule::threading::THREAD_SLIDE);
     }
     if tapers {
-        state.coverage.accepted("threading.thread-tapers");
-        state.coverage.accepted("threading.thread-taper");
+        state.coverage.accepted(rule::threading::THREAD_TAPERS);
+        state.coverage.accepted(rule::threading::THREAD_TAPER);
     }
     Ok(())
 }

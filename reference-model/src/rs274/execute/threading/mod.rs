@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::{
 
 use super::target::end_point;
 use super::{spindle, word};
+use crate::ids::rule;
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, unit_size};
@@ -34,13 +35,13 @@ pub(super) fn perform(
 ) -> Result<(), StepError> {
     if !has_axis_words(words) {
         let message = "a synchronised move without an axis word";
-        return Err(refuse("threading.axis-words-missing", FaultKind::MissingWord, message));
+        return Err(refuse(rule::threading::AXIS_WORDS_MISSING, FaultKind::MissingWord, message));
     }
     quirks::feed_word(words, state)?;
     let place = turning_spindle(words, state)?;
     let Some(pitch) = word(words, 'k') else {
         let message = "a synchronised move without K, its way per revolution";
-        return Err(refuse("threading.needs-pitch", FaultKind::MissingWord, message));
+        return Err(refuse(rule::threading::NEEDS_PITCH, FaultKind::MissingWord, message));
     };
     if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
         let what = "a way per revolution, or a factor of the way back, that is not positive";
@@ -59,13 +60,13 @@ pub(super) fn perform(
     if motion == Motion::SpindleSynchronised {
         state.position = end;
         record.effect(state, Effect::StraightFeed { end });
-        state.coverage.accepted("threading.synchronised");
+        state.coverage.accepted(rule::threading::SYNCHRONISED);
     } else {
         record.effect(state, Effect::RigidTap { end });
-        state.coverage.accepted("threading.rigid-tap");
+        state.coverage.accepted(rule::threading::RIGID_TAP);
     }
     record.effect(state, Effect::StopSpindleSynchronisation {});
-    state.coverage.accepted("threading.axis-words-missing");
+    state.coverage.accepted(rule::threading::AXIS_WORDS_MISSING);
     Ok(())
 }
 
@@ -74,9 +75,9 @@ pub(super) fn perform(
 /// Rule threading.spindle. It is one that the machine has.
 fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, StepError> {
     let Some(number) = word(words, '$') else { return Ok(state.chosen_spindle) };
-    let place = spindle::number(number, state, "threading.spindle")?;
+    let place = spindle::number(number, state, rule::threading::SPINDLE)?;
     settings::choose(place, state);
-    state.coverage.accepted("threading.spindle");
+    state.coverage.accepted(rule::threading::SPINDLE);
     Ok(place)
 }
 
@@ -88,9 +89,9 @@ fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, StepError>
     let turn = state.modes.spindles[place].known_turn();
     if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
         let message = "a synchronised move while the spindle does not turn";
-        return Err(refuse("threading.needs-spindle", FaultKind::ZeroSpeed, message));
+        return Err(refuse(rule::threading::NEEDS_SPINDLE, FaultKind::ZeroSpeed, message));
     }
-    state.coverage.accepted("threading.needs-spindle");
+    state.coverage.accepted(rule::threading::NEEDS_SPINDLE);
     Ok(place)
 }
 
@@ -126,9 +127,9 @@ fn within_velocities(
     };
     if revolutions > 0.0 && Axis::ALL.iter().any(too_fast) {
         let message = "a move in step with the spindle that is too fast for an axis";
-        return Err(refuse("threading.velocity", FaultKind::BeyondLimit, message));
+        return Err(refuse(rule::threading::VELOCITY, FaultKind::BeyondLimit, message));
     }
-    state.coverage.accepted("threading.velocity");
+    state.coverage.accepted(rule::threading::VELOCITY);
     Ok(())
 }
 

@@ -1,0 +1,68 @@
+//! Quirks of M19.
+
+use gaugeblock_vocabulary::Pin;
+
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::orient::{
+    OrientRules, angle, direction, spindles, timeout, turn_to, wait_for,
+};
+use crate::rs274::execute::spindle::all;
+use crate::rs274::execute::{pass, word};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+impl OrientRules for LinuxCnc {
+    /// Quirk rs274.orient-without-angle. Without R the angle is zero if P is there, and else the spindle turns nowhere.
+    /// Quirk rs274.orient-without-timeout. Without Q the run does not wait.
+    /// Quirk rs274.orient-forgets-turning. After M19 every spindle is taken for stopped, until it is started again.
+    fn orient(
+        &self,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        let has = |letter| word(words, letter).is_some();
+        let spindles = spindles(words, state)?;
+        let angle = if !has('r') && state.shows(quirk::rs274::ORIENT_WITHOUT_ANGLE) {
+            has('p').then_some(state.machine.orient_offset)
+        } else {
+            Some(angle(words, state)?)
+        };
+        let direction = direction(words, state)?;
+        let timeout = if !has('q') && state.shows(quirk::rs274::ORIENT_WITHOUT_TIMEOUT) {
+            None
+        } else {
+            Some(timeout(words, state)?)
+        };
+        if state.shows(quirk::rs274::ORIENT_FORGETS_TURNING) {
+            state.modes.memory.get_mut().taken_for_stopped = all(state).into_iter().collect();
+        }
+        if let Some(angle) = angle {
+            turn_to(&spindles, angle, direction, state, record);
+        }
+        pass(0.0, state);
+        match timeout {
+            Some(timeout) => wait_for(&spindles, timeout, state, record),
+            None => Ok(()),
+        }
+    }
+
+    /// Quirk linuxcnc.orient-while-locked. A spindle that is locked is not asked again.
+    fn request_orientation(&self, place: usize, state: &mut State) {
+        let pin = u16::try_from(place).map(Pin::SpindleLocked);
+        let locked = pin.is_ok_and(|pin| state.environment.level(pin) != 0.0);
+        if !locked || !state.shows(quirk::linuxcnc::ORIENT_WHILE_LOCKED) {
+            Documented.request_orientation(place, state);
+        }
+    }
+
+    /// Quirk linuxcnc.speed-releases-brake. A speed has released it.
+    fn applies_brake(&self, place: usize, locked: bool, state: &State) -> bool {
+        let released = state.modes.memory.get().brake_released.contains(&place);
+        (locked || !released) && Documented.applies_brake(place, locked, state)
+    }
+}

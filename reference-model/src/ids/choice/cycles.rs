@@ -1,0 +1,49 @@
+//! Each choice of `cycles`; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+choices! {
+    super::first::CYCLES;
+
+    /// Whether G73 ends at R under G98 too. Its own section names R; the section on the return mode speaks of
+    /// all canned cycles.
+    ChipBreakReturn = "cycles.chip-break-return" {
+        /// it ends at R, as its own section says
+        Retract = "retract",
+        /// it ends where the return mode says
+        ReturnLevel = "return-level",
+    }
+
+    /// Whether P and Q of a canned cycle stick as R and the depth do. The manual says what a sticky number
+    /// is, and of these two that the block of the cycle specifies them.
+    StickyArguments = "cycles.sticky-arguments" {
+        /// a later block of the same cycle may leave them out
+        Sticky = "sticky",
+        /// each block needs them
+        EachBlock = "each-block",
+    }
+
+    /// Whether G84 needs a spindle that turns clockwise, and G74 one that turns counterclockwise. The manual
+    /// names no such error, and each cycle starts the other direction for the way out.
+    TapDirection = "cycles.tap-direction" {
+        /// however it turns, or stands
+        Any = "any",
+        /// it must turn as the thread is cut
+        AsCut = "as-cut",
+    }
+
+    /// Whether the spindle turns as before after G84 and G74. The list of what they do ends with the
+    /// overrides.
+    TapReturn = "cycles.tap-return" {
+        /// it stays as it turned on the way out
+        Reversed = "reversed",
+        /// it turns as before
+        AsBefore = "as-before",
+    }
+
+    /// Whether G84 and G74 need P. Both dwell for P seconds.
+    TapWithoutDwell = "cycles.tap-without-dwell" {
+        /// they need it
+        Refused = "refused",
+        /// without it they dwell for zero seconds
+        Zero = "zero",
+    }
+}

@@ -1,0 +1,42 @@
+//! Each choice of `modal-groups`; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+choices! {
+    super::first::MODAL_GROUPS;
+
+    /// The motion mode at the start of a program. One is always in effect; the documents do not say which.
+    InitialMotion = "modal-groups.initial-motion" {
+        /// G80
+        None = "none",
+        /// G1, as after a program end
+        Feed = "feed",
+        /// G0
+        Traverse = "traverse",
+    }
+
+    /// The return mode of canned cycles at the start of a program. One of its group is in effect; the
+    /// documents do not say which.
+    InitialRetract = "modal-groups.initial-retract" {
+        /// G99
+        RPlane = "r-plane",
+        /// G98
+        OldZ = "old-z",
+    }
+
+    /// Whether M62 to M68 exclude each other in a block. The table names a group of inputs and outputs, and
+    /// its members are not filled in.
+    IoMembers = "modal-groups.io-members" {
+        /// they do
+        Exclusive = "exclusive",
+        /// they do not
+        Independent = "independent",
+    }
+
+    /// Whether M50 to M53 belong to the modal group of M48 and M49. The table lists these two only; the order
+    /// of execution names all six together.
+    OverrideMembers = "modal-groups.override-members" {
+        /// M48 and M49 only: M52 and M53 may stand in one block
+        Listed = "listed",
+        /// M48 to M53 are one group
+        All = "all",
+    }
+}

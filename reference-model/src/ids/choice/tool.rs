@@ -1,0 +1,84 @@
+//! Each choice of `tool`; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+choices! {
+    super::first::TOOL;
+
+    /// Whether a tool may be changed while cutter compensation is on. The chapter names no such error;
+    /// another place of the last manual tells of one.
+    ChangeUnderCompensation = "tool.change-under-compensation" {
+        /// it may
+        Accepted = "accepted",
+        /// it may not
+        Refused = "refused",
+    }
+
+    /// Whether M6 needs a T since the last tool change. The chapter says only which T counts; another place
+    /// of the last manual tells of the error.
+    ChangeWithoutSelection = "tool.change-without-selection" {
+        /// it does
+        Refused = "refused",
+        /// it does not, and the tool stays
+        Accepted = "accepted",
+    }
+
+    /// Whether a T that names no tool may be selected. One sentence has the spindle empty after a change to
+    /// an empty slot, another one refuses a number that is not in the tool table.
+    EmptySlot = "tool.empty-slot" {
+        /// the spindle is empty after the change
+        Accepted = "accepted",
+        /// the selection is refused
+        Refused = "refused",
+    }
+
+    /// Whether G10 L1, L10 and L11 may have a tool and nothing to set of it: the syntax has axis words, an
+    /// example has none, and no error is listed.
+    EntryWithoutWords = "tool.entry-without-words" {
+        /// the entry is written as it is
+        Accepted = "accepted",
+        /// there is nothing to set
+        Refused = "refused",
+    }
+
+    /// Whether G43, G43.1, G43.2 and G49 are allowed while cutter compensation is on. The sections on them
+    /// name no such error.
+    LengthUnderCompensation = "tool.length-under-compensation" {
+        /// the offset changes
+        Accepted = "accepted",
+        /// it cannot
+        Refused = "refused",
+    }
+
+    /// Where the tool that was in the spindle goes on a machine whose tools change places: one text says its
+    /// own slot; the later ones say the magazine, and their machine exchanges both tools.
+    OldToolPlace = "tool.old-tool-place" {
+        /// to its own slot
+        ItsOwnSlot = "its-own-slot",
+        /// to the slot from which the new one was taken
+        SlotOfTheNew = "slot-of-the-new",
+    }
+
+    /// What the number of T is: that of a slot of the changer, or that of a tool. The older text says slot;
+    /// the last one says pocket in one place, and tool in another.
+    SelectedBy = "tool.selected-by" {
+        /// the number of a tool in the tool table
+        Number = "number",
+        /// the number of a slot of the changer
+        Slot = "slot",
+    }
+
+    /// Whether M61 may stand in a program. The text speaks of MDI and manual mode.
+    SetNumberInProgram = "tool.set-number-in-program" {
+        /// it may
+        Accepted = "accepted",
+        /// it belongs to MDI and manual mode
+        Refused = "refused",
+    }
+
+    /// Whether M61 may name a tool that the tool table does not hold. The documents name no such error.
+    SetNumberUnknown = "tool.set-number-unknown" {
+        /// it may not
+        Refused = "refused",
+        /// it may
+        Accepted = "accepted",
+    }
+}

@@ -1,0 +1,31 @@
+//! Each quirk of `linuxcnc`; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+quirks! {
+    super::first::LINUXCNC;
+
+    /// The program end leaves the controller in auto mode.
+    AUTO_AFTER_PROGRAM_END = "linuxcnc.auto-after-program-end",
+    /// A request for auto mode while a program runs in it drops the program without a word.
+    AUTO_WHILE_RUNNING = "linuxcnc.auto-while-running",
+    /// Cycle start is refused while the program pauses at M60; resume lets it go on.
+    CYCLE_START_WHILE_PAUSED = "linuxcnc.cycle-start-while-paused",
+    /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
+    INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
+    /// M66 with the number of no input is accepted and reads zero.
+    INPUT_NUMBER = "linuxcnc.input-number",
+    /// An abort brings back the modes that were in force at the last motion of the main program.
+    MODES_OF_LAST_MOTION = "linuxcnc.modes-of-last-motion",
+    /// M19 for a spindle that is locked sets angle and direction, but does not ask the spindle to turn there.
+    ORIENT_WHILE_LOCKED = "linuxcnc.orient-while-locked",
+    /// M64, M65 and M68 with the number of no output show an error and change nothing, and the program goes
+    /// on.
+    OUTPUT_NUMBER_AT_ONCE = "linuxcnc.output-number-at-once",
+    /// M62, M63 and M67 with the number of no output are accepted, and nothing changes.
+    OUTPUT_NUMBER_WITH_MOTION = "linuxcnc.output-number-with-motion",
+    /// When a program starts `_value` still tells what the last sub of the program before it has returned.
+    RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
+    /// A speed releases the brake of a spindle that stands; the next stop applies it again.
+    SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
+    /// M66 with L above 4 is accepted, and ends with its time-out, whatever the input does.
+    WAIT_MODE_TIMES_OUT = "linuxcnc.wait-mode-times-out",
+}

@@ -1,0 +1,10 @@
+//! Every quirk by its chapter; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+mod first;
+pub mod linuxcnc;
+pub mod rs274;
+
+pub(crate) use first::COUNT;
+
+/// The ids of each chapter, in the order of their numbers.
+pub(super) const CHAPTERS: &[&[&str]] = &[linuxcnc::CHAPTER_IDS, rs274::CHAPTER_IDS];
