@@ -102,6 +102,12 @@ impl Choices {
         self.options[usize::from(C::NUMBER)] == option.place()
     }
 
+    /// Whether any quirk is observed.
+    #[inline]
+    pub fn has_quirks(&self) -> bool {
+        self.quirks != [0; WORDS]
+    }
+
     /// Whether a quirk is observed.
     #[inline]
     pub fn quirk(&self, quirk: Quirk) -> bool {

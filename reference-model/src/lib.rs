@@ -11,6 +11,11 @@
 
 mod choices;
 mod coverage;
+#[cfg(feature = "dialects")]
+pub mod dialects;
+#[cfg(not(feature = "dialects"))]
+#[path = "no_dialects.rs"]
+mod dialects;
 pub mod gpp;
 pub mod ids;
 mod math;

@@ -18,6 +18,7 @@
 
 pub mod check;
 pub mod control;
+pub(crate) mod dialect;
 pub mod environment;
 pub mod evaluate;
 pub mod execute;

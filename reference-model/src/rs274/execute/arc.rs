@@ -9,20 +9,19 @@ use gaugeblock_vocabulary::{
 
 use super::target::{end_point, letter};
 use super::{whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::motion as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// A point of the selected plane: along its first axis, along its second.
-type InPlane = (f64, f64);
+pub(crate) type InPlane = (f64, f64);
 
 /// The axes of an arc.
 #[derive(Clone, Copy, Debug)]
-struct Axes {
+pub(crate) struct Axes {
     first: Axis,
     second: Axis,
     /// The one that the circle goes round, and a helix along.
@@ -182,18 +181,98 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
     math::hypotenuse(to.0 - from.0, to.1 - from.1)
 }
 
-/// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length
-/// unit.
-///
-/// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
-fn tolerances(state: &State) -> (f64, f64) {
-    let fine = state.choices.is(choice::arcs::SmallTolerance::Fine);
-    quirks::radius_tolerances(state).unwrap_or(match (state.modes.units, fine) {
-        (LengthUnit::Inch, false) => (0.05, 0.000_5),
-        (LengthUnit::Inch, true) => (0.05, 0.000_1),
-        (LengthUnit::Millimetre, false) => (0.5, 0.005),
-        (LengthUnit::Millimetre, true) => (0.5, 0.001),
-    })
+/// What a controller may do otherwise with an arc.
+pub(crate) trait ArcRules {
+    /// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length
+    /// unit.
+    ///
+    /// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
+    fn radius_tolerances(&self, state: &State) -> (f64, f64) {
+        let fine = state.choices.is(choice::arcs::SmallTolerance::Fine);
+        match (state.modes.units, fine) {
+            (LengthUnit::Inch, false) => (0.05, 0.000_5),
+            (LengthUnit::Inch, true) => (0.05, 0.000_1),
+            (LengthUnit::Millimetre, false) => (0.5, 0.005),
+            (LengthUnit::Millimetre, true) => (0.5, 0.001),
+        }
+    }
+
+    /// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice. The radius is that at the
+    /// start and that at the end.
+    fn check_radius(
+        &self,
+        to_start: f64,
+        _to_end: f64,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        if to_start == 0.0 {
+            let rule = rule::arcs::ZERO_RADIUS;
+            if state.choices.is(choice::arcs::ZeroRadius::Refused) {
+                return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
+            }
+            state.coverage.accepted(rule);
+        }
+        Ok(())
+    }
+
+    /// Rule arcs.radius-needs-axis. Whether a word of an arc with a radius names an axis of the selected plane; polar
+    /// words do.
+    fn names_axis_of_plane(&self, axes: Axes, words: &Words, _state: &State) -> bool {
+        names_axis(axes, words) || ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
+    }
+
+    /// The centre of an arc with a radius, from its start and half of its chord.
+    ///
+    /// Rule arcs.radius. The circle has this radius and goes through both points.
+    /// Rule arcs.radius-sign. A positive radius is that of the shorter arc, a negative one of the longer.
+    fn centre_beside_start(
+        &self,
+        start: InPlane,
+        chord: (f64, InPlane),
+        radius: f64,
+        clockwise: bool,
+        state: &mut State,
+    ) -> Result<InPlane, StepError> {
+        let (half, _) = chord;
+        if half > radius.abs() {
+            short_radius(radius, half, state)?;
+        }
+        let centre = centre_beside_chord(start, chord, radius, clockwise);
+        has_numbers(centre, radius)?;
+        state.coverage.accepted(rule::arcs::RADIUS);
+        state.coverage.accepted(rule::arcs::RADIUS_SIGN);
+        Ok(centre)
+    }
+}
+
+/// Whether a word names an axis of the plane.
+pub(crate) fn names_axis(axes: Axes, words: &Words) -> bool {
+    [axes.first, axes.second].iter().any(|axis| word(words, letter(*axis)).is_some())
+}
+
+/// Rule arcs.radius-too-small. A radius of less than half the chord is refused.
+/// Rule arcs.radius-just-too-small. Where it misses what numbers lose when they are written, that is a choice. No
+/// circle has a radius of zero, and no number that is written is rounded to it.
+fn short_radius(radius: f64, half: f64, state: &mut State) -> Result<(), StepError> {
+    let rule = rule::arcs::RADIUS_JUST_TOO_SMALL;
+    let just = radius != 0.0 && half - radius.abs() <= lost_in_writing(state);
+    if just && state.choices.is(choice::arcs::RadiusJustTooSmall::HalfCircle) {
+        state.coverage.accepted(rule);
+        return Ok(());
+    }
+    if just {
+        state.coverage.refused(rule);
+    }
+    let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
+    Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message))
+}
+
+/// What numbers lose when they are written, active length unit.
+pub(crate) fn lost_in_writing(state: &State) -> f64 {
+    match state.modes.units {
+        LengthUnit::Inch => 0.000_05,
+        LengthUnit::Millimetre => 0.001_27,
+    }
 }
 
 /// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number
@@ -207,7 +286,6 @@ fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
 }
 
 /// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
-/// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice.
 fn same_radius(
     start: InPlane,
     centre: InPlane,
@@ -216,32 +294,17 @@ fn same_radius(
 ) -> Result<(), StepError> {
     let (to_start, to_end) = (distance(centre, start), distance(centre, end));
     has_numbers(centre, to_start.max(to_end))?;
-    let (large, small) = tolerances(state);
+    let (large, small) = state.dialect().radius_tolerances(state);
     let apart = (to_start - to_end).abs();
     if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");
         return Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message));
     }
     state.coverage.accepted(rule::arcs::UNEQUAL_RADII);
-    if to_start.min(to_end) < quirks::least_radius(state) {
-        let message = "an arc whose centre is at its start or its end";
-        return Err(refuse(quirk::rs274::ARC_LEAST_RADIUS, FaultKind::BadArc, message));
-    }
-    if to_start == 0.0 {
-        let rule = rule::arcs::ZERO_RADIUS;
-        if state.choices.is(choice::arcs::ZeroRadius::Refused) {
-            return Err(refuse(rule, FaultKind::BadArc, "an arc without a radius"));
-        }
-        state.coverage.accepted(rule);
-    }
-    Ok(())
+    state.dialect().check_radius(to_start, to_end, state)
 }
 
 /// The centre of an arc with a radius, in program coordinates.
-///
-/// Rule arcs.radius. The circle has this radius and goes through both points.
-/// Rule arcs.radius-sign. A positive radius is that of the shorter arc, a negative one of the longer.
-/// Rule arcs.radius-just-too-small. A radius that is too small by what numbers lose when they are written is a choice.
 ///
 /// # Errors
 /// Rules arcs.radius-needs-axis, arcs.radius-same-point, arcs.radius-too-small.
@@ -253,10 +316,7 @@ fn centre_of_radius(
     words: &Words,
     state: &mut State,
 ) -> Result<InPlane, StepError> {
-    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
-        && !quirks::polar_names_none(state);
-    let named = |axis: Axis| word(words, letter(axis)).is_some();
-    if !named(axes.first) && !named(axes.second) && !polar {
+    if !state.dialect().names_axis_of_plane(axes, words, state) {
         let message = "an arc with a radius needs a word of an axis of the selected plane";
         return Err(refuse(rule::arcs::RADIUS_NEEDS_AXIS, FaultKind::MissingWord, message));
     }
@@ -265,34 +325,7 @@ fn centre_of_radius(
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));
     }
-    let chord = half_chord(start, end);
-    let (half, _) = chord;
-    let short = half - radius.abs();
-    if short > 0.0 {
-        let tolerance = match state.modes.units {
-            LengthUnit::Inch => 0.000_05,
-            LengthUnit::Millimetre => 0.001_27,
-        };
-        let accepted = state.choices.is(choice::arcs::RadiusJustTooSmall::HalfCircle);
-        // No circle has a radius of zero, and no number that is written is rounded to it.
-        let none = radius == 0.0 && !quirks::arcs_without_radius(state);
-        if !accepted || none || short > tolerance {
-            if !none && short <= tolerance {
-                state.coverage.refused(rule::arcs::RADIUS_JUST_TOO_SMALL);
-            }
-            let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
-            return Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message));
-        }
-        state.coverage.accepted(rule::arcs::RADIUS_JUST_TOO_SMALL);
-        if radius == 0.0 {
-            return Ok((f64::NAN, f64::NAN));
-        }
-    }
-    let centre = centre_beside_chord(start, chord, radius, clockwise);
-    has_numbers(centre, radius)?;
-    state.coverage.accepted(rule::arcs::RADIUS);
-    state.coverage.accepted(rule::arcs::RADIUS_SIGN);
-    Ok(centre)
+    state.dialect().centre_beside_start(start, half_chord(start, end), radius, clockwise, state)
 }
 
 /// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long

@@ -1,53 +1,63 @@
 //! G93, G94, G95 and F.
 
-use gaugeblock_vocabulary::{FaultKind, FeedMode, Switch};
+use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;
 use super::spindle::number;
 use super::word;
-use crate::ids::{quirk, rule};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
-/// Selects the feed mode.
-///
-/// Rules feed.inverse-time, feed.per-minute, feed.per-revolution.
-///
-/// # Errors
-/// Rule feed.per-revolution-spindle: $ of G95 names no spindle of the machine.
-pub fn select_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let (mode, rule) = if words.g.contains(&930) {
-        (FeedMode::InverseTime, rule::feed::INVERSE_TIME)
-    } else if words.g.contains(&940) {
-        (FeedMode::PerMinute, rule::feed::PER_MINUTE)
-    } else {
-        (FeedMode::PerRevolution, rule::feed::PER_REVOLUTION)
-    };
-    if mode == FeedMode::PerRevolution
-        && let Some(spindle) = word(words, '$')
-    {
-        number(spindle, state, rule::feed::PER_REVOLUTION_SPINDLE)?;
-        state.coverage.accepted(rule::feed::PER_REVOLUTION_SPINDLE);
+/// What a controller may do otherwise with the feed.
+pub(crate) trait FeedRules {
+    /// Selects the feed mode.
+    ///
+    /// Rules feed.inverse-time, feed.per-minute, feed.per-revolution. Rule feed.per-revolution-spindle. The $ of G95
+    /// names a spindle of the machine.
+    fn select_feed_mode(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        let (mode, rule) = if words.g.contains(&930) {
+            (FeedMode::InverseTime, rule::feed::INVERSE_TIME)
+        } else if words.g.contains(&940) {
+            (FeedMode::PerMinute, rule::feed::PER_MINUTE)
+        } else {
+            (FeedMode::PerRevolution, rule::feed::PER_REVOLUTION)
+        };
+        if mode == FeedMode::PerRevolution
+            && let Some(spindle) = word(words, '$')
+        {
+            number(spindle, state, rule::feed::PER_REVOLUTION_SPINDLE)?;
+            state.coverage.accepted(rule::feed::PER_REVOLUTION_SPINDLE);
+        }
+        state.coverage.accepted(rule);
+        if mode != state.modes.feed_mode {
+            state.dialect().switch_feed_mode(mode, state);
+        }
+        Ok(())
     }
-    quirks::choose_by_feed_mode(words, state)?;
-    state.coverage.accepted(rule);
-    change_mode(mode, state);
-    Ok(())
-}
 
-/// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
-fn change_mode(mode: FeedMode, state: &mut State) {
-    let switched =
-        mode != state.modes.feed_mode || state.choices.quirk(quirk::rs274::FEED_LOST_AT_SAME_MODE);
-    if switched && mode != FeedMode::InverseTime {
-        state.modes.feed_rate = 0.0;
-        state.modes.feed_number = 0.0;
-        state.modes.feed_awaited = true;
+    /// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
+    fn switch_feed_mode(&self, mode: FeedMode, state: &mut State) {
+        if mode != FeedMode::InverseTime {
+            state.modes.feed_rate = 0.0;
+            state.modes.feed_awaited = true;
+        }
+        state.modes.feed_mode = mode;
     }
-    state.modes.feed_mode = mode;
+
+    /// Whether a motion takes the F of its block: under inverse time any other motion ignores it
+    /// (feed.inverse-time-stray-rate).
+    fn takes_feed_rate(&self, motion: Motion, _state: &State) -> bool {
+        is_probing(motion) || is_spline(motion) || is_feed(motion)
+    }
+
+    /// Rule feed.rate. F holds until another F.
+    fn use_feed_rate(&self, rate: f64, state: &mut State) {
+        state.modes.feed_rate = rate;
+        state.modes.feed_awaited = false;
+    }
 }
 
 /// Sets the feed rate.
@@ -64,10 +74,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(refuse(rule::feed::NEGATIVE_RATE, FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);
-    let feeds = motion.is_some_and(|motion| {
-        let probes = is_probing(motion) && !state.choices.quirk(quirk::rs274::PROBE_INVERSE_TIME);
-        probes || is_spline(motion) || is_feed(motion)
-    });
+    let feeds = motion.is_some_and(|motion| state.dialect().takes_feed_rate(motion, state));
     if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
         state.coverage.accepted(rule::feed::INVERSE_TIME_STRAY_RATE);
         return Ok(());
@@ -76,13 +83,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     if motion.is_none() {
         state.coverage.accepted(rule::feed::RATE_MOVES_NOTHING);
     }
-    state.modes.feed_rate = rate;
-    let of_move = state.modes.feed_mode == FeedMode::InverseTime
-        && state.choices.quirk(quirk::rs274::FEED_NAME_INVERSE_TIME);
-    if !of_move {
-        state.modes.feed_number = rate;
-    }
-    state.modes.feed_awaited = false;
+    state.dialect().use_feed_rate(rate, state);
     Ok(())
 }
 

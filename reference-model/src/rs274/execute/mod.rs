@@ -1,6 +1,6 @@
 //! What each phase of a block does.
 
-mod arc;
+pub(crate) mod arc;
 pub mod compensation;
 pub mod coolant;
 pub mod cycles;

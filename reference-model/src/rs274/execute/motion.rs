@@ -149,6 +149,29 @@ fn moves_by(words: &Words) -> bool {
     !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
 }
 
+/// What a controller may do otherwise when it moves.
+pub(crate) trait MotionRules {
+    /// Moves straight to a point.
+    fn move_straight(
+        &self,
+        motion: Motion,
+        end: Position,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) {
+        state.modes.motion = motion;
+        state.position = end;
+        accepted(motion, end, words, state);
+        let effect = if motion == Motion::Feed {
+            Effect::StraightFeed { end }
+        } else {
+            Effect::StraightTraverse { end }
+        };
+        record.effect(state, effect);
+    }
+}
+
 /// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
 fn without_axis_words(
     motion: Motion,
@@ -186,16 +209,7 @@ fn move_to(
     } else {
         end_point(words, state)?
     };
-    state.modes.motion = motion;
-    motion_quirks::feed_of_move(motion, end, state);
-    state.position = end;
-    accepted(motion, end, words, state);
-    let effect = if motion == Motion::Feed {
-        Effect::StraightFeed { end }
-    } else {
-        Effect::StraightTraverse { end }
-    };
-    record.effect(state, effect);
+    state.dialect().move_straight(motion, end, words, state, record);
     Ok(())
 }
 

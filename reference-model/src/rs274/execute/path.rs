@@ -5,36 +5,34 @@ use gaugeblock_vocabulary::{FaultKind, Path};
 use super::word;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
-/// Selects the path control mode.
-///
-/// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it
-/// is active (path-control.repeated).
-///
-/// # Errors
-/// Rule path-control.negative-tolerance.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
-    quirks::path_under_compensation(state)?;
-    let before = state.modes.path;
-    let (path, rule) = if words.g.contains(&610) {
-        (Path::ExactPath, rule::path_control::EXACT_PATH)
-    } else if words.g.contains(&611) {
-        (Path::ExactStop, rule::path_control::EXACT_STOP)
-    } else {
-        (Path::Continuous, rule::path_control::CONTINUOUS)
-    };
-    state.coverage.accepted(rule);
-    if path == before {
-        state.coverage.accepted(rule::path_control::REPEATED);
+/// What a controller may do otherwise with the path control mode.
+pub(crate) trait PathRules {
+    /// Selects the path control mode.
+    ///
+    /// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it
+    /// is active (path-control.repeated).
+    fn select_path(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        let before = state.modes.path;
+        let (path, rule) = if words.g.contains(&610) {
+            (Path::ExactPath, rule::path_control::EXACT_PATH)
+        } else if words.g.contains(&611) {
+            (Path::ExactStop, rule::path_control::EXACT_STOP)
+        } else {
+            (Path::Continuous, rule::path_control::CONTINUOUS)
+        };
+        state.coverage.accepted(rule);
+        if path == before {
+            state.coverage.accepted(rule::path_control::REPEATED);
+        }
+        state.modes.path = path;
+        if path == Path::Continuous {
+            tolerances(words, state)?;
+        }
+        Ok(())
     }
-    state.modes.path = path;
-    if path == Path::Continuous {
-        tolerances(words, state)?;
-    }
-    Ok(())
 }
 
 /// The tolerances of G64, in the active length unit.
@@ -56,7 +54,6 @@ fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
         });
     }
     state.modes.blend_tolerance = blend.unwrap_or(0.0);
-    state.modes.tolerance_unit = state.modes.units;
     state.modes.naive_cam_tolerance = naive_cam.or(blend).unwrap_or(0.0);
     Ok(())
 }

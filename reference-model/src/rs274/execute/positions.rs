@@ -2,14 +2,13 @@
 
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
 
-use super::target::{end_point, letter, shifted};
+use super::target::{end_point, letter};
 use super::tool_change::traverse;
 use super::word;
 use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::modes::{converted, each};
+use crate::rs274::modes::converted;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -19,6 +18,19 @@ const G28_POSITION: u32 = 5161;
 
 /// The parameter with X of the position of G30, machine unit.
 pub(super) const G30_POSITION: u32 = 5181;
+
+/// What a controller may do otherwise with positions of the machine; active length unit.
+pub(crate) trait MachinePositionRules {
+    /// Where on the machine G53, G28, G30 and M6 lead for a machine coordinate: there.
+    fn reached(&self, _axis: Axis, coordinate: f64, _state: &State) -> f64 {
+        coordinate
+    }
+
+    /// The position of the machine that G28.1 and G30.1 store, G10 measures and parameters have: where it is.
+    fn measured(&self, machine: Position, _state: &State) -> Position {
+        machine
+    }
+}
 
 /// Whether a block goes to a stored position.
 pub(crate) fn moves(words: &Words) -> bool {
@@ -66,7 +78,7 @@ pub(super) fn perform(
 /// an axis that the machine does not have stands at zero.
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
-    let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
+    let machine = state.dialect().measured(machine, state);
     let machine = converted(machine, state.modes.units, state.machine.length_unit);
     for (number, axis) in (first..).zip(Axis::ALL) {
         state.parameters.store(number, machine.get(*axis));
@@ -105,9 +117,9 @@ fn straight(first: u32, state: &mut State, record: &mut Record) {
 
 /// Where G28 and G30 lead, machine position in the active length unit.
 pub(super) fn destination(first: u32, state: &State) -> Position {
-    let mut there = each(stored(first, state), beside_machine_point(state), shifted);
+    let mut there = stored(first, state);
     for axis in Axis::ALL.iter().copied() {
-        *there.get_mut(axis) = shifted(there.get(axis), beside_machine_angle(axis, state));
+        *there.get_mut(axis) = state.dialect().reached(axis, there.get(axis), state);
     }
     there
 }

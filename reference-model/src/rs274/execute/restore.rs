@@ -4,53 +4,128 @@ use gaugeblock_vocabulary::{Motion, Path, SpindleTurn, Switch};
 
 use super::offsets::use_system;
 use super::orient;
-use super::tool_length::apply;
 use super::units_planes::use_units;
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::modes::{Modes, Spindle};
-use crate::rs274::quirks::{saved_state as quirks, settings};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
-/// Brings back the saved state.
-///
-/// Rule saved-state.all-restored. All of it, not a part. Rule saved-state.units-before-feed. The length unit comes
-/// first, so that feed, offsets and tolerances count in the unit in which they were saved. Rule
-/// saved-state.not-listed. What the list leaves out stays: parameters and offset values, the prepared tool, the
-/// position.
-///
-/// # Errors
-/// None where the documents are followed; a restore as `rs274` does it can fail.
-pub(crate) fn restore(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    let changed: Vec<_> = ITEMS.iter().filter(|(_, same)| !same(&state.modes, saved)).collect();
-    for (rule, _) in changed {
-        state.coverage.accepted(*rule);
+/// The restore and its items: a controller may bring back some of them in another way.
+pub(crate) trait RestoreRules {
+    /// Brings back the saved state.
+    ///
+    /// Rule saved-state.all-restored. All of it, not a part. Rule saved-state.units-before-feed. The length unit comes
+    /// first, so that feed, offsets and tolerances count in the unit in which they were saved. Rule
+    /// saved-state.not-listed. What the list leaves out stays: parameters and offset values, the prepared tool, the
+    /// position.
+    fn restore(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        let changed: Vec<_> = ITEMS.iter().filter(|(_, same)| !same(&state.modes, saved)).collect();
+        for (rule, _) in changed {
+            state.coverage.accepted(*rule);
+        }
+        let dialect = state.dialect();
+        use_units(saved.units, state);
+        dialect.restore_work_offset(saved, state)?;
+        dialect.restore_tool_length(saved, state)?;
+        state.modes.plane = saved.plane;
+        state.modes.distance = saved.distance;
+        state.modes.arc_distance = saved.arc_distance;
+        dialect.restore_retract(saved, state)?;
+        state.modes.lathe = saved.lathe;
+        dialect.restore_path(saved, state)?;
+        dialect.restore_compensation(saved, state);
+        dialect.restore_feed(saved, state);
+        dialect.restore_spindles(saved, state)?;
+        dialect.restore_switches(saved, state);
+        dialect.restore_overrides(saved, state);
+        restore_motion(saved, state);
+        state.coverage.accepted(rule::saved_state::ALL_RESTORED);
+        state.coverage.accepted(rule::saved_state::NOT_LISTED);
+        Ok(())
     }
-    use_units(saved.units, state);
-    let disabled = quirks::disabled_by_path(saved, &state.modes, state);
-    quirks::plane(saved, state)?;
-    quirks::system(saved, state)?;
-    coordinates(saved, state)?;
-    state.modes.plane = saved.plane;
-    state.modes.distance = saved.distance;
-    state.modes.arc_distance = saved.arc_distance;
-    quirks::retract(saved, state)?;
-    state.modes.retract = saved.retract;
-    state.modes.lathe = saved.lathe;
-    quirks::path_refused(saved, state)?;
-    path(saved, state);
-    compensation(saved, state);
-    feed(saved, state);
-    spindles(saved, state)?;
-    coolant(saved, state);
-    overrides(saved, state);
-    if let Some(control) = disabled {
-        quirks::disable(control, state);
+
+    /// Rule saved-state.work-offset. The coordinate system comes back, with the origin that it has now.
+    fn restore_work_offset(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        if state.modes.work_offset != saved.work_offset {
+            use_system(saved.work_offset, state);
+        }
+        Ok(())
     }
-    motion(saved, state);
-    state.coverage.accepted(rule::saved_state::ALL_RESTORED);
-    state.coverage.accepted(rule::saved_state::NOT_LISTED);
-    Ok(())
+
+    /// Rule saved-state.tool-length. Tool length compensation comes back with the offset that was in force.
+    fn restore_tool_length(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        let on = saved.tool_length == Switch::On;
+        state.dialect().apply_tool_offset(on.then_some(saved.tool_offset), state);
+        Ok(())
+    }
+
+    /// Rule saved-state.retract. The return mode of canned cycles comes back.
+    fn restore_retract(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        state.modes.retract = saved.retract;
+        Ok(())
+    }
+
+    /// Rule saved-state.path. The mode comes back.
+    /// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
+    fn restore_path(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        state.modes.path = saved.path;
+        if saved.path == Path::Continuous {
+            state.modes.blend_tolerance = saved.blend_tolerance;
+            state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
+        }
+        Ok(())
+    }
+
+    /// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
+    fn restore_compensation(&self, saved: &Modes, state: &mut State) {
+        state.modes.compensation = saved.compensation;
+        state.modes.compensation_radius = saved.compensation_radius;
+    }
+
+    /// Rules saved-state.feed-mode and saved-state.feed.
+    /// Rule saved-state.feed-of-feed-mode. The feed comes back together with the mode in which it was given.
+    fn restore_feed(&self, saved: &Modes, state: &mut State) {
+        state.modes.feed_mode = saved.feed_mode;
+        state.modes.feed_rate = saved.feed_rate;
+        state.modes.feed_awaited = saved.feed_awaited;
+    }
+
+    /// Rules saved-state.speed, saved-state.spindle-mode with saved-state.spindle-limit, and
+    /// saved-state.spindle-status. Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5
+    /// comes back takes M19's place in their group, and unlocks the spindle (orient.cleared).
+    fn restore_spindles(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        for (place, saved) in saved.spindles.iter().enumerate() {
+            let spindle = &mut state.modes.spindles[place];
+            let turn = restored_turn(saved.turn, spindle.turn);
+            let was_oriented = spindle.turn == SpindleTurn::Oriented;
+            *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
+            if saved.turn == SpindleTurn::Oriented {
+                state.coverage.accepted(rule::saved_state::ORIENTATION_NOT_SAVED);
+            }
+            if was_oriented && turn != SpindleTurn::Oriented {
+                orient::clear(place, state);
+            }
+        }
+        Ok(())
+    }
+
+    /// Rules saved-state.mist and saved-state.flood. Each comes back apart from the other.
+    /// Rules saved-state.adaptive-feed and saved-state.feed-stop.
+    fn restore_switches(&self, saved: &Modes, state: &mut State) {
+        state.modes.mist = saved.mist;
+        state.modes.flood = saved.flood;
+        state.modes.adaptive_feed = saved.adaptive_feed;
+        state.modes.feed_stop = saved.feed_stop;
+    }
+
+    /// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture
+    /// comes back (saved-state.mixed-overrides).
+    fn restore_overrides(&self, saved: &Modes, state: &mut State) {
+        state.modes.feed_override = saved.feed_override;
+        for (spindle, saved) in state.modes.spindles.iter_mut().zip(&saved.spindles) {
+            spindle.speed_override = saved.speed_override;
+        }
+    }
 }
 
 /// A rule about an item, and whether the item is the same in two states.
@@ -106,84 +181,6 @@ fn same_spindles(a: &Modes, b: &Modes, same: impl Fn(&Spindle, &Spindle) -> bool
     a.spindles.iter().zip(&b.spindles).all(|(a, b)| same(a, b))
 }
 
-/// Rule saved-state.work-offset. The coordinate system comes back, with the origin that it has now.
-/// Rule saved-state.tool-length. Tool length compensation comes back with the offset that was in force.
-fn coordinates(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    if state.modes.work_offset != saved.work_offset {
-        use_system(saved.work_offset, state);
-    }
-    if state.choices.quirk(quirk::rs274::LOCAL_OFFSET_RESTORE) {
-        quirks::local_offset(saved, state);
-    }
-    let cancelled = saved.tool_length == Switch::Off;
-    if cancelled && state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
-        settings::tool_offset_as_programmed(state);
-    }
-    if state.choices.quirk(quirk::rs274::TOOL_OFFSET_RESTORE) {
-        return quirks::tool_offset(saved, state);
-    }
-    apply((saved.tool_length == Switch::On).then_some(saved.tool_offset), state);
-    Ok(())
-}
-
-/// Rule saved-state.path. The mode comes back.
-/// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
-fn path(saved: &Modes, state: &mut State) {
-    if state.choices.quirk(quirk::rs274::TOLERANCE_UNIT) {
-        return quirks::path(saved, state);
-    }
-    state.modes.path = saved.path;
-    if saved.path == Path::Continuous {
-        state.modes.blend_tolerance = saved.blend_tolerance;
-        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
-        state.modes.tolerance_unit = saved.tolerance_unit;
-    }
-}
-
-/// Rule saved-state.compensation. Off, left and right come back, dynamic or not.
-fn compensation(saved: &Modes, state: &mut State) {
-    if state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_RESTORE) {
-        return quirks::compensation(saved, state);
-    }
-    state.modes.compensation = saved.compensation;
-    state.modes.compensation_radius = saved.compensation_radius;
-}
-
-/// Rules saved-state.feed-mode and saved-state.feed.
-/// Rule saved-state.feed-of-feed-mode. The feed comes back together with the mode in which it was given.
-fn feed(saved: &Modes, state: &mut State) {
-    let choices = &state.choices;
-    if quirks::FEED.iter().any(|quirk| choices.quirk(*quirk)) {
-        return quirks::feed(saved, state);
-    }
-    state.modes.feed_mode = saved.feed_mode;
-    state.modes.feed_rate = saved.feed_rate;
-    state.modes.feed_number = saved.feed_number;
-    state.modes.feed_awaited = saved.feed_awaited;
-}
-
-/// Rules saved-state.speed, saved-state.spindle-mode with saved-state.spindle-limit, and saved-state.spindle-status.
-/// Rule saved-state.each-spindle. Those of every spindle. Whichever of M3, M4 and M5 comes back takes M19's place in
-/// their group, and unlocks the spindle (orient.cleared).
-fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
-    if quirks::SPINDLES.iter().any(|quirk| state.choices.quirk(*quirk)) {
-        return quirks::spindles(saved, state);
-    }
-    for (place, saved) in saved.spindles.iter().enumerate() {
-        let spindle = &mut state.modes.spindles[place];
-        let turn = restored_turn(saved.turn, spindle.turn);
-        let was_oriented = spindle.turn == SpindleTurn::Oriented;
-        *spindle = Spindle { speed_override: spindle.speed_override, turn, ..*saved };
-        if saved.turn == SpindleTurn::Oriented {
-            state.coverage.accepted(rule::saved_state::ORIENTATION_NOT_SAVED);
-        }
-        if was_oriented && turn != SpindleTurn::Oriented {
-            orient::clear(place, state);
-        }
-    }
-    Ok(())
-}
-
 /// Rule saved-state.orientation-not-saved. What is saved is M3, M4 or M5: a spindle that stood at an angle does not
 /// turn.
 pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
@@ -194,33 +191,9 @@ pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn
     }
 }
 
-/// Rules saved-state.mist and saved-state.flood. Each comes back apart from the other.
-/// Rules saved-state.adaptive-feed and saved-state.feed-stop.
-fn coolant(saved: &Modes, state: &mut State) {
-    if state.choices.quirk(quirk::rs274::OFF_NOT_RESTORED) {
-        return quirks::switches(saved, state);
-    }
-    state.modes.mist = saved.mist;
-    state.modes.flood = saved.flood;
-    state.modes.adaptive_feed = saved.adaptive_feed;
-    state.modes.feed_stop = saved.feed_stop;
-}
-
-/// Rules saved-state.feed-override and saved-state.speed-override. They are saved apart, so that each mixture comes
-/// back (saved-state.mixed-overrides).
-fn overrides(saved: &Modes, state: &mut State) {
-    if state.choices.quirk(quirk::rs274::OVERRIDE_RESTORE) {
-        return quirks::overrides(saved, state);
-    }
-    state.modes.feed_override = saved.feed_override;
-    for (spindle, saved) in state.modes.spindles.iter_mut().zip(&saved.spindles) {
-        spindle.speed_override = saved.speed_override;
-    }
-}
-
 /// Rule saved-state.motion-mode. Only the draft lists the motion mode; there it comes back, and whether a mode comes
 /// back that its list leaves out is a choice.
-fn motion(saved: &Modes, state: &mut State) {
+fn restore_motion(saved: &Modes, state: &mut State) {
     state.coverage.accepted(rule::saved_state::MOTION_MODE);
     let restored = state.choices.is(choice::saved_state::MotionMode::Restored);
     let every = state.choices.is(choice::saved_state::ListedMotion::Every);

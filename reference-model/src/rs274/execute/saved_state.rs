@@ -2,13 +2,10 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::restore::restore;
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::control::{Frame, Style};
 use crate::rs274::evaluate::Words;
-use crate::rs274::modes::SavedState;
-use crate::rs274::order::AfterPhase;
-use crate::rs274::quirks::saved_state as quirks;
+use crate::rs274::modes::{Modes, SavedState};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -17,7 +14,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Nothing to restore. Two of these codes in one block: the documents do not say which comes first.
-pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError> {
+pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     let codes: Vec<u32> = words.m.iter().copied().filter(|code| (70..=73).contains(code)).collect();
     let [code] = codes[..] else {
         let why = "M70 to M73 are in no modal group, and nothing says which of two acts first";
@@ -29,7 +26,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError
             state.frame_mut().saved_by_m70 = state.frame().saved.clone();
         }
         71 => invalidate(state)?,
-        72 => return restore_explicitly(state),
+        72 => restore_explicitly(state)?,
         _ => {
             save(state);
             state.frame_mut().restore_at_return = state.frame().saved.clone();
@@ -38,7 +35,15 @@ pub fn perform(words: &Words, state: &mut State) -> Result<AfterPhase, StepError
             }
         }
     }
-    Ok(AfterPhase::Execute)
+    Ok(())
+}
+
+/// What a controller may do otherwise with its saved state.
+pub(crate) trait SavedStateRules {
+    /// M72 restores what is saved at its level, as the end of a sub with M73 does.
+    fn restore_in_block(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
+        state.dialect().restore(saved, state)
+    }
 }
 
 /// Rule saved-state.save-restore. M70 and M73 save the modal state at the current call level.
@@ -123,7 +128,7 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
 /// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
 /// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
 /// Rule saved-state.invalidated. And where what was saved is invalid.
-fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
+fn restore_explicitly(state: &mut State) -> Result<(), StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let rule = if saved.is_some() {
@@ -148,14 +153,7 @@ fn restore_explicitly(state: &mut State) -> Result<AfterPhase, StepError> {
     if state.frame().restore_at_return.is_some() {
         state.coverage.accepted(rule::saved_state::AUTORESTORE_EXPLICIT);
     }
-    let mut before = state.modes.clone();
-    restore(&saved.modes, state)?;
-    // Of a tool offset its unit is nothing that changes, nor whether one of zero is on.
-    before.tool_offset_unit = state.modes.tool_offset_unit;
-    before.tool_length = state.modes.tool_length;
-    let restores = state.modes != before || quirks::programs(&saved.modes, &before);
-    let drop = restores && state.choices.quirk(quirk::rs274::REST_OF_RESTORE_BLOCK);
-    Ok(if drop { AfterPhase::Drop } else { AfterPhase::Execute })
+    state.dialect().restore_in_block(&saved.modes, state)
 }
 
 /// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that
@@ -180,7 +178,7 @@ fn restorable(state: &State) -> Option<SavedState> {
 /// (saved-state.save-alone).
 ///
 /// # Errors
-/// None where the documents are followed; a restore as `rs274` does it can fail.
+/// What the controller refuses to restore; by the documents that is nothing.
 pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
     let frame = state.frame();
     let promised = if state.choices.is(choice::saved_state::Places::One) {
@@ -212,7 +210,7 @@ pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), 
     if saved_since {
         state.coverage.accepted(rule::saved_state::AUTORESTORE_THEN_SAVE);
     }
-    restore(&promised.modes, state)
+    state.dialect().restore(&promised.modes, state)
 }
 
 /// Where M70 and M73 have one place: what was saved last there, if an M73 promised a restore.

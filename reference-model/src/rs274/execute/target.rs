@@ -7,7 +7,6 @@ use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::quirks::motion as quirks;
-use crate::rs274::quirks::settings::{beside_machine_angle, beside_machine_point};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -95,11 +94,9 @@ pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, St
 /// Rule offsets.machine-coordinates. The words of G53 are machine coordinates, whatever offsets are active.
 pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     let mut end = state.modes.machine_point(state.position);
-    let beside = beside_machine_point(state);
     let moved = moved(words, state);
     for (axis, value) in &moved {
-        *end.get_mut(*axis) =
-            shifted(*value, beside.get(*axis) + beside_machine_angle(*axis, state));
+        *end.get_mut(*axis) = state.dialect().reached(*axis, *value, state);
     }
     let mut there = state.modes.program_point(end);
     // An axis that does not move stays where it is to the last bit; in a rotated system X and Y move together.
@@ -110,11 +107,6 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
         *there.get_mut(axis) = state.position.get(axis);
     }
     there
-}
-
-/// A coordinate beside which a controller is. Nothing moves nothing, not even a zero out of its quadrant.
-pub(super) fn shifted(coordinate: f64, by: f64) -> f64 {
-    if by == 0.0 { coordinate } else { coordinate + by }
 }
 
 /// The point that polar words name.

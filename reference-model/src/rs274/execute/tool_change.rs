@@ -1,13 +1,12 @@
 //! M6 and M61.
 
-use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Position, SpindleTurn};
+use gaugeblock_vocabulary::{Axis, ControllerMode, Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
 use super::tool::entry;
 use super::{pass, spindle, whole, word};
 use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -83,7 +82,8 @@ pub fn before_moving(state: &mut State) {
 fn moves(state: &mut State, record: &mut Record) {
     if state.machine.tool_change.quill_up {
         let here = state.modes.machine_point(state.position);
-        traverse(Position { z: beside_machine_point(state).z, ..here }, state, record);
+        let z = state.dialect().reached(Axis::Z, 0.0, state);
+        traverse(Position { z, ..here }, state, record);
         state.coverage.accepted(rule::tool::CHANGE_QUILL_UP);
     }
     if state.machine.tool_change.at_g30 {

@@ -5,11 +5,10 @@ use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 use super::target::offset_words;
 use super::tool::{loaded, named};
 use super::{not_under_compensation, whole, word};
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -26,32 +25,78 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
         choice::tool::LengthUnderCompensation::Refused,
         state,
     )?;
-    if state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
-        quirks::tool_offset_as_programmed(state);
-    }
-    let offset = if words.g.contains(&490) {
-        state.coverage.accepted(rule::tool::LENGTH_OFF);
-        None
-    } else if words.g.contains(&431) {
-        Some(dynamic(words, state))
-    } else if words.g.contains(&432) {
-        Some(additional(words, state)?)
-    } else {
-        Some(of_tool(words, state)?)
-    };
+    let offset = state.dialect().programmed_tool_offset(words, state)?;
     state.coverage.accepted(rule::tool::LENGTH_MOVES_NOTHING);
     state.coverage.accepted(rule::tool::LENGTH_REPEATED);
-    apply(offset, state);
+    state.dialect().apply_tool_offset(offset, state);
     Ok(())
 }
 
-/// Applies a tool offset, active length unit, or none.
-pub(crate) fn apply(offset: Option<Position>, state: &mut State) {
-    let machine = state.modes.machine_point(state.position);
-    state.modes.tool_length = if offset.is_some() { Switch::On } else { Switch::Off };
-    state.modes.tool_offset = offset.unwrap_or_default();
-    state.modes.tool_offset_unit = state.modes.units;
-    state.position = state.modes.program_point(machine);
+/// What a controller may do otherwise with tool length compensation.
+pub(crate) trait ToolLengthRules {
+    /// The offset that a block turns on, or none.
+    fn programmed_tool_offset(
+        &self,
+        words: &Words,
+        state: &mut State,
+    ) -> Result<Option<Position>, StepError> {
+        Ok(if words.g.contains(&490) {
+            state.coverage.accepted(rule::tool::LENGTH_OFF);
+            None
+        } else if words.g.contains(&431) {
+            Some(dynamic(words, state))
+        } else if words.g.contains(&432) {
+            Some(state.dialect().additional_tool_offset(words, state)?)
+        } else {
+            Some(of_tool(words, state)?)
+        })
+    }
+
+    /// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
+    /// Rule tool.additional-length-words. It needs either H or axis words.
+    fn additional_tool_offset(
+        &self,
+        words: &Words,
+        state: &mut State,
+    ) -> Result<Position, StepError> {
+        let rule = rule::tool::ADDITIONAL_LENGTH_WORDS;
+        let more = match (word(words, 'h'), has_axis_words(words)) {
+            (Some(_), true) => {
+                return Err(refuse(
+                    rule,
+                    FaultKind::UnusedWord,
+                    "G43.2 takes H or axis words, not both",
+                ));
+            }
+            (None, false) => {
+                return Err(refuse(rule, FaultKind::MissingWord, "G43.2 needs H or axis words"));
+            }
+            (Some(value), false) => {
+                let rule = rule::tool::ADDITIONAL_LENGTH_UNKNOWN_TOOL;
+                let message = || format!("H{value} is no tool number");
+                let tool =
+                    whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
+                table_offset(tool, rule, state)?
+            }
+            (None, true) => {
+                let mut more = Position::default();
+                for (axis, value) in offset_words(words, state) {
+                    *more.get_mut(axis) = value;
+                }
+                more
+            }
+        };
+        state.coverage.accepted(rule::tool::ADDITIONAL_LENGTH);
+        Ok(each(state.modes.tool_offset, more, |offset, more| offset + more))
+    }
+
+    /// Applies a tool offset, active length unit, or none.
+    fn apply_tool_offset(&self, offset: Option<Position>, state: &mut State) {
+        let machine = state.modes.machine_point(state.position);
+        state.modes.tool_length = if offset.is_some() { Switch::On } else { Switch::Off };
+        state.modes.tool_offset = offset.unwrap_or_default();
+        state.position = state.modes.program_point(machine);
+    }
 }
 
 /// Rule tool.length. G43 applies the offset of tool H from the tool table, all its axes.
@@ -93,48 +138,6 @@ fn dynamic(words: &Words, state: &mut State) -> Position {
         *offset.get_mut(axis) = value;
     }
     offset
-}
-
-/// Rule tool.additional-length. G43.2 adds the offset of tool H, or axis values.
-/// Rule tool.additional-length-words. It needs either H or axis words.
-fn additional(words: &Words, state: &mut State) -> Result<Position, StepError> {
-    let rule = rule::tool::ADDITIONAL_LENGTH_WORDS;
-    let more = match (word(words, 'h'), has_axis_words(words)) {
-        (Some(_), true) => {
-            return Err(refuse(
-                rule,
-                FaultKind::UnusedWord,
-                "G43.2 takes H or axis words, not both",
-            ));
-        }
-        (None, false) => {
-            return Err(refuse(rule, FaultKind::MissingWord, "G43.2 needs H or axis words"));
-        }
-        (Some(value), false) => {
-            let rule = rule::tool::ADDITIONAL_LENGTH_UNKNOWN_TOOL;
-            let message = || format!("H{value} is no tool number");
-            let tool =
-                whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
-            table_offset(tool, rule, state)?
-        }
-        (None, true) if state.choices.quirk(quirk::rs274::ADDITIONAL_LENGTH_AXES) => {
-            let message = "G43.2 without H";
-            return Err(refuse(
-                quirk::rs274::ADDITIONAL_LENGTH_AXES,
-                FaultKind::MissingWord,
-                message,
-            ));
-        }
-        (None, true) => {
-            let mut more = Position::default();
-            for (axis, value) in offset_words(words, state) {
-                *more.get_mut(axis) = value;
-            }
-            more
-        }
-    };
-    state.coverage.accepted(rule::tool::ADDITIONAL_LENGTH);
-    Ok(each(state.modes.tool_offset, more, |offset, more| offset + more))
 }
 
 /// The offset of a tool, active length unit.

@@ -10,7 +10,6 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::motion as quirks;
-use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -173,7 +172,7 @@ fn offset(
 ) -> Result<Position, StepError> {
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
-    let machine = each(machine, beside_machine_point(state), |point, beside| point - beside);
+    let machine = state.dialect().measured(machine, state);
     let named = offset_words(words, state);
     let mut wanted = Position::default();
     for (axis, value) in &named {

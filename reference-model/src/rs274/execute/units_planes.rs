@@ -6,7 +6,6 @@ use super::not_under_compensation;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, unit_size};
-use crate::rs274::quirks::saved_state as quirks;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
@@ -139,10 +138,12 @@ pub fn select_distance(words: &Words, state: &mut State) {
     }
 }
 
-/// G98 and G99: where canned cycles return to.
-pub(crate) fn select_retract(words: &Words, state: &mut State) -> Result<(), StepError> {
-    quirks::retract_under_compensation(state)?;
-    let r_plane = words.g.contains(&990);
-    state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };
-    Ok(())
+/// What a controller may do otherwise with these modes.
+pub(crate) trait UnitsAndPlanesRules {
+    /// G98 and G99: where canned cycles return to.
+    fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        let r_plane = words.g.contains(&990);
+        state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };
+        Ok(())
+    }
 }

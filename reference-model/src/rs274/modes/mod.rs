@@ -19,6 +19,7 @@ use gaugeblock_vocabulary::{
     Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
+use super::dialect::ModalMemory;
 use super::quirks::settings::initial_tolerance;
 use crate::Choices;
 use crate::ids::choice::modal_groups::{InitialMotion, InitialRetract};
@@ -44,8 +45,6 @@ pub struct Modes {
     pub feed_mode: FeedMode,
     /// F in the active length unit per minute or per revolution, or in 1/min under inverse time; zero until set.
     pub feed_rate: f64,
-    /// F as it was programmed, in the unit of that time; only a quirk asks for it.
-    pub feed_number: f64,
     /// Whether F is awaited since a switch to G94 or G95.
     pub feed_awaited: bool,
     /// Return mode of canned cycles.
@@ -58,8 +57,6 @@ pub struct Modes {
     pub tool_length: Switch,
     /// The tool offset that applies, active length unit; zero under G49.
     pub tool_offset: Position,
-    /// The length unit in which it was programmed; only a quirk asks for it.
-    pub tool_offset_unit: LengthUnit,
     /// Work coordinate system, 1 to 9 for G54 to G59.3.
     pub work_offset: u32,
     /// Offset of the work coordinate system, active length unit.
@@ -76,8 +73,6 @@ pub struct Modes {
     pub blend_tolerance: f64,
     /// Q of G64, active length unit; zero when not given.
     pub naive_cam_tolerance: f64,
-    /// The length unit in which they were programmed; only a quirk asks for it.
-    pub tolerance_unit: LengthUnit,
     /// Diameter or radius programming of a lathe.
     pub lathe: Lathe,
     /// The spindles by number from 0; the machine has at least one.
@@ -96,6 +91,8 @@ pub struct Modes {
     pub controller_mode: ControllerMode,
     /// What becomes of the last bits of positions that are computed.
     pub rounding: Rounding,
+    /// What the dialect remembers with the modes; nothing by the documents.
+    pub(crate) memory: ModalMemory,
 }
 
 /// A spindle as it was told to turn.
@@ -163,7 +160,6 @@ impl Modes {
             arc_distance: Distance::Incremental,
             feed_mode: FeedMode::PerMinute,
             feed_rate: 0.0,
-            feed_number: 0.0,
             feed_awaited: false,
             retract: match choices.get::<InitialRetract>() {
                 InitialRetract::OldZ => Retract::OldZ,
@@ -173,7 +169,6 @@ impl Modes {
             compensation_radius: 0.0,
             tool_length: Switch::Off,
             tool_offset: Position::default(),
-            tool_offset_unit: LengthUnit::Millimetre,
             work_offset: start_system(machine),
             g5x_offset: Position::default(),
             g92_offset: Position::default(),
@@ -182,7 +177,6 @@ impl Modes {
             path: Path::Continuous,
             blend_tolerance: initial_tolerance(choices) / unit_size(initial_unit),
             naive_cam_tolerance: 0.0,
-            tolerance_unit: LengthUnit::Millimetre,
             lathe: Lathe::Radius,
             spindles: vec![Spindle::AT_START; usize::from(machine.spindles.max(1))],
             mist: Switch::Off,
@@ -192,6 +186,7 @@ impl Modes {
             feed_stop: Switch::On,
             controller_mode: ControllerMode::Auto,
             rounding: Rounding::default(),
+            memory: ModalMemory::default(),
         };
         modes.load_work_offset(stored, machine.length_unit);
         modes.load_local_offset(stored, machine.length_unit);

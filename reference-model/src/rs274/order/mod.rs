@@ -20,12 +20,24 @@ use crate::ids::rule;
 pub enum AfterPhase {
     /// The later phases are executed.
     Execute,
-    /// They are not: a controller with a quirk can drop them.
-    Drop,
     /// There are none, and the program pauses: M0, M1, M60.
     Pause,
     /// There are none, and the program has ended: M2, M30.
     ProgramEnd,
+}
+
+/// What a controller may do otherwise with the order of a block.
+pub(crate) trait OrderRules {
+    /// Whether the next phase of a block is executed after this one: all of them are.
+    fn goes_on_after(
+        &self,
+        _phase: Phase,
+        _phases: Phases,
+        _words: &Words,
+        _state: &mut State,
+    ) -> Result<bool, StepError> {
+        Ok(true)
+    }
 }
 
 /// Executes one phase of a block that [`check`](super::check::check) let pass.
@@ -51,6 +63,22 @@ pub fn execute_phase(
         refused_at(phase, words, state);
     }
     after_phase
+}
+
+/// Why one of the phases of a block that come later would be refused, or is open.
+pub(crate) fn fault_after(
+    phase: Phase,
+    phases: Phases,
+    words: &Words,
+    state: &State,
+) -> Option<StepError> {
+    let mut state = state.clone();
+    let mut record = Record::new(&state);
+    let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
+    later.find_map(|phase| {
+        let executed = execute_phase(phase, words, &mut state, &mut record);
+        executed.err().filter(|error| !matches!(error, StepError::WaitsForEver))
+    })
 }
 
 /// A block has gone through all its phases: the rules about their order are reached.
@@ -81,7 +109,7 @@ fn perform_phase(
                 execute::message::perform(comment, state, record)?;
             }
         }
-        Phase::FeedMode => execute::feed::select_mode(words, state)?,
+        Phase::FeedMode => state.dialect().select_feed_mode(words, state)?,
         Phase::FeedRate => execute::feed::set_rate(words, state)?,
         Phase::SpindleSpeed => execute::spindle::set_speed(words, state)?,
         Phase::SelectTool => execute::tool::select(words, state, record)?,
@@ -94,7 +122,7 @@ fn perform_phase(
             execute::orient::perform(words, state, record)?;
         }
         Phase::Spindle => execute::spindle::turn(words, state)?,
-        Phase::SavedState => return execute::saved_state::perform(words, state),
+        Phase::SavedState => execute::saved_state::perform(words, state)?,
         Phase::Coolant => execute::coolant::perform(words, state),
         Phase::Overrides => execute::overrides::perform(words, state)?,
         Phase::UserCode => {
@@ -108,9 +136,9 @@ fn perform_phase(
         Phase::Compensation => execute::compensation::perform(words, state)?,
         Phase::ToolLength => execute::tool_length::perform(words, state)?,
         Phase::WorkOffset => execute::offsets::select(words, state)?,
-        Phase::Path => execute::path::perform(words, state)?,
+        Phase::Path => state.dialect().select_path(words, state)?,
         Phase::Distance => execute::units_planes::select_distance(words, state),
-        Phase::Retract => execute::units_planes::select_retract(words, state)?,
+        Phase::Retract => state.dialect().select_retract(words, state)?,
         Phase::OffsetData => execute::offsets::change(words, state, record)?,
         Phase::Motion => execute::motion::perform(words, state, record)?,
         Phase::Stop => return Ok(execute::stop::perform(words, state, record)),

@@ -17,6 +17,7 @@ use super::state::State;
 use crate::Choices;
 use crate::ids::{choice, quirk, rule};
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
+pub(crate) use predefined::ParameterRules;
 pub use rules::{refused_too, rules_of, rules_of_existence};
 
 /// A parameter by number or by name.

@@ -8,7 +8,6 @@ use gaugeblock_vocabulary::{
 use super::State;
 use crate::ids::{Rule, choice, quirk, rule};
 use crate::rs274::modes::{Spindle, motion_code};
-use crate::rs274::quirks::settings::beside_machine_point;
 use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
 
@@ -85,7 +84,7 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_feed_hold", rule::parameters::FEED_HOLD, |state| {
         flag(state.modes.feed_stop == Switch::On)
     }),
-    Predefined("_feed", rule::parameters::FEED, quirks::feed),
+    Predefined("_feed", rule::parameters::FEED, |state| state.dialect().feed_parameter(state)),
     Predefined("_rpm", rule::parameters::SPEED, |state| spindle(state).speed),
     Predefined("_current_tool", rule::parameters::TOOL, |state| f64::from(state.known_tool)),
     Predefined("_selected_tool", rule::parameters::TOOL, selected_tool),
@@ -98,6 +97,14 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_remap_level", rule::parameters::REMAP_LEVEL, |_| 0.0),
 ];
 
+/// What a controller may do otherwise with parameters.
+pub(crate) trait ParameterRules {
+    /// Rule parameters.feed. `_feed` is the feed rate in force.
+    fn feed_parameter(&self, state: &State) -> f64 {
+        state.modes.feed_rate
+    }
+}
+
 /// Parameters of axes are the prefix and the axis' letter.
 ///
 /// Rule parameters.position. `_x` to `_w` are the position in the active coordinate system with all offsets.
@@ -105,8 +112,8 @@ const PREDEFINED: &[Predefined] = &[
 fn of_axis(name: &str, state: &State) -> Option<(Rule, f64)> {
     let axis = |letter: &str| Axis::ALL.iter().find(|axis| axis.word() == letter);
     if let Some(axis) = name.strip_prefix("_abs_").and_then(axis) {
-        let beside = beside_machine_point(state).get(*axis);
-        let value = state.modes.machine_point(state.position).get(*axis) - beside;
+        let machine = state.modes.machine_point(state.position);
+        let value = state.dialect().measured(machine, state).get(*axis);
         return (*axis <= Axis::C).then_some((rule::parameters::ABSOLUTE_POSITION, value));
     }
     let axis = name.strip_prefix('_').and_then(axis)?;

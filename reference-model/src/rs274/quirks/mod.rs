@@ -8,7 +8,6 @@ pub mod cycles;
 pub mod motion;
 pub mod outputs;
 pub mod probe;
-pub mod saved_state;
 pub mod settings;
 pub mod skipping;
 pub mod splines;

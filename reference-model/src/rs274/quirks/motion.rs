@@ -1,43 +1,13 @@
 //! Quirks of moves, arcs, rotated systems and the tool table.
 
-use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, Position};
+use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, Motion, Plane};
 
 use crate::ids::quirk;
-use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::{is_arc, motion_of};
 use crate::rs274::execute::word;
-use crate::rs274::modes::each;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-
-/// Quirk rs274.arc-radius-tolerance. How far the radii at start and end of an arc may be apart: about five times as
-/// far as documented. The larger holds always, the smaller for arcs of which it is more than a thousandth.
-pub(crate) fn radius_tolerances(state: &State) -> Option<(f64, f64)> {
-    if !state.choices.quirk(quirk::rs274::ARC_RADIUS_TOLERANCE) {
-        return None;
-    }
-    let diagonal = std::f64::consts::SQRT_2;
-    Some(match state.modes.units {
-        LengthUnit::Inch => (0.2 * diagonal, 0.002 * diagonal),
-        LengthUnit::Millimetre => (2.0 * diagonal, 0.02 * diagonal),
-    })
-}
-
-/// Quirk rs274.arc-least-radius. An arc whose centre is nearer than this to its start or its end has no radius.
-pub(crate) fn least_radius(state: &State) -> f64 {
-    match state.modes.units {
-        _ if !state.choices.quirk(quirk::rs274::ARC_LEAST_RADIUS) => 0.0,
-        LengthUnit::Inch => 0.000_05,
-        LengthUnit::Millimetre => 0.001_27,
-    }
-}
-
-/// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre that
-/// is no number.
-pub(crate) fn arcs_without_radius(state: &State) -> bool {
-    state.choices.quirk(quirk::rs274::ARC_NO_RADIUS)
-}
 
 /// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 stands in its block.
 pub(crate) fn machine_without_axes(words: &Words, state: &State) -> bool {
@@ -82,22 +52,6 @@ pub(crate) fn per_revolution(words: &Words, state: &State) -> Result<(), StepErr
     Ok(())
 }
 
-/// Quirk rs274.feed-name-inverse-time. Under inverse time a straight feed leaves its own feed rate: the length of its
-/// way, of X, Y and Z where one of them moves, times F, and a tenth at least.
-pub(crate) fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
-    let modes = &mut state.modes;
-    if motion != Motion::Feed || modes.feed_mode != FeedMode::InverseTime {
-        return;
-    }
-    let way = each(end, state.position, |end, start| end - start);
-    let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
-    let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
-    let length = lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default();
-    if state.choices.quirk(quirk::rs274::FEED_NAME_INVERSE_TIME) {
-        modes.feed_number = (length * modes.feed_rate).max(0.1);
-    }
-}
-
 /// Quirk rs274.inverse-time-zero-rate. Under inverse time F may be zero, with straight feeds, arcs, G5 and G5.1.
 pub(crate) fn takes_no_time(state: &State) -> bool {
     state.modes.feed_mode == FeedMode::InverseTime
@@ -125,11 +79,6 @@ pub(crate) fn polar_end(distance: f64, state: &State) -> Result<(), StepError> {
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
     Ok(())
-}
-
-/// Quirk rs274.polar-arc-plane. For an arc with a radius outside of the XY plane polar words name no axis of the plane.
-pub(crate) fn polar_names_none(state: &State) -> bool {
-    state.modes.plane != Plane::Xy && state.choices.quirk(quirk::rs274::POLAR_ARC_PLANE)
 }
 
 /// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use gaugeblock_vocabulary::{
-    Axis, Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
+    Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
 };
 
 use crate::Choices;
@@ -11,7 +11,7 @@ use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::motion_of;
 use crate::rs274::execute::{spindle, whole};
-use crate::rs274::modes::{ModalGroup, Modes, Spindle, converted, each, is_rotary};
+use crate::rs274::modes::{ModalGroup, Modes, Spindle};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -123,33 +123,6 @@ pub(crate) fn keeps_system(system: u32, state: &State) -> bool {
 pub(crate) fn origin_number(number: f64, state: &State) -> f64 {
     let cut = state.choices.quirk(quirk::rs274::ORIGIN_NUMBER_CUT);
     if cut && number - number.floor() >= 0.5 { number.floor() } else { number }
-}
-
-/// Quirk rs274.tool-offset-unit. A change of the length unit leaves the number of the tool offset, and a later change
-/// of the offset takes that number off the position.
-pub(crate) fn tool_offset_as_programmed(state: &mut State) {
-    let modes = &mut state.modes;
-    modes.tool_offset = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
-    modes.tool_offset_unit = modes.units;
-}
-
-/// Quirk rs274.tool-offset-unit. How far G53, G28, G30 and M6 lead beside a point, active length unit: they take the
-/// number of the tool offset for one of that unit. What G28.1 and G30.1 store, and what G10 L10 and L11 measure, is
-/// beside the point as far in the other direction.
-pub(crate) fn beside_machine_point(state: &State) -> Position {
-    let modes = &state.modes;
-    if !state.choices.quirk(quirk::rs274::TOOL_OFFSET_UNIT) {
-        return Position::default();
-    }
-    let number = converted(modes.tool_offset, modes.units, modes.tool_offset_unit);
-    each(modes.tool_offset, number, |offset, number| offset - number)
-}
-
-/// Quirk rs274.machine-rotary-offset. G53, G28, G30 and an M6 at the position of G30 do not take the tool offset of
-/// A, B and C into account: how far they lead beside the point of a rotary axis.
-pub(crate) fn beside_machine_angle(axis: Axis, state: &State) -> f64 {
-    let beside = is_rotary(axis) && state.choices.quirk(quirk::rs274::MACHINE_ROTARY_OFFSET);
-    if beside { state.modes.tool_offset.get(axis) } else { 0.0 }
 }
 
 /// Quirk rs274.save-in-spindle-group. M70 to M73 belong to the group of M3, M4 and M5.

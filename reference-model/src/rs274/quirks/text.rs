@@ -4,7 +4,7 @@
 //! and rs274.exists-numbered (`syntax`), rs274.hal-assignment (`parameters`), rs274.log-closed (`execute::message`),
 //! rs274.percent-in-file (`text`).
 
-use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
+use gaugeblock_vocabulary::{Compensation, FaultKind};
 
 use crate::Choices;
 use crate::ids::{Quirk, quirk};
@@ -100,18 +100,6 @@ pub(crate) fn compensation_code(compensation: Compensation) -> u32 {
 /// Quirk rs274.zero-tool-offset-off: `_tool_offset` tells whether an offset is not zero.
 pub(crate) fn has_tool_offset(state: &State) -> bool {
     state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0)
-}
-
-/// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was. Otherwise it is the
-/// feed rate in force. Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
-pub(crate) fn feed(state: &State) -> f64 {
-    let modes = &state.modes;
-    let by_number = state.choices.quirk(if modes.feed_mode == FeedMode::InverseTime {
-        quirk::rs274::FEED_NAME_INVERSE_TIME
-    } else {
-        quirk::rs274::FEED_NAME_NUMBER
-    });
-    if by_number { modes.feed_number } else { modes.feed_rate }
 }
 
 /// Quirk rs274.selected-tool-zero: `_selected_tool` is 0 before the first T.

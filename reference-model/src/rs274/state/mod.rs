@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
+use super::dialect::Memory;
 use super::environment::EnvironmentState;
 use super::execute::cycles::Series;
 use super::execute::splines::Curve;
@@ -56,6 +57,8 @@ pub struct State {
     pub chosen_spindle: usize,
     /// The plane in force before the block that is executed; only a quirk asks for it.
     pub plane_before: Plane,
+    /// What the dialect remembers; nothing by the documents.
+    pub(crate) memory: Memory,
     /// Whether a log file is open.
     pub log_open: bool,
     /// Whether a file for probed points is open.
@@ -191,6 +194,7 @@ impl State {
             cycle_dwell: 0.0,
             chosen_spindle: 0,
             plane_before: Plane::Xy,
+            memory: Memory::default(),
             log_open: false,
             probe_log_open: false,
             series: None,

@@ -34,6 +34,7 @@ pub use record::Record;
 
 use self::operator::Operator;
 use super::control::{Control, Frame, MAIN, Place};
+use super::dialect::Memory;
 use super::environment::EnvironmentState;
 use super::execute;
 use super::modes::{Modes, Rounding};
@@ -143,6 +144,7 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
         cycle_dwell: 0.0,
         chosen_spindle: 0,
         plane_before: Plane::Xy,
+        memory: Memory::default(),
         log_open: false,
         probe_log_open: false,
         series: None,

@@ -153,6 +153,7 @@ impl ModelRun<'_> {
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
     fn execute(&mut self, words: &Words) -> Result<AfterPhase, StepError> {
         let mut after_phase = AfterPhase::Execute;
+        let mut is_whole = true;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
         let before_words = settings.is_some()
             && self.state.choices.is(choice::parameters::SettingTime::BeforeWords);
@@ -196,13 +197,8 @@ impl ModelRun<'_> {
                 self.has_moved = true;
             }
             self.update_pins(Some(phase));
-            if after_phase == AfterPhase::Drop {
-                // Quirk rs274.rest-of-restore-block. A feed is not asked for; what else is asked before is not known.
-                let later = self.fault_after(phase, phases, words);
-                if later.is_some_and(|error| !is_of_feed(&error)) {
-                    let why = "a restore in a block whose rest is not executed, and would be refused or open";
-                    return Err(StepError::Unspecified(why.to_owned()));
-                }
+            if !self.state.dialect().goes_on_after(phase, phases, words, &mut self.state)? {
+                is_whole = false;
                 break;
             }
             let counted = self.state.environment.changes().len();
@@ -223,7 +219,7 @@ impl ModelRun<'_> {
                 return Err(refused);
             }
         }
-        if after_phase != AfterPhase::Drop {
+        if is_whole {
             order::completed(words, phases, &mut self.state);
         }
         execute::pass(0.0, &mut self.state);
@@ -239,22 +235,11 @@ impl ModelRun<'_> {
     /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is
     /// found before.
     fn waits_before(&mut self, phase: Phase, phases: Phases, words: &Words) -> StepError {
-        if self.fault_after(phase, phases, words).is_some() {
+        if order::fault_after(phase, phases, words, &self.state).is_some() {
             let why = "a block that waits for ever before a part of it that is refused, or open";
             return StepError::Unspecified(why.to_owned());
         }
         self.waits_for_ever()
-    }
-
-    /// Why one of the phases of a block that come later would be refused, or is open.
-    fn fault_after(&self, phase: Phase, phases: Phases, words: &Words) -> Option<StepError> {
-        let mut state = self.state.clone();
-        let mut record = Record::new(&state);
-        let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
-        later.find_map(|phase| {
-            let executed = order::execute_phase(phase, words, &mut state, &mut record);
-            executed.err().filter(|error| !matches!(error, StepError::WaitsForEver))
-        })
     }
 
     /// Reading ahead ends with what waits for the machine, unless that is refused. A tool change has stopped the
@@ -341,12 +326,6 @@ impl ModelRun<'_> {
             self.state.environment.forget_all_with_motion();
         }
     }
-}
-
-/// Whether a rule of feeds refuses it.
-fn is_of_feed(error: &StepError) -> bool {
-    let StepError::Refused(refusal) = error else { return false };
-    refusal.rule.chapter() == "feed"
 }
 
 /// Whether time may go by in a phase, so that somebody can break it off.

@@ -9,16 +9,15 @@ mod heights;
 mod strokes;
 mod tapping;
 
-use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Path, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
 
 use super::target::{moved, polar};
 use super::word;
-use crate::ids::{Rule, quirk, rule};
+use crate::ids::{Rule, rule};
 use crate::math::near_integer;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::motion_mode;
 use crate::rs274::quirks::cycles as quirks;
-use crate::rs274::quirks::saved_state::tolerances_as_numbers;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -89,7 +88,7 @@ pub(crate) fn axes_of(plane: Plane) -> [Axis; 3] {
 
 /// A cycle of one block, all its numbers found.
 #[derive(Clone, Copy, Debug)]
-struct Cycle {
+pub(crate) struct Cycle {
     /// What it is for.
     kind: Kind,
     /// First, second and normal axis.
@@ -131,29 +130,35 @@ pub(super) fn perform(
     allowed::check(words, state)?;
     let repeats = repeats(words, state)?;
     let (series, cycle) = heights::find(motion, kind, words, state)?;
-    let places = places(words, state, &cycle, repeats)?;
+    let mut places = places(words, state, &cycle, repeats)?;
     super::motion::feed_possible(words, state)?;
     strokes::possible(&cycle, state)?;
     state.modes.motion = motion;
     state.series = Some(series);
     accepted(words, rule, state);
     rise(&cycle, state, record);
-    let path = state.modes.path;
-    if state.choices.quirk(quirk::rs274::CYCLE_EXACT_PATH) {
-        state.modes.path = Path::ExactPath;
-    }
-    for place in places {
-        if record.is_full() {
-            return Err(StepError::TooManyEffects);
+    state.dialect().perform_repeats(&cycle, &mut places, state, record)
+}
+
+/// What a controller may do otherwise in a canned cycle.
+pub(crate) trait CycleRules {
+    /// Executes a cycle at each of its places.
+    fn perform_repeats(
+        &self,
+        cycle: &Cycle,
+        places: &mut dyn Iterator<Item = [f64; 2]>,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        for place in places {
+            if record.is_full() {
+                return Err(StepError::TooManyEffects);
+            }
+            in_between(cycle, place, state, record);
+            strokes::perform(cycle, state, record)?;
         }
-        in_between(&cycle, place, state, record);
-        strokes::perform(&cycle, state, record)?;
+        Ok(())
     }
-    if path == Path::Continuous && state.choices.quirk(quirk::rs274::CYCLE_EXACT_PATH) {
-        tolerances_as_numbers(state);
-    }
-    state.modes.path = path;
-    Ok(())
 }
 
 /// Rule cycles.repeat-count. L is a positive integer, however large: the budget bounds what is executed of it.

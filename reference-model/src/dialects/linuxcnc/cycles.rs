@@ -1,0 +1,34 @@
+//! Quirks of canned cycles.
+
+use gaugeblock_vocabulary::Path;
+
+use super::path::tolerances_as_numbers;
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::execute::cycles::{Cycle, CycleRules};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+
+impl CycleRules for LinuxCnc {
+    /// Quirk rs274.cycle-exact-path. A cycle is executed on the exact path, and G64 is programmed again after it.
+    fn perform_repeats(
+        &self,
+        cycle: &Cycle,
+        places: &mut dyn Iterator<Item = [f64; 2]>,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        if !state.shows(quirk::rs274::CYCLE_EXACT_PATH) {
+            return Documented.perform_repeats(cycle, places, state, record);
+        }
+        let path = std::mem::replace(&mut state.modes.path, Path::ExactPath);
+        Documented.perform_repeats(cycle, places, state, record)?;
+        if path == Path::Continuous {
+            tolerances_as_numbers(state);
+        }
+        state.modes.path = path;
+        Ok(())
+    }
+}

@@ -1,0 +1,49 @@
+//! LinuxCNC, as its stand-alone interpreter `rs274` and the whole controller were observed.
+//!
+//! Each section states what was observed, not what is right; the page of the same id in `suite/quirks` has the program
+//! that makes the difference observable.
+
+mod arcs;
+mod cycles;
+mod feed;
+mod memory;
+mod motion;
+mod order;
+mod parameters;
+mod path;
+mod positions;
+mod restore;
+mod saved_state;
+mod tool_length;
+mod units_planes;
+
+pub(crate) use memory::{Memory, ModalMemory};
+
+use crate::Choices;
+use crate::ids::Quirk;
+use crate::rs274::dialect::Dialect;
+use crate::rs274::state::State;
+
+/// LinuxCNC under the quirks of the run.
+#[derive(Debug)]
+pub(super) struct LinuxCnc;
+
+impl Dialect for LinuxCnc {}
+
+/// Which quirks a run has.
+trait Shows {
+    /// Whether it has a quirk.
+    fn shows(&self, quirk: Quirk) -> bool;
+}
+
+impl Shows for Choices {
+    fn shows(&self, quirk: Quirk) -> bool {
+        self.quirk(quirk)
+    }
+}
+
+impl Shows for State {
+    fn shows(&self, quirk: Quirk) -> bool {
+        self.choices.quirk(quirk)
+    }
+}

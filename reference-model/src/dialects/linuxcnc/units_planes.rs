@@ -1,0 +1,30 @@
+//! Quirks of planes, units and the return mode.
+
+use gaugeblock_vocabulary::{Compensation, FaultKind};
+
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::units_planes::UnitsAndPlanesRules;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+impl UnitsAndPlanesRules for LinuxCnc {
+    /// Quirk rs274.retract-under-compensation.
+    fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        retract_under_compensation(state)?;
+        Documented.select_retract(words, state)
+    }
+}
+
+/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
+/// compensated.
+pub(super) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
+    let rule = quirk::rs274::RETRACT_UNDER_COMPENSATION;
+    if state.modes.compensation != Compensation::Off && state.shows(rule) {
+        let message = "a return mode is selected while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
