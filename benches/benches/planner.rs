@@ -21,7 +21,7 @@ use std::time::Instant;
 use gaugeblock_benches::budgets;
 use gaugeblock_planner::Planner;
 use gaugeblock_planner::{
-    Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, Path, Phase, Segment,
+    Axes, Dynamics, Feed, Hold, InputParameter, OutputParameter, Path, PathControl, Phase, Segment,
 };
 
 /// How far above its budget a program may be: compilers differ a little.
@@ -228,7 +228,7 @@ fn drawn(numbers: &str) -> (Vec<Segment>, Operator) {
         } else {
             Path::Straight { end }
         };
-        let mut next = segment(path, Blend::Within(tolerance));
+        let mut next = segment(path, PathControl::Within(tolerance));
         let rapid = matches!(what, What::RapidOverride) && every(3.0);
         next.feed = if rapid { Feed::Rapid } else { Feed::PerSecond(feed) };
         program.push(next);
@@ -289,8 +289,8 @@ fn queued(planner: &mut Planner, segment: &Segment) -> bool {
 
 fn program(name: &str) -> Vec<Segment> {
     match name {
-        "zig-zag" => zig_zag(Blend::Within(0.1)),
-        "stops" => zig_zag(Blend::ExactStop),
+        "zig-zag" => zig_zag(PathControl::Within(0.1)),
+        "stops" => zig_zag(PathControl::ExactStop),
         "arcs" => arcs(),
         "crowded" => curve(0.03, 3),
         "nine axes" => curve(0.1, 9),
@@ -299,11 +299,11 @@ fn program(name: &str) -> Vec<Segment> {
     }
 }
 
-fn segment(path: Path, blend: Blend) -> Segment {
-    Segment { number: 0, path, feed: Feed::PerSecond(100.0), blend, probing: false }
+fn segment(path: Path, blend: PathControl) -> Segment {
+    Segment { number: 0, path, feed: Feed::PerSecond(100.0), path_control: blend, probing: false }
 }
 
-fn zig_zag(blend: Blend) -> Vec<Segment> {
+fn zig_zag(blend: PathControl) -> Vec<Segment> {
     let corner = |i: u32| {
         let mut end: Axes = [0.0; 9];
         (end[0], end[1]) = (0.5 * f64::from(i), 0.5 * f64::from(i % 2));
@@ -324,7 +324,7 @@ fn arcs() -> Vec<Segment> {
             normal: [0.0, 0.0, 1.0],
             angle: sense * std::f64::consts::PI,
         };
-        segment(path, Blend::Within(0.01))
+        segment(path, PathControl::Within(0.01))
     };
     (0..20).map(half).collect()
 }
@@ -342,7 +342,7 @@ fn curve(chord: f64, axes: u32) -> Vec<Segment> {
             let turns = f64::from(axis + 2);
             *place = 20.0 / turns * libm::sin(turns * t);
         }
-        program.push(segment(Path::Straight { end }, Blend::Within(0.01)));
+        program.push(segment(Path::Straight { end }, PathControl::Within(0.01)));
     }
     program
 }

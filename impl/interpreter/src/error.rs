@@ -14,7 +14,7 @@ pub enum Error {
     /// The program is refused at a block: the answer of the documents.
     Fault(Box<Fault>),
     /// The program needs more than [`crate::Limits`] allows.
-    Beyond {
+    LimitExceeded {
         /// Which bound.
         limit: Limit,
         /// Where.
@@ -31,7 +31,7 @@ impl Error {
     pub(crate) fn line(&self) -> Option<(&str, u32)> {
         let block = match self {
             Self::Fault(fault) => fault.block.as_ref()?,
-            Self::Beyond { block, .. } => block,
+            Self::LimitExceeded { block, .. } => block,
             Self::Unreadable(_) | Self::Configuration(_) => return None,
         };
         Some((&block.file, block.line))
@@ -45,7 +45,7 @@ impl fmt::Display for Error {
                 Some(block) => write!(f, "{block}: {}", fault.message),
                 None => f.write_str(&fault.message),
             },
-            Self::Beyond { limit, block } => write!(f, "{block}: too many {limit}"),
+            Self::LimitExceeded { limit, block } => write!(f, "{block}: too many {limit}"),
             Self::Unreadable(unreadable) => {
                 write!(f, "{}: {}", unreadable.file, unreadable.message)
             }

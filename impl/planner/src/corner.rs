@@ -5,7 +5,7 @@ use crate::math;
 use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
-use crate::segment::Blend;
+use crate::segment::PathControl;
 use crate::vector::{norm, norm_of};
 
 /// The change of direction from which an exact path comes to rest, radians.
@@ -66,9 +66,9 @@ impl Corner {
         after: &NominalSegment,
         limits: &Limits,
     ) -> Self {
-        let blend = stricter(before.blend, after.blend);
+        let blend = stricter(before.path_control, after.path_control);
         // Most often, and known without a root.
-        if blend == Blend::ExactStop {
+        if blend == PathControl::ExactStop {
             return Self::Stop;
         }
         let axes = before.whole.axis_count.max(after.whole.axis_count);
@@ -77,20 +77,22 @@ impl Corner {
         if break_angle < SMOOTH_BREAK_MAX_RAD {
             return Self::Smooth;
         }
-        let (tolerance, half) = match (blend, after.blend) {
-            (Blend::ExactStop, _) => return Self::Stop,
-            (Blend::ExactPath, _) if break_angle > EXACT_PATH_BREAK_MAX_RAD => return Self::Stop,
-            (Blend::ExactPath, _) => {
+        let (tolerance, half) = match (blend, after.path_control) {
+            (PathControl::ExactStop, _) => return Self::Stop,
+            (PathControl::ExactPath, _) if break_angle > EXACT_PATH_BREAK_MAX_RAD => {
+                return Self::Stop;
+            }
+            (PathControl::ExactPath, _) => {
                 return Self::TangentBreak(TangentBreak::between(before, after, &change, limits));
             }
             // A leg is left by what it allows itself, whatever the other one does.
-            (Blend::Within(one), Blend::Within(other)) => {
+            (PathControl::Within(one), PathControl::Within(other)) => {
                 ((one - before.merge_deviation).min(other - after.merge_deviation), false)
             }
-            (Blend::Within(tolerance), Blend::BetweenMidpoints)
-            | (Blend::BetweenMidpoints, Blend::Within(tolerance)) => (tolerance, true),
-            (Blend::Within(tolerance), _) => (tolerance, false),
-            (Blend::BetweenMidpoints, _) => (f64::INFINITY, true),
+            (PathControl::Within(tolerance), PathControl::BetweenMidpoints)
+            | (PathControl::BetweenMidpoints, PathControl::Within(tolerance)) => (tolerance, true),
+            (PathControl::Within(tolerance), _) => (tolerance, false),
+            (PathControl::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
         // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
         if half && (before.is_merged || after.is_merged) {
@@ -402,11 +404,12 @@ fn finish_blended_arc(element: &mut PathElement, change: &Axes, d: f64, limits: 
 }
 
 /// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
-fn stricter(before: Blend, after: Blend) -> Blend {
+fn stricter(before: PathControl, after: PathControl) -> PathControl {
     match (before, after) {
-        (Blend::Within(_) | Blend::BetweenMidpoints, Blend::ExactStop | Blend::ExactPath) => {
-            Blend::ExactPath
-        }
+        (
+            PathControl::Within(_) | PathControl::BetweenMidpoints,
+            PathControl::ExactStop | PathControl::ExactPath,
+        ) => PathControl::ExactPath,
         _ => before,
     }
 }

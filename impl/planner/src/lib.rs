@@ -67,4 +67,4 @@ mod vector;
 pub use error::{Error, NotQueued};
 pub use parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase};
 pub use planner::Planner;
-pub use segment::{Blend, Feed, OutputSwitch, Path, Segment};
+pub use segment::{Feed, OutputSwitch, Path, PathControl, Segment};

@@ -5,7 +5,7 @@ use crate::limits::{Limits, squared};
 use crate::math;
 use crate::parameters::Axes;
 use crate::path_element::{Circle, FeedBasis, PathElement};
-use crate::segment::{Blend, Feed, Path, Segment};
+use crate::segment::{Feed, Path, PathControl, Segment};
 use crate::vector::{cross, dot, norm};
 
 /// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
@@ -24,7 +24,7 @@ pub(crate) struct NominalSegment {
     pub(crate) start_tangent: Axes,
     pub(crate) end_tangent: Axes,
     /// What may happen at its end.
-    pub(crate) blend: Blend,
+    pub(crate) path_control: PathControl,
     /// How fast that runs which its feed is measured along, over the parameter, at most.
     pub(crate) feed_path_ratio: f64,
     /// How much of it the corner at its start has taken.
@@ -62,9 +62,9 @@ pub(crate) fn resolve(
         Path::Straight { end } => set_line(whole, &end)?,
         Path::Arc { end, centre, normal, angle } => set_arc(whole, &end, &centre, &normal, angle)?,
     }
-    let tolerated = match segment.blend {
-        Blend::Within(tolerance) => tolerance >= 0.0,
-        Blend::ExactStop | Blend::ExactPath | Blend::BetweenMidpoints => true,
+    let tolerated = match segment.path_control {
+        PathControl::Within(tolerance) => tolerance >= 0.0,
+        PathControl::ExactStop | PathControl::ExactPath | PathControl::BetweenMidpoints => true,
     };
     let ratios = feed_path_ratios(whole);
     merged.feed_path_ratio = ratios.1;
@@ -92,7 +92,8 @@ pub(crate) fn resolve(
         merged.end_tangent =
             whole.tangent_at(whole.length).map(|rate| rate / whole.end_speed_ratio);
     }
-    merged.blend = if segment.probing { Blend::ExactStop } else { segment.blend };
+    merged.path_control =
+        if segment.probing { PathControl::ExactStop } else { segment.path_control };
     (merged.start_trim, merged.merge_deviation, merged.is_merged) = (0.0, 0.0, false);
     Ok(ResolvedSegment::Moves)
 }

@@ -100,5 +100,5 @@ pub struct OutputParameter {
     /// Speed along the path of all nine axes, millimetres or degrees per second.
     pub speed: f64,
     /// Whether the probe has changed in a probing segment; the motion comes to rest and the queue is forgotten.
-    pub tripped: bool,
+    pub probe_tripped: bool,
 }

@@ -16,7 +16,7 @@ use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, BlendLimits, FeedBasis, PathElement};
 use crate::ring::Ring;
-use crate::segment::Blend;
+use crate::segment::PathControl;
 
 /// So many pieces may be touched in a cycle, by a limit of speed where they are short.
 const ELEMENTS_PER_CROWDED_CYCLE: u64 = 3;
@@ -77,7 +77,7 @@ impl PathBuilder {
     /// The corner after the last leg comes to rest, if it is not made yet.
     pub(crate) fn stop_at_end(&mut self) {
         let (_, last, _) = in_order(&mut self.open_segments, self.oldest);
-        last.segment.blend = Blend::ExactStop;
+        last.segment.path_control = PathControl::ExactStop;
     }
 
     /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.

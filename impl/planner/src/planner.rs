@@ -12,7 +12,7 @@ use crate::path_builder::{PathBuilder, PathEdit};
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::retrace::Retrace;
 use crate::ring::Ring;
-use crate::segment::{Blend, OutputSwitch, Segment};
+use crate::segment::{OutputSwitch, PathControl, Segment};
 
 /// How many pieces behind the motion are remembered at least, for running back.
 const REVERSE_ELEMENTS_MIN: u64 = 128;
@@ -122,7 +122,7 @@ impl Planner {
             self.switches_due_at_end = self.switches.end();
         }
         match resolved {
-            ResolvedSegment::ZeroLength if segment.blend == Blend::ExactStop => {
+            ResolvedSegment::ZeroLength if segment.path_control == PathControl::ExactStop => {
                 self.builder.stop_at_end()
             }
             ResolvedSegment::ZeroLength => {}
@@ -156,7 +156,7 @@ impl Planner {
 
     /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance:
     /// for instance where other overrides act on it.
-    pub fn keep_apart(&mut self) {
+    pub fn prevent_merge(&mut self) {
         self.next_is_separate = true;
     }
 
@@ -166,7 +166,7 @@ impl Planner {
     ///
     /// # Errors
     /// As many wait as the queue holds segments.
-    pub fn switch(&mut self, switch: OutputSwitch) -> Result<(), NotQueued> {
+    pub fn queue_output(&mut self, switch: OutputSwitch) -> Result<(), NotQueued> {
         if self.aborting || self.switches.room() == 0 {
             return Err(NotQueued::Full);
         }
@@ -175,7 +175,7 @@ impl Planner {
     }
 
     /// The next output that has switched, in the order of queueing; to be asked after each cycle until there is none.
-    pub fn switched(&mut self) -> Option<OutputSwitch> {
+    pub fn next_switched_output(&mut self) -> Option<OutputSwitch> {
         let first = self.switches.first();
         let (segment, switch) = *self.switches.get(first)?;
         if segment > self.motion.begun && !(first < self.switches_due_at_end && self.is_at_end()) {
@@ -190,8 +190,8 @@ impl Planner {
         let request = self.cycle_request(input);
         self.motion.advance_cycle(&self.elements, &self.limits, &request);
         self.advance_look_ahead(&request, input);
-        output.tripped = self.probe_tripped(input.probe);
-        self.aborting |= output.tripped;
+        output.probe_tripped = self.probe_tripped(input.probe);
+        self.aborting |= output.probe_tripped;
         self.write_output(output);
         output.phase = self.phase(&request);
         if output.phase == Phase::Idle {

@@ -49,7 +49,7 @@ pub enum Feed {
 /// What may happen at the corner after a segment. Between a line and another is a parabola, otherwise the path itself
 /// bent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Blend {
+pub enum PathControl {
     /// G61.1: come to rest.
     #[default]
     ExactStop,
@@ -82,7 +82,7 @@ pub struct Segment {
     /// How fast it is asked to be.
     pub feed: Feed,
     /// What may happen at its end.
-    pub blend: Blend,
+    pub path_control: PathControl,
     /// Whether it ends, and the queue with it, at the first change of the probe. The segments around it come to rest.
     pub probing: bool,
 }

@@ -4,7 +4,7 @@ use crate::limits::{Limits, squared};
 use crate::math;
 use crate::nominal_segment::{NominalSegment, set_line};
 use crate::path_element::FeedBasis;
-use crate::segment::Blend;
+use crate::segment::PathControl;
 
 /// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
 const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
@@ -27,7 +27,7 @@ impl NominalSegment {
         let lines = one.circle.is_none()
             && other.circle.is_none()
             && one.axis_count.max(other.axis_count) <= 3;
-        let alike = lines && self.has_same_feed(next) && self.blend == next.blend;
+        let alike = lines && self.has_same_feed(next) && self.path_control == next.path_control;
         let mut bends = 0.0;
         for (last, first) in self.end_tangent.iter().zip(&next.start_tangent) {
             bends += squared(first - last);
@@ -40,7 +40,7 @@ impl NominalSegment {
 
     /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
     pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
-        let Blend::Within(tolerance) = self.blend else { return false };
+        let PathControl::Within(tolerance) = self.path_control else { return false };
         let whole = &mut self.whole;
         let length = whole.length;
         if set_line(whole, &next.whole.end).is_err() {

@@ -287,7 +287,9 @@ impl<'a> Drive<'a> {
         let Some((pin, value, _)) = switching(effect) else { return Ok(()) };
         let place = self.outputs.keys().position(|known| *known == pin);
         let Some(output) = place.and_then(|place| u16::try_from(place).ok()) else { return Ok(()) };
-        while !self.operator.abort && self.planner.switch(OutputSwitch { output, value }).is_err() {
+        while !self.operator.abort
+            && self.planner.queue_output(OutputSwitch { output, value }).is_err()
+        {
             self.cycle()?;
         }
         Ok(())
@@ -302,7 +304,7 @@ impl<'a> Drive<'a> {
         self.lines.push(line);
         let controls = self.in_force();
         if self.controls.last() != Some(&controls) {
-            self.planner.keep_apart();
+            self.planner.prevent_merge();
         }
         self.controls.push(controls);
         self.feeds.push(if let Feed::PerSecond(feed) = segment.feed { feed } else { f64::NAN });
@@ -384,7 +386,7 @@ impl<'a> Drive<'a> {
         if phase == Phase::Waiting && stands && self.follows && !dwells {
             return Err(Stopped::endless("it follows a spindle that stands"));
         }
-        while let Some(switch) = self.planner.switched() {
+        while let Some(switch) = self.planner.next_switched_output() {
             if let Some((_, value)) = self.outputs.iter_mut().nth(usize::from(switch.output)) {
                 *value = switch.value;
             }

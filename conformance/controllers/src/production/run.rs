@@ -193,7 +193,7 @@ impl Run<'_> {
                 }
                 End::Fault(*fault)
             }
-            Err(Error::Beyond { limit, block }) => {
+            Err(Error::LimitExceeded { limit, block }) => {
                 End::Unsupported { block, what: format!("so many {limit}") }
             }
             Err(error @ (Error::Unreadable(_) | Error::Configuration(_))) => {

@@ -94,7 +94,7 @@ impl Interpreter {
     #[cold]
     pub(crate) fn beyond(&self, segment: u32, limit: Limit) -> Error {
         let line = self.reader.line().saturating_sub(1);
-        Error::Beyond { limit, block: self.place(segment, line) }
+        Error::LimitExceeded { limit, block: self.place(segment, line) }
     }
 
     /// A line of the file that a segment comes from.

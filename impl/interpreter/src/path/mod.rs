@@ -20,7 +20,7 @@ use gaugeblock_vocabulary::{
     Effect, FeedMode, LengthUnit, OutputTiming, Path as PathMode, Plane, Settings,
 };
 
-use gaugeblock_planner::{Axes, Blend, Feed, OutputSwitch, Path, Segment};
+use gaugeblock_planner::{Axes, Feed, OutputSwitch, Path, PathControl, Segment};
 
 use frame::Frame;
 
@@ -48,7 +48,7 @@ pub enum Asked {
 ///
 /// ```
 /// use gaugeblock_interpreter::path::{Asked, Resolver};
-/// use gaugeblock_planner::{Blend, Feed, Path};
+/// use gaugeblock_planner::{PathControl, Feed, Path};
 /// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, Path as PathMode, Plane, Settings};
 ///
 /// let mut resolver = Resolver::new([0.0; 9]);
@@ -63,7 +63,7 @@ pub enum Asked {
 /// assert_eq!(segment.number, 7);
 /// assert_eq!(segment.path, Path::Straight { end: [25.4, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0] });
 /// assert_eq!(segment.feed, Feed::PerSecond(6.0 * 25.4 / 60.0));
-/// assert_eq!(segment.blend, Blend::ExactStop);
+/// assert_eq!(segment.path_control, PathControl::ExactStop);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Resolver {
@@ -188,18 +188,18 @@ impl Resolver {
 
     fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
         self.at = end;
-        let blend = self.blend();
-        Asked::Move(Segment { number: line.into(), path, feed, blend, probing })
+        let path_control = self.path_control();
+        Asked::Move(Segment { number: line.into(), path, feed, path_control, probing })
     }
 
-    fn blend(&self) -> Blend {
+    fn path_control(&self) -> PathControl {
         match self.path {
-            PathMode::ExactStop => Blend::ExactStop,
-            PathMode::ExactPath => Blend::ExactPath,
+            PathMode::ExactStop => PathControl::ExactStop,
+            PathMode::ExactPath => PathControl::ExactPath,
             PathMode::Continuous if self.tolerance > 0.0 => {
-                Blend::Within(self.frame.millimetres(self.tolerance))
+                PathControl::Within(self.frame.millimetres(self.tolerance))
             }
-            PathMode::Continuous => Blend::BetweenMidpoints,
+            PathMode::Continuous => PathControl::BetweenMidpoints,
         }
     }
 

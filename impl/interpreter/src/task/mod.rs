@@ -372,6 +372,6 @@ impl<M: Machine> Task<M> {
                 Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => return Ok(()),
             }
         }
-        Err(Error::Beyond { limit: Limit::BlocksAhead, block: self.interpreter.block() })
+        Err(Error::LimitExceeded { limit: Limit::BlocksAhead, block: self.interpreter.block() })
     }
 }

@@ -345,7 +345,7 @@ fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
     let (end, counted) = read(&alloc::format!("g4 p1\n{blocks}m2\n"), 100_000);
     assert_eq!((end, counted), (Ok(Activity::Ended(End::Aborted)), Some((31, 1500.0))));
     let (end, _) = read("g4 p1\no1 while [1]\no1 endwhile\nm2\n", 100_000);
-    assert!(matches!(end, Err(crate::Error::Beyond { .. })), "{end:?}");
+    assert!(matches!(end, Err(crate::Error::LimitExceeded { .. })), "{end:?}");
 }
 
 #[test]

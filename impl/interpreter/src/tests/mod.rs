@@ -141,7 +141,7 @@ impl Outcome {
             ["refused", kind] => matches!(&self.end, Err(Error::Fault(fault))
                 if fault.kind.is_some_and(|found| found.word() == *kind)),
             ["ends", name] => self.end.as_ref().is_ok_and(|end| end.name() == *name),
-            ["beyond"] => matches!(self.end, Err(Error::Beyond { .. })),
+            ["beyond"] => matches!(self.end, Err(Error::LimitExceeded { .. })),
             ["no", name] => !self.recorder.named.contains_key(bare(name)),
             ["count", effect, "=", count] => {
                 let named = |text: &str| text.split(' ').next() == Some(effect);

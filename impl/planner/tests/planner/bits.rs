@@ -1,6 +1,6 @@
 //! Samples are the same to the last bit on every platform and in every build.
 
-use gaugeblock_planner::{Axes, Blend, Segment};
+use gaugeblock_planner::{Axes, PathControl, Segment};
 
 use super::check::{Feeding, run};
 use super::programs::{arcs, arcs_with_corners, helix, square, zig};
@@ -17,12 +17,12 @@ fn digest(start: Axes, program: &[Segment]) -> u64 {
 #[test]
 fn samples_are_the_same_everywhere() {
     let origin = [0.0; 9];
-    let (start, corners) = arcs_with_corners(Blend::Within(0.1));
+    let (start, corners) = arcs_with_corners(PathControl::Within(0.1));
     let digests = [
-        digest(origin, &zig(Blend::Within(0.1))),
-        digest(origin, &square(Blend::BetweenMidpoints)),
-        digest(origin, &arcs(Blend::ExactPath)),
-        digest(origin, &helix(Blend::Within(0.01))),
+        digest(origin, &zig(PathControl::Within(0.1))),
+        digest(origin, &square(PathControl::BetweenMidpoints)),
+        digest(origin, &arcs(PathControl::ExactPath)),
+        digest(origin, &helix(PathControl::Within(0.01))),
         digest(start, &corners),
     ];
     // Who changes what the planner does, writes the new ones here; who changes a platform or a compiler, must not.

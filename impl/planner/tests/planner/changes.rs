@@ -1,6 +1,6 @@
 //! Who allows more, or divides a line, loses no time: each of these did once.
 
-use gaugeblock_planner::{Axes, Blend, Feed, InputParameter, Planner, Segment};
+use gaugeblock_planner::{Axes, Feed, InputParameter, PathControl, Planner, Segment};
 use std::f64::consts::TAU;
 
 use super::check::{CYCLE, Feeding, dynamics, run, run_with};
@@ -18,7 +18,13 @@ fn time(program: &[Segment]) -> f64 {
 }
 
 /// An arc about a centre, counterclockwise or not.
-fn about(start: Axes, end: Axes, offset: (f64, f64), turns_left: bool, blend: Blend) -> Segment {
+fn about(
+    start: Axes,
+    end: Axes,
+    offset: (f64, f64),
+    turns_left: bool,
+    blend: PathControl,
+) -> Segment {
     let from = libm::atan2(-offset.1, -offset.0);
     let to = libm::atan2(end[1] - start[1] - offset.1, end[0] - start[0] - offset.0);
     let angle = (to - from).rem_euclid(TAU);
@@ -33,7 +39,7 @@ fn at_feed(mut program: Vec<Segment>, per_minute: f64) -> Vec<Segment> {
 }
 
 /// A line, and an arc that nearly goes back.
-fn sharp(blend: Blend) -> Vec<Segment> {
+fn sharp(blend: PathControl) -> Vec<Segment> {
     let corner = at(13.316_49, 14.074_47, 0.0);
     let end = at(12.049_53, 13.061_99, 0.0);
     let back = about(corner, end, (-3.4365, 3.0013), false, blend);
@@ -41,7 +47,7 @@ fn sharp(blend: Blend) -> Vec<Segment> {
 }
 
 /// A short line, a short arc that goes on nearly as it does, and a line across.
-fn flat(blend: Blend) -> Vec<Segment> {
+fn flat(blend: PathControl) -> Vec<Segment> {
     let (before, corner) = (at(2.81, -15.59, 0.0), at(2.814_55, -15.588_48, 0.0));
     let end = at(2.674_01, -15.327_57, 0.0);
     let round = about(corner, end, (-7.006_57, -3.605_73), true, blend);
@@ -54,7 +60,7 @@ fn a_farther_corner_with_an_arc_takes_no_longer() {
     for program in [sharp, flat] {
         let mut last = f64::INFINITY;
         for tolerance in [0.003, 0.01, 0.03, 0.05, 0.06, 0.1, 0.15, 0.2, 0.3] {
-            let time = time(&program(Blend::Within(tolerance)));
+            let time = time(&program(PathControl::Within(tolerance)));
             assert!(time <= last * 1.001 + 0.002, "{tolerance}: {time} s after {last} s");
             last = time;
         }
@@ -63,7 +69,7 @@ fn a_farther_corner_with_an_arc_takes_no_longer() {
 
 #[test]
 fn a_faster_axis_takes_no_longer() {
-    let blend = Blend::Within(0.13);
+    let blend = PathControl::Within(0.13);
     let corner = at(12.203_07, -1.476_41, 0.0);
     let end = at(16.615_52, -4.174_87, 0.0);
     let mut program = at_feed(
@@ -93,7 +99,7 @@ fn a_faster_axis_takes_no_longer() {
 fn an_axis_that_accelerates_more_makes_no_corner_slower() {
     // The line between the corners is over within a cycle, and a blend between the middles of lines has half of it.
     let corners = [(-4.0, -12.0), (1.596_57, -14.090_99), (1.604_14, -14.094_1), (23.0, -21.0)];
-    let program = corners.map(|(x, y)| line(at(x, y, 0.0), Blend::BetweenMidpoints)).to_vec();
+    let program = corners.map(|(x, y)| line(at(x, y, 0.0), PathControl::BetweenMidpoints)).to_vec();
     let program = at_feed(program, 6775.0);
     let mut last = f64::INFINITY;
     for acceleration in [3000.0, 5000.0, 7085.0, 9000.0, 12_559.0, 20_000.0, 50_000.0] {
@@ -111,7 +117,7 @@ fn an_axis_that_accelerates_more_makes_no_corner_slower() {
 
 #[test]
 fn a_divided_line_before_a_slower_one_takes_as_long() {
-    let blend = Blend::Within(0.14);
+    let blend = PathControl::Within(0.14);
     let ends = [(61.0, -9.0), (74.0, 4.0), (87.0, 18.0)];
     let mut program = at_feed(ends.map(|(x, y)| line(at(x, y, 0.0), blend)).to_vec(), 10_827.0);
     program[2].feed = Feed::PerSecond(100.0);
@@ -129,7 +135,7 @@ fn a_divided_line_before_a_slower_one_takes_as_long() {
 fn a_path_of_many_lines_waits_for_no_look_ahead_when_its_spindle_starts() {
     let place = |number: u32| at(0.005 * f64::from(number), 0.0, 0.0);
     let mut program: Vec<Segment> =
-        (1..=400).map(|number| line(place(number), Blend::Within(1e-5))).collect();
+        (1..=400).map(|number| line(place(number), PathControl::Within(1e-5))).collect();
     for segment in &mut program {
         segment.feed = Feed::PerTurn(0.2);
     }

@@ -1,7 +1,7 @@
 //! What random motions have broken: each of these was wrong once.
 
 use gaugeblock_planner::{
-    Axes, Blend, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Planner, Segment,
+    Axes, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, PathControl, Planner, Segment,
 };
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run, run_with};
@@ -19,7 +19,11 @@ fn corner_is_as_narrow_as_its_stricter_leg() {
     let start = at(169.0, 49.3, 0.0);
     for tolerances in [(0.01, 0.005), (0.005, 0.01), (f64::INFINITY, 0.005)] {
         let blend = |tolerance: f64| {
-            if tolerance.is_finite() { Blend::Within(tolerance) } else { Blend::BetweenMidpoints }
+            if tolerance.is_finite() {
+                PathControl::Within(tolerance)
+            } else {
+                PathControl::BetweenMidpoints
+            }
         };
         let program = [
             line(at(172.0, 46.0, 0.0), blend(tolerances.0)),
@@ -33,7 +37,7 @@ fn corner_is_as_narrow_as_its_stricter_leg() {
 
 #[test]
 fn exact_path_is_not_left_and_not_crawled_along() {
-    let program = dense(Blend::ExactPath);
+    let program = dense(PathControl::ExactPath);
     let run = run(ORIGIN, &program, Feeding::Full);
     let (path, vertices) = programmed(ORIGIN, &program);
     let (speed, change) = run.worst(&dynamics());
@@ -51,7 +55,7 @@ fn arc_whose_end_is_rounded_nears_its_axis_evenly() {
     let start = at(1.0, 0.0, 0.0);
     let quarter = std::f64::consts::FRAC_PI_2;
     let end = at(0.0, 1.000_01, 0.0);
-    let program = [arc(start, end, (-1.0, 0.0), quarter, Blend::ExactStop)];
+    let program = [arc(start, end, (-1.0, 0.0), quarter, PathControl::ExactStop)];
     for point in run(start, &program, Feeding::Full).samples {
         let share = libm::atan2(point[1], point[0]) / quarter;
         let radius = libm::hypot(point[0], point[1]);
@@ -62,10 +66,10 @@ fn arc_whose_end_is_rounded_nears_its_axis_evenly() {
 #[test]
 fn feed_per_turn_is_kept_from_the_start_and_overridden() {
     let mut program = vec![
-        line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
-        line(at(30.0, 0.0, 0.0), Blend::Within(0.01)),
-        line(at(30.0, 5.0, 0.0), Blend::Within(0.01)),
-        line(at(40.0, 5.0, 0.0), Blend::Within(0.01)),
+        line(at(20.0, 0.0, 0.0), PathControl::Within(0.01)),
+        line(at(30.0, 0.0, 0.0), PathControl::Within(0.01)),
+        line(at(30.0, 5.0, 0.0), PathControl::Within(0.01)),
+        line(at(40.0, 5.0, 0.0), PathControl::Within(0.01)),
     ];
     program[1].feed = Feed::PerTurn(0.5);
     program[2].feed = Feed::PerTurn(0.5);
@@ -88,8 +92,8 @@ fn feed_per_turn_is_kept_from_the_start_and_overridden() {
 #[test]
 fn rapid_override_counts_on_a_blend_with_a_rapid_move() {
     let mut program = [
-        line(at(0.0, -20.0, 0.0), Blend::Within(0.5)),
-        line(at(0.0, -40.0, 5.0), Blend::Within(0.5)),
+        line(at(0.0, -20.0, 0.0), PathControl::Within(0.5)),
+        line(at(0.0, -40.0, 5.0), PathControl::Within(0.5)),
     ];
     program[0].feed = Feed::PerSecond(240.0);
     program[1].feed = Feed::Rapid;
@@ -104,16 +108,16 @@ fn rapid_override_counts_on_a_blend_with_a_rapid_move() {
 fn output_does_not_switch_while_its_move_is_held() {
     let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
     let mut output = OutputParameter::default();
-    planner.queue(&line(at(1.0, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    planner.queue(&line(at(1.0, 0.0, 0.0), PathControl::Within(0.01))).expect("room");
     for _ in 0..200 {
         planner.update(&InputParameter::default(), &mut output);
     }
-    planner.switch(OutputSwitch { output: 1, value: 1.0 }).expect("room");
-    planner.queue(&line(at(2.0, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+    planner.queue_output(OutputSwitch { output: 1, value: 1.0 }).expect("room");
+    planner.queue(&line(at(2.0, 0.0, 0.0), PathControl::Within(0.01))).expect("room");
     for cycle in 0..200 {
         let hold = if cycle < 100 { Hold::Hold } else { Hold::Run };
         planner.update(&InputParameter { hold, ..InputParameter::default() }, &mut output);
-        let switched = planner.switched().is_some();
+        let switched = planner.next_switched_output().is_some();
         assert_eq!(switched, cycle == 100, "{cycle}");
     }
 }
@@ -121,7 +125,7 @@ fn output_does_not_switch_while_its_move_is_held() {
 #[test]
 fn hold_on_an_arc_uses_what_the_axes_can_do_in_each_direction() {
     let mut circle =
-        arc(ORIGIN, ORIGIN, (1.24155, -0.44987), std::f64::consts::TAU, Blend::ExactStop);
+        arc(ORIGIN, ORIGIN, (1.24155, -0.44987), std::f64::consts::TAU, PathControl::ExactStop);
     circle.feed = Feed::InTime(60.0 / 831.0);
     let run = operated(ORIGIN, &[circle], |cycle| InputParameter {
         hold: if (80..400).contains(&cycle) { Hold::Hold } else { Hold::Run },
@@ -142,7 +146,7 @@ fn long_flat_blend_speeds_up_and_slows_down() {
     let time = |tolerance: f64| {
         let to = |y: f64, z: f64| Segment {
             feed: Feed::PerSecond(12741.0 / 60.0),
-            ..line(at(0.0, y, z), Blend::Within(tolerance))
+            ..line(at(0.0, y, z), PathControl::Within(tolerance))
         };
         let program = [to(159.435_01, -78.9409), to(159.438_23, -79.067_15), to(159.0, -79.0)];
         run(start, &program, Feeding::Full).time()
@@ -154,7 +158,8 @@ fn long_flat_blend_speeds_up_and_slows_down() {
 /// A blend with a feed per turn that is queued with the move after it followed no spindle, and never ended.
 #[test]
 fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
-    for (feed, blend) in [(Feed::Rapid, Blend::BetweenMidpoints), (Feed::Rapid, Blend::Within(0.1))]
+    for (feed, blend) in
+        [(Feed::Rapid, PathControl::BetweenMidpoints), (Feed::Rapid, PathControl::Within(0.1))]
     {
         let mut program = [
             line(at(2.0, 0.0, 0.0), blend),
@@ -183,7 +188,7 @@ fn blend_speeds_up_within_its_length_and_slows_down_again() {
     let time = |feed: f64, tolerance: f64, ends: &[(f64, f64)]| {
         let to = |(x, y): &(f64, f64)| Segment {
             feed: Feed::PerSecond(feed / 60.0),
-            ..line(at(*x, *y, 0.0), Blend::Within(tolerance))
+            ..line(at(*x, *y, 0.0), PathControl::Within(tolerance))
         };
         run(ORIGIN, &ends.iter().map(to).collect::<Vec<_>>(), Feeding::Full).time()
     };
@@ -205,7 +210,7 @@ fn program_that_ends_with_a_cycle_comes_to_its_end() {
     dynamics.acceleration[2] = 3_029.563_855_379_82;
     let to = |y: f64, z: f64| Segment {
         feed: Feed::PerSecond(5302.0 / 60.0),
-        ..line(at(0.0, y, z), Blend::BetweenMidpoints)
+        ..line(at(0.0, y, z), PathControl::BetweenMidpoints)
     };
     let program = [to(0.003_16, -0.003_69), to(0.006_23, -0.007_46)];
     let mut planner = Planner::new(dynamics, ORIGIN).expect("limits");
@@ -224,7 +229,7 @@ fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
     let time = |tolerance: f64, sense: f64| {
         let to = |x: f64, z: f64| Segment {
             feed: Feed::PerSecond(4828.0 / 60.0),
-            ..line(at(x, 0.0, z), Blend::Within(tolerance))
+            ..line(at(x, 0.0, z), PathControl::Within(tolerance))
         };
         let mut program = [to(-35.0, 63.0), to(-12.0, 63.0)];
         let mut start = ORIGIN;
@@ -252,9 +257,9 @@ fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
         let mut dynamics = dynamics();
         dynamics.velocity[0] = velocity;
         let mut program = [
-            line(at(-0.39, 2.81, 0.0), Blend::BetweenMidpoints),
-            line(at(0.05, 3.44, 0.0), Blend::BetweenMidpoints),
-            line(at(3.0, 8.0, 0.0), Blend::BetweenMidpoints),
+            line(at(-0.39, 2.81, 0.0), PathControl::BetweenMidpoints),
+            line(at(0.05, 3.44, 0.0), PathControl::BetweenMidpoints),
+            line(at(3.0, 8.0, 0.0), PathControl::BetweenMidpoints),
         ];
         (program[0].feed, program[2].feed) = (Feed::PerTurn(1.0), Feed::PerTurn(1.0));
         program[1].feed = Feed::Rapid;
@@ -280,7 +285,7 @@ fn brakes_leave_a_break_of_direction_between_arcs_what_it_takes() {
             here[1] + to_centre.1 - 2.0 * libm::cos(heading + 1.0),
             0.0,
         );
-        let arc = arc(here, end, to_centre, 1.0, Blend::ExactPath);
+        let arc = arc(here, end, to_centre, 1.0, PathControl::ExactPath);
         program.push(Segment { feed: Feed::PerSecond(20.0), ..arc });
         (here, heading) = (end, heading + 1.02);
     }
@@ -300,7 +305,7 @@ fn hold_on_a_bend_that_is_entered_too_fast_to_coast_keeps_limits_up_to_the_end_o
     for heading in [0.6, 0.3].into_iter().cycle().take(20) {
         here[0] += 0.3 * libm::cos(heading);
         here[1] += 0.3 * libm::sin(heading);
-        program.push(line(here, Blend::Within(0.01)));
+        program.push(line(here, PathControl::Within(0.01)));
     }
     for held in 0..100 {
         let run = operated(ORIGIN, &program, |cycle| {
@@ -314,7 +319,7 @@ fn hold_on_a_bend_that_is_entered_too_fast_to_coast_keeps_limits_up_to_the_end_o
 
 #[test]
 fn look_ahead_catches_up_with_an_override_on_a_long_queue() {
-    let end = |place: u32| line(at(0.1 * f64::from(place), 0.0, 0.0), Blend::ExactPath);
+    let end = |place: u32| line(at(0.1 * f64::from(place), 0.0, 0.0), PathControl::ExactPath);
     let program: Vec<Segment> = (1..=1000).map(end).collect();
     let twice = |_| InputParameter { feed_override: 2.0, ..InputParameter::default() };
     let time = operated(ORIGIN, &program, twice).time();

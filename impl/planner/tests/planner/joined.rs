@@ -1,7 +1,7 @@
 //! Segments of which several are over within a cycle become one leg, within their tolerance.
 
 use gaugeblock_planner::{
-    Axes, Blend, Feed, InputParameter, OutputParameter, OutputSwitch, Phase, Planner, Segment,
+    Axes, Feed, InputParameter, OutputParameter, OutputSwitch, PathControl, Phase, Planner, Segment,
 };
 use libm::{cos, sin};
 
@@ -13,7 +13,7 @@ const ORIGIN: Axes = [0.0; 9];
 const RADIUS: f64 = 6.0;
 
 /// An arc of so many chords of a length, numbered from 1.
-fn chords(count: u32, length: f64, blend: Blend) -> Vec<Segment> {
+fn chords(count: u32, length: f64, blend: PathControl) -> Vec<Segment> {
     let end = |chord: u32| {
         let angle = f64::from(chord) * length / RADIUS;
         at(RADIUS * sin(angle), RADIUS * (1.0 - cos(angle)), 0.0)
@@ -63,7 +63,7 @@ fn is_lawful(run: &Run, program: &[Segment], tolerance: f64) {
 #[test]
 fn a_row_of_short_chords_is_as_fast_as_its_feed() {
     for length in [0.002, 0.01, 0.03, 0.045] {
-        let program = chords(1500, length, Blend::Within(0.01));
+        let program = chords(1500, length, PathControl::Within(0.01));
         let run = run(ORIGIN, &program, Feeding::Full);
         is_lawful(&run, &program, 0.01);
         let least = least_time(1500, length);
@@ -74,7 +74,7 @@ fn a_row_of_short_chords_is_as_fast_as_its_feed() {
 #[test]
 fn it_is_lawful_at_any_feeding_and_tolerance() {
     for tolerance in [0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.1] {
-        let program = chords(600, 0.01, Blend::Within(tolerance));
+        let program = chords(600, 0.01, PathControl::Within(tolerance));
         for feeding in FEEDINGS {
             is_lawful(&run(ORIGIN, &program, feeding), &program, tolerance + 1e-9);
         }
@@ -83,7 +83,7 @@ fn it_is_lawful_at_any_feeding_and_tolerance() {
 
 #[test]
 fn samples_do_not_depend_on_how_its_segments_come() {
-    let program = chords(1500, 0.04, Blend::Within(0.01));
+    let program = chords(1500, 0.04, PathControl::Within(0.01));
     let all = run(ORIGIN, &program, Feeding::Full);
     // Two and a half are over within a cycle.
     for feeding in [Feeding::Every(1000, 1), Feeding::Every(1400, 2)] {
@@ -93,14 +93,14 @@ fn samples_do_not_depend_on_how_its_segments_come() {
 
 #[test]
 fn a_segment_that_is_kept_apart_is_told() {
-    let program = chords(200, 0.01, Blend::Within(0.01));
+    let program = chords(200, 0.01, PathControl::Within(0.01));
     let together = told(&program, |_, _| ());
     assert!(together.len() < 60, "{together:?}");
     // The last of a leg is told, and so is not the one before.
     let apart = together[together.len() / 2] - 1;
     let alone = told(&program, |planner, segment| {
         if segment.number == apart + 1 {
-            planner.keep_apart();
+            planner.prevent_merge();
         }
     });
     assert!(!together.contains(&apart) && alone.contains(&apart), "{alone:?}");
@@ -108,12 +108,12 @@ fn a_segment_that_is_kept_apart_is_told() {
 
 #[test]
 fn an_output_switches_where_a_chord_begins() {
-    let program = chords(400, 0.01, Blend::Within(0.01));
+    let program = chords(400, 0.01, PathControl::Within(0.01));
     let waits = |segment: &Segment| segment.number > 40 && segment.number.is_multiple_of(7);
     let told = told(&program, |planner, segment| {
         if waits(segment) {
             let output = u16::try_from(segment.number).expect("small");
-            planner.switch(OutputSwitch { output, value: 1.0 }).expect("room");
+            planner.queue_output(OutputSwitch { output, value: 1.0 }).expect("room");
         }
     });
     for segment in program.iter().filter(|segment| waits(segment)) {
@@ -126,15 +126,15 @@ fn an_output_switches_where_a_chord_begins() {
 fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
     // A row that is straight, and one that is not.
     for straight in [true, false] {
-        let mut program = chords(60, 0.01, Blend::Within(0.01));
+        let mut program = chords(60, 0.01, PathControl::Within(0.01));
         if straight {
             program = (1..=60)
-                .map(|i| line(at(0.01 * f64::from(i), 0.0, 0.0), Blend::Within(0.01)))
+                .map(|i| line(at(0.01 * f64::from(i), 0.0, 0.0), PathControl::Within(0.01)))
                 .collect();
         }
         let (_, vertices) = programmed(ORIGIN, &program);
         let corner = vertices[vertices.len() - 1];
-        program.push(line(at(corner[0], 5.0, 0.0), Blend::BetweenMidpoints));
+        program.push(line(at(corner[0], 5.0, 0.0), PathControl::BetweenMidpoints));
         let run = run(ORIGIN, &program, Feeding::Full);
         let missed = farthest(&[corner], &run.samples);
         assert!(missed <= 0.0025, "{missed}");
@@ -143,8 +143,9 @@ fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
 
 #[test]
 fn a_feed_without_bound_is_no_other_ones() {
-    let mut program: Vec<Segment> =
-        (1..=400).map(|i| line(at(0.02 * f64::from(i), 0.0, 0.0), Blend::Within(0.01))).collect();
+    let mut program: Vec<Segment> = (1..=400)
+        .map(|i| line(at(0.02 * f64::from(i), 0.0, 0.0), PathControl::Within(0.01)))
+        .collect();
     for (place, segment) in program.iter_mut().enumerate() {
         let unbounded = place % 20 == 0;
         segment.feed = if unbounded { Feed::InTime(1e-312) } else { Feed::PerSecond(10.0) };
@@ -158,7 +159,9 @@ fn a_feed_without_bound_is_no_other_ones() {
 fn what_rounding_leaves_of_a_segment_leads_nowhere() {
     // The third of these kept the motion at rest for ever.
     for tiny in [1e-16, 1e-13, 1.3e-12, 2.1e-12, 1e-11, 9e-11, 2e-10, 1e-9] {
-        for blend in [Blend::Within(0.18), Blend::ExactStop, Blend::BetweenMidpoints] {
+        for blend in
+            [PathControl::Within(0.18), PathControl::ExactStop, PathControl::BetweenMidpoints]
+        {
             let mut x = 0.0;
             let mut next = |length: f64| {
                 x += length;
@@ -183,7 +186,7 @@ fn chords_whose_ends_are_rounded_are_as_fast_as_their_feed() {
         let grid = |value: f64| libm::round(value * 1e4) / 1e4;
         at(grid(radius * sin(angle)), grid(14.0 - radius * cos(angle)), 0.0)
     };
-    let chord = |i: u32| line(end(i), Blend::Within(0.005));
+    let chord = |i: u32| line(end(i), PathControl::Within(0.005));
     let program: Vec<Segment> = (1..=2000).map(chord).collect();
     let way: f64 = (1..2000).map(|i| distance(&end(i), &end(i + 1))).sum();
     let run = run(ORIGIN, &program, Feeding::Full);

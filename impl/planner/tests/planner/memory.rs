@@ -5,8 +5,8 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use gaugeblock_planner::{
-    Axes, Blend, Dynamics, Hold, InputParameter, NotQueued, OutputParameter, OutputSwitch, Phase,
-    Planner, Segment,
+    Axes, Dynamics, Hold, InputParameter, NotQueued, OutputParameter, OutputSwitch, PathControl,
+    Phase, Planner, Segment,
 };
 
 use super::check::dynamics;
@@ -27,7 +27,8 @@ fn drive(planner: &mut Planner, program: &[Segment]) -> (usize, usize) {
                 full += 1;
                 break;
             }
-            let _whether_there_is_room = planner.switch(OutputSwitch { output: 0, value: 1.0 });
+            let _whether_there_is_room =
+                planner.queue_output(OutputSwitch { output: 0, value: 1.0 });
             segments.next();
         }
         // The operator is busy, and lets it run in the end.
@@ -39,7 +40,7 @@ fn drive(planner: &mut Planner, program: &[Segment]) -> (usize, usize) {
         let input =
             InputParameter { feed_override, adaptive_feed, hold, ..InputParameter::default() };
         let phase = planner.update(&input, &mut output);
-        while planner.switched().is_some() {
+        while planner.next_switched_output().is_some() {
             switched += 1;
         }
         if phase == Phase::Idle && segments.peek().is_none() {
@@ -57,13 +58,13 @@ fn what_counts_allocations_sees_one() {
 #[test]
 fn a_planner_allocates_nothing_once_it_is_made() {
     let origin = [0.0; 9];
-    let (start, corners) = arcs_with_corners(Blend::Within(0.1));
+    let (start, corners) = arcs_with_corners(PathControl::Within(0.1));
     let programs: [(Axes, Vec<Segment>); 6] = [
-        (origin, zig(Blend::Within(0.1))),
-        (origin, zig(Blend::ExactStop)),
-        (origin, arcs(Blend::ExactPath)),
-        (origin, helix(Blend::Within(0.01))),
-        (origin, dense(Blend::BetweenMidpoints)),
+        (origin, zig(PathControl::Within(0.1))),
+        (origin, zig(PathControl::ExactStop)),
+        (origin, arcs(PathControl::ExactPath)),
+        (origin, helix(PathControl::Within(0.01))),
+        (origin, dense(PathControl::BetweenMidpoints)),
         (start, corners),
     ];
     for (number, (start, program)) in programs.iter().enumerate() {

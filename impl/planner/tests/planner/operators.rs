@@ -1,8 +1,8 @@
 //! What an operator does to a motion, and what else is asked of it while it runs.
 
 use gaugeblock_planner::{
-    Axes, Blend, Dynamics, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Path, Phase,
-    Planner, Segment,
+    Axes, Dynamics, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Path, PathControl,
+    Phase, Planner, Segment,
 };
 use proptest::prelude::*;
 
@@ -25,7 +25,7 @@ fn keeps_limits(run: &Run) {
 
 #[test]
 fn hold_stops_within_the_stopping_distance_and_goes_on() {
-    let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+    let program = [line(at(100.0, 0.0, 0.0), PathControl::ExactStop)];
     let run = operated(&program, |cycle| InputParameter {
         hold: if (500..700).contains(&cycle) { Hold::Hold } else { Hold::Run },
         ..InputParameter::default()
@@ -40,7 +40,7 @@ fn hold_stops_within_the_stopping_distance_and_goes_on() {
 
 #[test]
 fn adaptive_feed_below_zero_retraces_the_path() {
-    let program = zig(Blend::Within(0.1));
+    let program = zig(PathControl::Within(0.1));
     let run = operated(&program, |cycle| InputParameter {
         adaptive_feed: if (400..700).contains(&cycle) { -1.0 } else { 1.0 },
         ..InputParameter::default()
@@ -57,7 +57,7 @@ fn adaptive_feed_below_zero_retraces_the_path() {
 /// planned.
 #[test]
 fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
-    let program = dense(Blend::Within(0.01));
+    let program = dense(PathControl::Within(0.01));
     let run = operated(&program, |cycle| InputParameter {
         adaptive_feed: if (1500..3400).contains(&cycle) { -1.0 } else { 1.0 },
         ..InputParameter::default()
@@ -83,9 +83,9 @@ fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
     let mut next = ORIGIN;
     for number in 1..=700 {
         next[0] += 0.05;
-        planner.keep_apart();
+        planner.prevent_merge();
         let feed = Feed::PerSecond(150.0);
-        let chord = Segment { number, feed, ..line(next, Blend::ExactPath) };
+        let chord = Segment { number, feed, ..line(next, PathControl::ExactPath) };
         planner.queue(&chord).expect("room");
     }
     let run = run_with(&mut planner, ORIGIN, &[], Feeding::Full, |cycle| InputParameter {
@@ -107,8 +107,8 @@ fn bend_is_run_through_again_at_a_lower_override() {
     let corner = at(50.0037, 0.0, 0.0);
     let (sine, cosine) = libm::sincos(0.003);
     let end = at(corner[0] + 50.0 * cosine, 50.0 * sine, 0.0);
-    let slow = Segment { feed: Feed::PerSecond(25.0), ..line(end, Blend::Within(3e-6)) };
-    let program = [line(corner, Blend::Within(3e-6)), slow];
+    let slow = Segment { feed: Feed::PerSecond(25.0), ..line(end, PathControl::Within(3e-6)) };
+    let program = [line(corner, PathControl::Within(3e-6)), slow];
     let run = operated(&program, |cycle| InputParameter {
         feed_override: if cycle < 369 { 2.0 } else { 0.5 },
         adaptive_feed: if (498..1039).contains(&cycle) { -1.0 } else { 1.0 },
@@ -122,7 +122,7 @@ fn bend_is_run_through_again_at_a_lower_override() {
 /// entered four times too fast.
 #[test]
 fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
-    let to = |x: f64| line(at(x, 0.0, 0.0), Blend::ExactPath);
+    let to = |x: f64| line(at(x, 0.0, 0.0), PathControl::ExactPath);
     let slow = |x: f64| Segment { feed: Feed::PerSecond(20.0), ..to(x) };
     let program = [to(100.0), slow(120.0), slow(140.0), slow(200.0)];
     let run = operated(&program, |cycle| InputParameter {
@@ -146,7 +146,7 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
         heading += if place % 7 == 0 { 1.5 } else { 0.02 };
         here[0] += 0.5 * libm::cos(heading);
         here[1] += 0.5 * libm::sin(heading);
-        program.push(line(here, Blend::Within(0.1)));
+        program.push(line(here, PathControl::Within(0.1)));
     }
     for begun in 10..200 {
         let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
@@ -163,7 +163,7 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
 /// long queue took.
 #[test]
 fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
-    let run = operated(&dense(Blend::Within(0.01)), |cycle| InputParameter {
+    let run = operated(&dense(PathControl::Within(0.01)), |cycle| InputParameter {
         feed_override: if (300..700).contains(&cycle) { 0.3 } else { 1.0 },
         ..InputParameter::default()
     });
@@ -180,7 +180,7 @@ fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
     let program: Vec<Segment> = (1..=1500_u32)
         .map(|place| {
             let feed = Feed::PerSecond(if place <= 750 { 150.0 } else { 15.0 });
-            Segment { feed, ..line(at(0.005 * f64::from(place), 0.0, 0.0), Blend::ExactPath) }
+            Segment { feed, ..line(at(0.005 * f64::from(place), 0.0, 0.0), PathControl::ExactPath) }
         })
         .collect();
     for falls in (150..240).step_by(3) {
@@ -201,11 +201,11 @@ fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
 #[test]
 fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
     let slow = |end: Axes, blend| Segment { feed: Feed::PerSecond(50.0), ..line(end, blend) };
-    let row =
-        (1..=60_u32).map(|place| slow(at(0.2 * f64::from(place), 0.0, 0.0), Blend::ExactPath));
-    let last = slow(at(13.0, 0.0, 0.0), Blend::Within(1.0));
+    let row = (1..=60_u32)
+        .map(|place| slow(at(0.2 * f64::from(place), 0.0, 0.0), PathControl::ExactPath));
+    let last = slow(at(13.0, 0.0, 0.0), PathControl::Within(1.0));
     let (sine, cosine) = libm::sincos(3.0);
-    let corner = slow(at(13.0 + cosine, sine, 0.0), Blend::Within(1.0));
+    let corner = slow(at(13.0 + cosine, sine, 0.0), PathControl::Within(1.0));
     for falls in 80..140 {
         let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
         for segment in row.clone().chain([last]) {
@@ -263,7 +263,7 @@ fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
 #[test]
 fn corners_queued_while_an_override_falls_are_passed() {
     let mut planner = Planner::new(Dynamics { queue: 10, ..dynamics() }, ORIGIN).expect("limits");
-    let program = &dense(Blend::Within(0.01))[..800];
+    let program = &dense(PathControl::Within(0.01))[..800];
     let run = run_with(&mut planner, ORIGIN, program, Feeding::Full, |cycle| InputParameter {
         feed_override: if cycle / 150 % 2 == 0 { 1.0 } else { 0.2 },
         ..InputParameter::default()
@@ -278,7 +278,7 @@ fn corners_queued_while_an_override_falls_are_passed() {
 fn abort_forgets_the_queue_at_rest() {
     let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
     let mut output = OutputParameter::default();
-    for segment in zig(Blend::Within(0.1)) {
+    for segment in zig(PathControl::Within(0.1)) {
         planner.queue(&segment).expect("room");
     }
     let mut samples = vec![ORIGIN];
@@ -291,7 +291,7 @@ fn abort_forgets_the_queue_at_rest() {
     let rest = output.position;
     let end = at(rest[0] + 10.0, 0.0, 0.0);
     let rest_of =
-        run_with(&mut planner, rest, &[line(end, Blend::ExactStop)], Feeding::Full, |_| {
+        run_with(&mut planner, rest, &[line(end, PathControl::ExactStop)], Feeding::Full, |_| {
             InputParameter::default()
         });
     samples.extend(rest_of.samples);
@@ -303,7 +303,7 @@ fn abort_forgets_the_queue_at_rest() {
 #[test]
 fn feed_override_scales_the_speed() {
     for (feed_override, speed) in [(0.5, 50.0), (1.0, 100.0), (2.0, 200.0)] {
-        let program = [line(at(100.0, 0.0, 0.0), Blend::ExactStop)];
+        let program = [line(at(100.0, 0.0, 0.0), PathControl::ExactStop)];
         let input = InputParameter { feed_override, ..InputParameter::default() };
         let run = operated(&program, |_| input);
         let most = run.outputs.iter().map(|output| output.speed).fold(0.0, f64::max);
@@ -313,7 +313,7 @@ fn feed_override_scales_the_speed() {
 
 #[test]
 fn feed_does_not_wait_for_the_rapid_override() {
-    let program = zig(Blend::Within(0.1));
+    let program = zig(PathControl::Within(0.1));
     let input = InputParameter { rapid_override: 0.0, ..InputParameter::default() };
     let run = operated(&program, |_| input);
     keeps_limits(&run);
@@ -324,8 +324,8 @@ fn feed_does_not_wait_for_the_rapid_override() {
 fn slower_segment_is_entered_at_its_own_feed() {
     for feed_override in [0.3, 1.0, 1.7] {
         let mut program = vec![
-            line(at(20.0, 0.0, 0.0), Blend::Within(0.01)),
-            line(at(40.0, 0.0, 0.0), Blend::ExactStop),
+            line(at(20.0, 0.0, 0.0), PathControl::Within(0.01)),
+            line(at(40.0, 0.0, 0.0), PathControl::ExactStop),
         ];
         program[1].feed = Feed::PerSecond(10.0);
         let input = InputParameter { feed_override, ..InputParameter::default() };
@@ -339,9 +339,9 @@ fn slower_segment_is_entered_at_its_own_feed() {
 #[test]
 fn dwell_rests_to_the_cycle() {
     let program = [
-        line(at(10.0, 0.0, 0.0), Blend::Within(0.1)),
-        segment(Path::Dwell { seconds: 0.25 }, Blend::Within(0.1)),
-        line(at(20.0, 0.0, 0.0), Blend::Within(0.1)),
+        line(at(10.0, 0.0, 0.0), PathControl::Within(0.1)),
+        segment(Path::Dwell { seconds: 0.25 }, PathControl::Within(0.1)),
+        line(at(20.0, 0.0, 0.0), PathControl::Within(0.1)),
     ];
     let run = operated(&program, |_| InputParameter::default());
     let rests = run.samples.windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
@@ -355,15 +355,15 @@ fn outputs_switch_in_order_where_their_segment_begins() {
     let mut seen = Vec::new();
     for number in 0..3_u16 {
         for value in [0.0, 1.0] {
-            planner.switch(OutputSwitch { output: number, value }).expect("room");
+            planner.queue_output(OutputSwitch { output: number, value }).expect("room");
         }
         let x = 10.0 * f64::from(number + 1);
-        planner.queue(&line(at(x, 0.0, 0.0), Blend::Within(0.01))).expect("room");
+        planner.queue(&line(at(x, 0.0, 0.0), PathControl::Within(0.01))).expect("room");
     }
-    planner.switch(OutputSwitch { output: 9, value: 1.0 }).expect("room");
+    planner.queue_output(OutputSwitch { output: 9, value: 1.0 }).expect("room");
     for _ in 0..1000 {
         planner.update(&InputParameter::default(), &mut output);
-        while let Some(switch) = planner.switched() {
+        while let Some(switch) = planner.next_switched_output() {
             seen.push((switch.output, switch.value.to_bits(), output.position[0]));
         }
     }
@@ -380,14 +380,14 @@ fn outputs_switch_in_order_where_their_segment_begins() {
 fn probe_ends_the_motion() {
     let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
     let mut output = OutputParameter::default();
-    let mut probing = line(at(0.0, 0.0, -50.0), Blend::ExactStop);
+    let mut probing = line(at(0.0, 0.0, -50.0), PathControl::ExactStop);
     probing.probing = true;
     planner.queue(&probing).expect("room");
     let mut tripped = 0;
     for cycle in 0..400 {
         let input = InputParameter { probe: cycle >= 200, ..InputParameter::default() };
         planner.update(&input, &mut output);
-        tripped += u32::from(output.tripped);
+        tripped += u32::from(output.probe_tripped);
     }
     assert_eq!((tripped, output.phase), (1, Phase::Idle));
     assert!(output.position[2] > -25.0, "{}", output.position[2]);

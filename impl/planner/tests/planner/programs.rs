@@ -1,6 +1,6 @@
 //! The programs whose times on LinuxCNC are known, as segments.
 
-use gaugeblock_planner::{Axes, Blend, Feed, Path, Segment};
+use gaugeblock_planner::{Axes, Feed, Path, PathControl, Segment};
 use libm::{cos, sin};
 use std::f64::consts::{PI, TAU};
 
@@ -11,32 +11,38 @@ pub(crate) fn at(x: f64, y: f64, z: f64) -> Axes {
     [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
-pub(crate) fn segment(path: Path, blend: Blend) -> Segment {
-    Segment { number: 0, path, feed: Feed::PerSecond(FEED), blend, probing: false }
+pub(crate) fn segment(path: Path, blend: PathControl) -> Segment {
+    Segment { number: 0, path, feed: Feed::PerSecond(FEED), path_control: blend, probing: false }
 }
 
-pub(crate) fn line(end: Axes, blend: Blend) -> Segment {
+pub(crate) fn line(end: Axes, blend: PathControl) -> Segment {
     segment(Path::Straight { end }, blend)
 }
 
 /// In the plane of X and Y; the centre as an offset from the start; positive turns counterclockwise.
-pub(crate) fn arc(start: Axes, end: Axes, (i, j): (f64, f64), angle: f64, blend: Blend) -> Segment {
+pub(crate) fn arc(
+    start: Axes,
+    end: Axes,
+    (i, j): (f64, f64),
+    angle: f64,
+    blend: PathControl,
+) -> Segment {
     let centre = [start[0] + i, start[1] + j, start[2]];
     segment(Path::Arc { end, centre, normal: [0.0, 0.0, 1.0], angle }, blend)
 }
 
-pub(crate) fn zig(blend: Blend) -> Vec<Segment> {
+pub(crate) fn zig(blend: PathControl) -> Vec<Segment> {
     let corner = |i: u32| at(0.5 * f64::from(i), 0.5 * f64::from(i % 2), 0.0);
     (1..=200).map(|i| line(corner(i), blend)).collect()
 }
 
-pub(crate) fn square(blend: Blend) -> Vec<Segment> {
+pub(crate) fn square(blend: PathControl) -> Vec<Segment> {
     [(40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0)]
         .map(|(x, y)| line(at(x, y, 0.0), blend))
         .to_vec()
 }
 
-pub(crate) fn arcs(blend: Blend) -> Vec<Segment> {
+pub(crate) fn arcs(blend: PathControl) -> Vec<Segment> {
     let origin = at(0.0, 0.0, 0.0);
     let mut program = vec![
         arc(origin, origin, (10.0, 0.0), -TAU, blend),
@@ -51,12 +57,12 @@ pub(crate) fn arcs(blend: Blend) -> Vec<Segment> {
     program
 }
 
-pub(crate) fn helix(blend: Blend) -> Vec<Segment> {
+pub(crate) fn helix(blend: PathControl) -> Vec<Segment> {
     vec![arc(at(0.0, 0.0, 0.0), at(0.0, 0.0, -10.0), (5.0, 0.0), -10.0 * TAU, blend)]
 }
 
 /// Chords of 0.1 mm of (15 sin 2t, 10 sin 3t, 2 sin 5t), with five decimals.
-pub(crate) fn dense(blend: Blend) -> Vec<Segment> {
+pub(crate) fn dense(blend: PathControl) -> Vec<Segment> {
     let curve = |t: f64| at(15.0 * sin(2.0 * t), 10.0 * sin(3.0 * t), 2.0 * sin(5.0 * t));
     let rounded = |p: Axes| p.map(|value| (value * 1e5).round() / 1e5);
     let mut t = 0.0;
@@ -75,7 +81,7 @@ pub(crate) fn dense(blend: Blend) -> Vec<Segment> {
 }
 
 /// Arcs of 4 mm that meet at corners, from X1.
-pub(crate) fn arcs_with_corners(blend: Blend) -> (Axes, Vec<Segment>) {
+pub(crate) fn arcs_with_corners(blend: PathControl) -> (Axes, Vec<Segment>) {
     let start = at(1.0, 0.0, 0.0);
     let mut here = start;
     let mut program = Vec::new();

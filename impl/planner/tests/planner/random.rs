@@ -2,7 +2,7 @@
 
 use libm::{cos, sin};
 
-use gaugeblock_planner::{Axes, Blend, Dynamics, Feed, Hold, InputParameter, Path, Segment};
+use gaugeblock_planner::{Axes, Dynamics, Feed, Hold, InputParameter, Path, PathControl, Segment};
 
 use super::check::{CYCLE, Feeding};
 
@@ -125,7 +125,7 @@ fn program(dice: &mut Dice, start: Axes, axes: usize) -> Vec<Segment> {
         if let Path::Straight { end } | Path::Arc { end, .. } = path {
             here = end;
         }
-        program.push(Segment { number: 0, path, feed, blend, probing: false });
+        program.push(Segment { number: 0, path, feed, path_control: blend, probing: false });
     }
     program
 }
@@ -159,12 +159,12 @@ fn any_arc(dice: &mut Dice, here: Axes, direction: &mut f64, radius: f64) -> Pat
     Path::Arc { end, centre, normal: [0.0, 0.0, 1.0], angle }
 }
 
-fn any_blend(dice: &mut Dice) -> Blend {
+fn any_blend(dice: &mut Dice) -> PathControl {
     match dice.below(8) {
-        0 => Blend::ExactStop,
-        1 => Blend::ExactPath,
-        2 => Blend::BetweenMidpoints,
-        _ => Blend::Within(dice.any_size(1e-5, 2.0)),
+        0 => PathControl::ExactStop,
+        1 => PathControl::ExactPath,
+        2 => PathControl::BetweenMidpoints,
+        _ => PathControl::Within(dice.any_size(1e-5, 2.0)),
     }
 }
 

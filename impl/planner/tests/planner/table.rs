@@ -1,6 +1,6 @@
 //! The programs whose times on LinuxCNC are known: never slower than it, and near what is possible.
 
-use gaugeblock_planner::{Axes, Blend, Path, Segment};
+use gaugeblock_planner::{Axes, Path, PathControl, Segment};
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
 use super::programs::{arcs, arcs_with_corners, at, dense, helix, line, square, zig};
@@ -29,40 +29,40 @@ fn takes(program: &[Segment], least: f64, share: f64, linuxcnc: f64) {
 
 #[test]
 fn zig_zag_is_near_the_bound_of_its_axes() {
-    takes(&zig(Blend::Within(0.01)), 6.197, 0.002, 6.447);
-    takes(&zig(Blend::Within(0.1)), 4.899, 0.004, 5.476);
-    takes(&zig(Blend::BetweenMidpoints), 4.509, 0.0, 4.509);
+    takes(&zig(PathControl::Within(0.01)), 6.197, 0.002, 6.447);
+    takes(&zig(PathControl::Within(0.1)), 4.899, 0.004, 5.476);
+    takes(&zig(PathControl::BetweenMidpoints), 4.509, 0.0, 4.509);
 }
 
 #[test]
 fn stops_take_what_the_closed_form_says() {
-    takes(&zig(Blend::ExactStop), 6.325, 0.005, 6.402);
-    takes(&zig(Blend::ExactPath), 6.325, 0.005, 6.802);
-    takes(&square(Blend::ExactStop), 1.8, 0.005, 1.802);
-    takes(&[line(at(100.0, 0.0, 0.0), Blend::Within(0.01))], 1.05, 0.005, 1.102);
+    takes(&zig(PathControl::ExactStop), 6.325, 0.005, 6.402);
+    takes(&zig(PathControl::ExactPath), 6.325, 0.005, 6.802);
+    takes(&square(PathControl::ExactStop), 1.8, 0.005, 1.802);
+    takes(&[line(at(100.0, 0.0, 0.0), PathControl::Within(0.01))], 1.05, 0.005, 1.102);
 }
 
 #[test]
 fn arcs_and_corners_are_faster_than_on_linuxcnc() {
-    takes(&square(Blend::Within(0.1)), 1.83, 0.0, 1.83);
-    takes(&arcs(Blend::Within(0.01)), 2.543, 0.0, 2.543);
-    takes(&helix(Blend::Within(0.01)), 3.193, 0.02, 3.564);
+    takes(&square(PathControl::Within(0.1)), 1.83, 0.0, 1.83);
+    takes(&arcs(PathControl::Within(0.01)), 2.543, 0.0, 2.543);
+    takes(&helix(PathControl::Within(0.01)), 3.193, 0.02, 3.564);
 }
 
 #[test]
 fn dense_polyline_is_near_the_smooth_curve() {
-    takes(&dense(Blend::Within(0.01)), 2.075, 0.02, 2.148);
-    takes(&dense(Blend::Within(0.1)), 2.075, 0.02, 2.151);
-    takes(&dense(Blend::BetweenMidpoints), 2.075, 0.02, 2.312);
-    takes(&dense(Blend::ExactPath), 23.636, 0.0, 23.636);
+    takes(&dense(PathControl::Within(0.01)), 2.075, 0.02, 2.148);
+    takes(&dense(PathControl::Within(0.1)), 2.075, 0.02, 2.151);
+    takes(&dense(PathControl::BetweenMidpoints), 2.075, 0.02, 2.312);
+    takes(&dense(PathControl::ExactPath), 23.636, 0.0, 23.636);
 }
 
 #[test]
 fn blending_is_never_slower_than_stopping() {
     for program in [zig, square, arcs, dense, helix] {
-        let stopping = time(&program(Blend::ExactStop));
+        let stopping = time(&program(PathControl::ExactStop));
         for tolerance in [0.0001, 0.001, 0.01, 0.1, 1.0] {
-            let blending = time(&program(Blend::Within(tolerance)));
+            let blending = time(&program(PathControl::Within(tolerance)));
             assert!(blending <= stopping, "{tolerance}: {blending} s, stopping {stopping} s");
         }
     }
@@ -76,13 +76,13 @@ fn keeps_limits(run: &Run) {
 
 #[test]
 fn no_limit_is_broken_at_any_feeding() {
-    let (start, corners) = arcs_with_corners(Blend::Within(0.1));
+    let (start, corners) = arcs_with_corners(PathControl::Within(0.1));
     let programs = [
-        (0.01, ORIGIN, zig(Blend::Within(0.01))),
-        (0.1, ORIGIN, zig(Blend::Within(0.1))),
-        (0.0, ORIGIN, zig(Blend::ExactStop)),
-        (0.1, ORIGIN, square(Blend::Within(0.1))),
-        (0.01, ORIGIN, arcs(Blend::Within(0.01))),
+        (0.01, ORIGIN, zig(PathControl::Within(0.01))),
+        (0.1, ORIGIN, zig(PathControl::Within(0.1))),
+        (0.0, ORIGIN, zig(PathControl::ExactStop)),
+        (0.1, ORIGIN, square(PathControl::Within(0.1))),
+        (0.01, ORIGIN, arcs(PathControl::Within(0.01))),
         (0.1, start, corners),
     ];
     for (tolerance, start, program) in &programs {
@@ -106,8 +106,11 @@ fn no_limit_is_broken_at_any_feeding() {
 
 #[test]
 fn samples_do_not_depend_on_how_segments_come() {
-    for program in [zig(Blend::Within(0.1)), arcs(Blend::Within(0.01)), square(Blend::Within(0.1))]
-    {
+    for program in [
+        zig(PathControl::Within(0.1)),
+        arcs(PathControl::Within(0.01)),
+        square(PathControl::Within(0.1)),
+    ] {
         let all = run(ORIGIN, &program, Feeding::Full);
         for feeding in [Feeding::Every(5, 1), Feeding::Every(50, 3), Feeding::Every(3, 5)] {
             assert!(run(ORIGIN, &program, feeding).samples == all.samples, "{feeding:?}");
@@ -120,7 +123,7 @@ fn more_tolerance_never_costs_time() {
     for program in [zig, square, arcs, dense] {
         let mut last = f64::INFINITY;
         for tolerance in [0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0] {
-            let time = time(&program(Blend::Within(tolerance)));
+            let time = time(&program(PathControl::Within(tolerance)));
             assert!(time <= last * 1.001 + 0.002, "{tolerance}: {time} s after {last} s");
             last = time;
         }
@@ -141,9 +144,11 @@ fn moved(program: &[Segment], place: impl Fn(&Axes) -> Axes) -> Vec<Segment> {
 
 #[test]
 fn place_order_and_sense_of_axes_cost_no_time() {
-    for program in
-        [zig(Blend::Within(0.05)), square(Blend::Within(0.2)), dense(Blend::Within(0.01))]
-    {
+    for program in [
+        zig(PathControl::Within(0.05)),
+        square(PathControl::Within(0.2)),
+        dense(PathControl::Within(0.01)),
+    ] {
         let there = time(&program);
         let mirrored = moved(&program, |end| end.map(|value| -value));
         let turned =
