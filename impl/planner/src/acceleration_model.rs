@@ -5,20 +5,19 @@ use crate::math;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, Circle, PathElement};
 
-/// How much of an acceleration limit an arc that is bent may use across the path; the rest is kept for along it.
-/// Where it hardly bends it is mostly passed at an even speed, where it bends much the motion slows down towards its
-/// corner.
+/// The share of an acceleration limit that a blended arc may use across the path. The rest is kept for acceleration
+/// along the path. The second value is for corners, where the motion slows down.
 const NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.95;
 const CORNER_NORMAL_ACCELERATION_RATIO_MAX: f64 = 0.8;
-/// How far p' and p'' of an arc are from the line between their ends, over what they swing by and the square of its
-/// angle: an eighth, and more where the radius changes.
+/// The greatest distance of p' and p'' of an arc from the chord between their values at its ends, relative to their
+/// amplitude and to the square of the angle: an eighth, and more where the radius changes.
 const ARC_BOW_RATIO: f64 = 0.25;
-/// The change of direction from which a bend is a corner, radians.
+/// From this change of direction on a blended arc is treated as a corner.
 const CORNER_ANGLE_MIN_RAD: f64 = 0.1;
 
 impl Limits {
-    /// Gives a piece its law and its ceiling. A bend without a circle is looked at exactly, all else by bounds over
-    /// the piece.
+    /// Sets the acceleration model and the speed limits of an element. A blend of two lines gets exact limits per
+    /// axis; other elements get bounds that hold over the whole element.
     pub(crate) fn assign_model(&self, element: &mut PathElement) {
         let axes = element.axis_count;
         let bends = element.curvature.iter().any(|bend| bend.abs() > 0.0);
@@ -39,7 +38,7 @@ impl Limits {
         element.speed_limit = math::sqrt(element.start_limit_sq);
     }
 
-    /// The same for a line.
+    /// Does the same for a line.
     #[inline]
     pub(crate) fn assign_line_model(&self, element: &mut PathElement) {
         let acceleration = least(&self.planned, &element.tangent, element.axis_count);
@@ -50,10 +49,10 @@ impl Limits {
         element.speed_limit = math::sqrt(element.start_limit_sq);
     }
 
-    /// An axis that has a share p' of the speed at one end of a bend and q at the other, and more there, is within
-    /// its limit v at that end with v²/q², and everywhere if the square of the speed changes evenly from there to
-    /// v²/q²·(3 - 2p/q) at most: its own is (p'·speed)², whose logarithm bends downwards along the bend, so that it
-    /// is greatest at that end if it does not fall towards it.
+    /// Sets the limits of a blend of two lines. Let p and q be the derivatives of an axis at the two ends, |p| ≤ |q|.
+    /// The axis keeps its velocity limit v at the end of q with a squared speed of v²/q². It keeps v everywhere if the
+    /// squared speed changes linearly from there to at most v²/q²·(3 - 2p/q): the logarithm of (p'·speed)² is concave
+    /// along the blend, so the maximum is at that end unless the speed falls towards it.
     fn assign_blend_model<const N: usize>(&self, element: &mut PathElement) {
         let [mut starts, mut ends] = [[0.0; N]; 2];
         let axes = self.velocity.iter().zip(&element.tangent).zip(&element.curvature);
@@ -61,9 +60,9 @@ impl Limits {
             let last = first + element.length * bend;
             let falls = first.abs() > last.abs();
             let (most, other) = if falls { (*first, last) } else { (last, *first) };
-            // Where an axis does not move, these are no numbers, which are nobody's least.
+            // For an axis that does not move these are NaN, which `math::min` ignores.
             let (here, share) = (squared(limit / most), other / most);
-            // Where it turns round, the other end has a limit that may be lower.
+            // Where the axis reverses within the blend, the other end may have a lower limit.
             let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
             (*start, *end) = if falls { (here, there) } else { (there, here) };
         }
@@ -74,14 +73,14 @@ impl Limits {
         element.speed_limit = math::sqrt(math::max(element.start_limit_sq, element.end_limit_sq));
     }
 
-    /// Each axis moves by an even part l and by a part m that turns: l·|u| + m·√(u² + (turn·v²)²) is the most it may
-    /// need.
+    /// Sets the limits of an arc. An axis has a constant part l and a rotating part m, so it needs at most l·|u| +
+    /// m·√(u² + (κ·v²)²).
     fn assign_arc_model(&self, element: &mut PathElement, circle: &Circle) {
         let axes = element.axis_count;
         let most = max_derivative(element, circle);
         let acceleration = least(&self.acceleration, &most, axes);
-        // While the speed falls along the curve that is planned, a cycle begins faster than its mean: by a share of
-        // its angle.
+        // Where the planned speed falls, a cycle begins faster than its mean speed. The share lost is proportional to
+        // the angle of a cycle.
         let angle = math::sqrt(circle.angle_rate * acceleration) * self.cycle;
         let planned = acceleration * math::sqrt((1.0 - angle).max(0.25));
         element.model = AccelerationModel::Arc { acceleration, planned };
@@ -99,7 +98,7 @@ impl Limits {
             *one = math::max(one.abs(), other.abs());
             *across = math::max(across.abs(), then.abs());
         }
-        // Between its ends an arc is not farther from a line than this, nor is what it is differentiated to.
+        // Between its ends an arc, and each of its derivatives, is no farther from a chord than this.
         let bow = ARC_BOW_RATIO * squared(circle.angle_rate * element.length);
         let amplitudes = amplitudes(circle, element.length);
         for ((along, across), amplitude) in along.iter_mut().zip(&mut across).zip(&amplitudes) {
@@ -119,10 +118,10 @@ impl Limits {
         for (left, across) in left.iter_mut().zip(&across) {
             *left -= across * element.start_limit_sq;
         }
-        // What is allowed at rest and at the ceiling is allowed between them.
+        // An acceleration that is allowed both at rest and at the speed limit is allowed at all speeds between.
         let most = least(&self.acceleration, &along, axes);
         let less = (most - least(&left, &along, axes)) / element.start_limit_sq;
-        // While the speed falls along the curve that is planned, a cycle begins faster than its mean.
+        // Where the planned speed falls, a cycle begins faster than its mean speed.
         let planned =
             PLANNED_RATIO / (1.0 + less * math::sqrt(element.start_limit_sq) * self.cycle);
         element.model =
@@ -130,7 +129,7 @@ impl Limits {
     }
 }
 
-/// The most of each axis in p' on an arc.
+/// The greatest |p'| of each axis on an arc.
 fn max_derivative(element: &PathElement, circle: &Circle) -> Axes {
     let mut greatest = element.tangent.map(f64::abs);
     for (most, amplitude) in greatest.iter_mut().zip(&amplitudes(circle, element.length)) {
@@ -139,8 +138,9 @@ fn max_derivative(element: &PathElement, circle: &Circle) -> Axes {
     greatest
 }
 
-/// How far p' swings on X, Y and Z. Where the radius grows by g, p'·u + p''·y turns with u·(turn·grown, g) +
-/// y·turn·(2g, turn·grown) about the centre, which is no longer than √(u² + (turn·y)²) times turn·grown + √5·|g|.
+/// The amplitude of p' on X, Y and Z. Where the radius grows by g, p'·u + p''·y rotates with u·(κ·r, g) +
+/// y·κ·(2g, κ·r) about the centre, r being the relative radius. Its length is at most √(u² +
+/// (κ·y)²) times κ·r + √5·|g|.
 fn amplitudes(circle: &Circle, length: f64) -> [f64; 3] {
     const SQRT_5: f64 = 2.236_067_977_499_79;
     let grown = circle.radius_ratio(length).max(1.0);

@@ -6,8 +6,8 @@ use crate::math;
 use crate::motion::{ElementEnd, MotionState};
 use crate::path_element::{AccelerationModel, Circle, PathElement};
 
-/// Least and greatest acceleration, and the square of the speed that look-ahead allows: `bound`, and `slope` more per
-/// unit.
+/// The range of accelerations, and the squared speed that look-ahead allows here: `speed_sq`, which changes by
+/// `speed_sq_slope` per unit of the parameter.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AccelerationWindow {
     pub(crate) min: f64,
@@ -17,7 +17,7 @@ pub(crate) struct AccelerationWindow {
 }
 
 impl MotionState {
-    /// The acceleration towards a speed that a ramp allows.
+    /// The acceleration within a window that brings the motion towards a speed.
     #[inline]
     pub(crate) fn acceleration_towards(
         &self,
@@ -26,7 +26,7 @@ impl MotionState {
         ElementEnd { speed_sq: exit, remaining, .. }: ElementEnd,
         (speed_sq_factor, time_left): (f64, f64),
     ) -> f64 {
-        // The speed at the end of the cycle at which look-ahead's bound is just met.
+        // The speed at the end of the cycle that just meets the bound of look-ahead.
         let half = 0.5 * window.speed_sq_slope * time_left;
         let met = half * half + 4.0 * (window.speed_sq + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
@@ -36,10 +36,10 @@ impl MotionState {
             return acceleration;
         }
         if self.speed <= 0.0 && exit <= 0.0 {
-            // So little is left from rest to rest that rounding hides how it is come to: within the cycle.
+            // The way from rest to rest is so short that rounding hides how it is covered: cover it within the cycle.
             return clamped(2.0 * remaining / squared(time_left), window);
         }
-        // The end comes first.
+        // The element ends within the cycle.
         let y = squared(self.speed);
         let mut most = (speed_sq_factor * exit - y) / (2.0 * remaining);
         if self.speed > wanted {
@@ -50,7 +50,7 @@ impl MotionState {
         clamped(most, window)
     }
 
-    /// The least acceleration that the law of a piece without a bend allows.
+    /// The strongest braking (least acceleration) that the model of an element other than a blend allows.
     #[inline]
     pub(crate) fn strongest_model_braking(&self, element: &PathElement, cycle: f64) -> f64 {
         match (element.model, &element.circle) {
@@ -101,7 +101,7 @@ impl MotionState {
         }
     }
 
-    /// The ramp where the acceleration that is left depends on the square of the speed: less where that is higher.
+    /// The window where the available acceleration falls as the squared speed rises.
     pub(crate) fn window_on_arc(
         &self,
         element: &PathElement,
@@ -122,7 +122,7 @@ impl MotionState {
     }
 }
 
-/// The ramp where the acceleration is the same everywhere.
+/// The window of an element with a constant acceleration limit.
 #[inline]
 pub(crate) fn constant_window(
     acceleration: f64,
@@ -139,13 +139,13 @@ pub(crate) fn constant_window(
     }
 }
 
-/// The acceleration along an arc that what is needed towards its centre leaves of one, at the square of a speed.
+/// The acceleration along an arc that is left when the centripetal acceleration at a squared speed is taken off.
 #[inline]
 fn tangential_acceleration_left(acceleration: f64, circle: &Circle, y: f64) -> f64 {
     math::sqrt((squared(acceleration) - squared(circle.angle_rate * y)).max(0.0))
 }
 
-/// What the axes can do on an arc that is bent, over what is planned with.
+/// The ratio of the acceleration that the axes allow on a blended arc to the planned one.
 #[inline]
 fn unplanned_ratio(element: &PathElement, less: f64, cycle: f64) -> f64 {
     1.0 / (PLANNED_RATIO - less * element.speed_limit * cycle)

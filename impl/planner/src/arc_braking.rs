@@ -1,4 +1,4 @@
-//! How hard an arc may be braked on: its law has one limit for all directions, the axes have more in most of them.
+//! Hard braking on an arc. The arc model has one limit for all directions; in most directions the axes allow more.
 
 use crate::blend_motion::signed;
 use crate::limits::{Limits, squared};
@@ -6,14 +6,14 @@ use crate::math;
 use crate::motion::{AXIS_SHARE_MIN, CYCLE_WORK_MAX, MotionState};
 use crate::path_element::PathElement;
 
-/// What it is worth of [`MotionState::effort`] to find the least acceleration on an arc.
+/// The cost of finding the strongest braking on an arc, in units of [`MotionState::work`].
 const ARC_BRAKING_WORK: u32 = 4;
 
 impl MotionState {
-    /// The least acceleration that all axes allow on an arc in this cycle. Its law has one limit for all directions,
-    /// which is less than the axes can do in most of them; who holds the motion, or slows it down, wants all of it.
+    /// The least acceleration that all axes allow on an arc in this cycle; a hold or a lowered override needs all of
+    /// it.
     ///
-    /// It is found once in a cycle: where the motion stays for half of it, or up to its end.
+    /// It is computed once in a cycle: where the motion stays on the arc for half of the cycle or up to the arc's end.
     pub(crate) fn strongest_braking(
         &mut self,
         element: &PathElement,
@@ -32,7 +32,7 @@ impl MotionState {
             return 0.0;
         }
         let far = math::min(way, remaining);
-        // Between two points of an arc p' and p'' are this much longer than on the chord between their values.
+        // Between two points of an arc p' and p'' are longer by this factor than on the chord between their values.
         let kept = 1.0 - squared(circle.angle_rate * far) / 8.0;
         if kept < 0.9 {
             return 0.0;
@@ -46,7 +46,7 @@ impl MotionState {
         }
     }
 
-    /// The same for so many leading axes, so far ahead.
+    /// Does the same for N leading axes.
     #[inline(never)]
     fn strongest_braking_of<const N: usize>(
         &self,
@@ -57,7 +57,7 @@ impl MotionState {
         let y = squared(self.speed);
         let (sense, ahead) =
             if self.is_reversed { (-1.0, self.x - far) } else { (1.0, self.x + far) };
-        // At the squares of two speeds, between which it is no more.
+        // The bound holds at two squared speeds, and so between them.
         let least = |(first, second): ([f64; N], [f64; N]), y: f64, other: f64| {
             let mut least = [0.0; N];
             let axes = first.iter().zip(&second).zip(&limits.acceleration);

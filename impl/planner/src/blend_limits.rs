@@ -1,20 +1,20 @@
-//! How fast a bend may be entered: what each axis allows of entry and exit.
+//! How fast a blend may be entered: each axis limits the entry and the exit speed.
 //!
-//! On a bend the acceleration of an axis is p'·u + p''·y, which runs evenly where the square of the speed y does:
-//! within limits at both ends it is within limits between. So each axis keeps the squares of the speeds at entry and
-//! exit in two strips, one for each end, and the highest entry is a linear programme in two variables.
+//! On a blend the acceleration of an axis is p'·u + p''·y. It is linear in the parameter where the squared speed y is,
+//! so it keeps its limit everywhere if it keeps it at both ends. Each axis thus gives two linear inequalities in the
+//! squared entry and exit speeds, and the highest entry is the solution of a linear programme in two variables.
 
 use crate::limits::Limits;
 use crate::math;
 use crate::parameters::Axes;
 use crate::path_element::{BlendLimits, PathElement};
 
-/// The most corners of the set that are looked at before a simpler answer is taken.
+/// The most vertices of the feasible set that are visited before a simpler answer is taken.
 const VERTICES_MAX: u32 = 5;
-/// An axis with less of the entry than this at an end of a bend limits the exit alone.
+/// An axis whose entry coefficient at an end is below this limits the exit alone.
 const ENTRY_COEFFICIENT_MIN: f64 = 1e-12;
 
-/// What the axes allow at both ends of a bend: |entering·entry + leaving·exit| ≤ limit.
+/// What the axes allow at both ends of a blend: `|entry_factor * entry + exit_factor * exit| <= limit`.
 #[derive(Clone, Copy, Debug)]
 struct AxisInequalities<const N: usize> {
     entry_factors: [[f64; N]; 2],
@@ -22,8 +22,8 @@ struct AxisInequalities<const N: usize> {
     limit: [f64; N],
 }
 
-/// The highest entry on a bend that leads to an exit of at most so much, and is itself no more than a cap; run
-/// forward, or back from its end.
+/// The highest squared entry speed from which the exit is at most `most.0`, capped at `most.1`. Forward, or backwards
+/// from the end of the element.
 #[inline]
 pub(crate) fn max_entry_speed_sq(
     element: &PathElement,
@@ -49,11 +49,11 @@ fn highest_exact(element: &PathElement, forward: bool, most: (f64, f64), limits:
     }
 }
 
-/// Walks the edge of what is allowed from the highest exit down, to where the entry is highest.
+/// Walks along the edge of the feasible set from the highest exit down to the highest entry.
 #[inline]
 fn walk_edge<const N: usize>(blend: &BlendLimits<N>, mut exit: f64) -> Option<f64> {
     for _ in 0..VERTICES_MAX {
-        // The entry is at most limit - slope·exit, and no less than -(limit + slope·exit) and 0.
+        // The entry is at most limit - slope·exit, and at least 0 and -(limit + slope·exit).
         let highs = blend.bounds(|limit, slope| limit - slope * exit);
         let lows = blend.bounds(|limit, slope| limit + slope * exit);
         let high = least(&highs);
@@ -100,7 +100,7 @@ impl<const N: usize> AxisInequalities<N> {
         }
     }
 
-    /// What is mostly asked for is allowed, and known to be so without a division.
+    /// The requested speeds are usually allowed, and this is known without a division.
     #[inline]
     fn max_entry_speed_sq(
         &self,
@@ -116,7 +116,7 @@ impl<const N: usize> AxisInequalities<N> {
         blend.highest_on_edge(element, exit, limits)
     }
 
-    /// Whether they allow an entry and an exit.
+    /// Whether the axes allow an entry and an exit.
     #[inline]
     fn allow(&self, entry: f64, exit: f64) -> bool {
         self.entry_factors.iter().zip(&self.exit_factors).all(|(entering, leaving)| {
@@ -147,7 +147,7 @@ impl<const N: usize> AxisInequalities<N> {
         }
     }
 
-    /// Takes out what limits no entry, but the exit.
+    /// Moves the inequalities that do not limit the entry into `exit_max`.
     #[inline(never)]
     fn separate_exit_limits(&self, bounds: &mut BlendLimits<N>) {
         let slopes = bounds.slopes.as_flattened_mut().iter_mut();
@@ -164,7 +164,7 @@ impl<const N: usize> AxisInequalities<N> {
 }
 
 impl BlendLimits<3> {
-    /// Looks at a bend of up to three axes, run forward.
+    /// Computes the limits of a blend of up to three axes, run forward.
     pub(crate) fn compute(element: &mut PathElement, limits: &Limits) {
         let ends = AxisInequalities::new(element, true, limits);
         let bounds = &mut element.blend_limits;
@@ -176,11 +176,12 @@ impl BlendLimits<3> {
             limit = math::min(limit, *least);
         }
         bounds.slopes_fall = rises <= 0.0;
-        // Whatever the exit, the middles of two strips are no farther apart than their slopes times it.
+        // Whatever the exit, the centres of two inequalities differ by at most the difference of their slopes times
+        // the exit.
         bounds.feasible_exit_max = math::min(bounds.exit_max, 2.0 * limit / (rises - falls));
     }
 
-    /// Mostly the highest exit has the highest entry.
+    /// Fast path of [`Self::highest_exact`]: usually the highest exit has the highest entry.
     #[inline]
     fn max_entry_speed_sq(
         &self,
@@ -189,7 +190,7 @@ impl BlendLimits<3> {
         limits: &Limits,
     ) -> f64 {
         if exit <= self.feasible_exit_max {
-            // Two at a time, whichever axes and ends these are.
+            // Two at a time, whichever axes and ends they belong to, so that the compiler can use vector instructions.
             let mut high = [cap; 2];
             let (bounds, _) = self.limits.as_flattened().as_chunks::<2>();
             let (slopes, _) = self.slopes.as_flattened().as_chunks::<2>();
@@ -230,7 +231,7 @@ impl<const N: usize> BlendLimits<N> {
     fn highest_on_edge(&self, element: &PathElement, exit: f64, limits: &Limits) -> f64 {
         let exit = math::min(exit, self.exit_max);
         walk_edge(self, exit).unwrap_or_else(|| {
-            // As fast at the end as at the start is possible, if that is slow enough.
+            // The same speed at both ends is always possible if it is low enough.
             let balanced = limits.planned.iter().zip(&element.curvature).take(N);
             balanced.fold(exit, |least, (limit, bend)| math::min(least, limit / bend.abs()))
         })
@@ -245,7 +246,7 @@ impl<const N: usize> BlendLimits<N> {
         bounds
     }
 
-    /// The slope of the first strip, axis by axis, whose bound is so little.
+    /// The slope of the first inequality whose bound is at most `least`.
     #[inline]
     fn slope_of(&self, least: f64, bounds: &[[f64; N]; 2]) -> f64 {
         let ([here, there], [slopes, slopes_there]) = (bounds, &self.slopes);
@@ -261,7 +262,7 @@ impl<const N: usize> BlendLimits<N> {
         0.0
     }
 
-    /// How far below an exit another upper bound becomes the lowest, and its slope.
+    /// The change of the exit at which another upper bound becomes the lowest, and the slope of that bound.
     fn next_crossing(&self, highs: &[[f64; N]; 2], (high, slope): (f64, f64)) -> (f64, f64) {
         let (mut step, mut next) = (f64::NEG_INFINITY, 0.0);
         let mut look_at = |bound: f64, other: f64| {
@@ -282,7 +283,7 @@ impl<const N: usize> BlendLimits<N> {
     }
 }
 
-/// The least of some bounds: two at a time, whichever axes and ends these are.
+/// The least of some bounds, compared two at a time.
 #[inline]
 fn least<const N: usize>(bounds: &[[f64; N]; 2]) -> f64 {
     let mut least = [f64::INFINITY; 2];

@@ -1,8 +1,8 @@
-//! A cycle of motion on a bend, where each axis is looked at by itself.
+//! A part of a cycle on a blend, where each axis is checked by itself.
 //!
-//! An acceleration that is kept up to the end of a bend is within the limits of an axis everywhere if it is so at
-//! both ends. A motion may do what it likes as long as after each cycle there is such an acceleration that leads to
-//! what the next piece allows.
+//! An acceleration that is kept up to the end of a blend keeps the limit of an axis everywhere if it does so at both
+//! ends: such an acceleration is called sustainable. The motion may use any acceleration after which a sustainable one
+//! exists that leads to the entry speed of the next element.
 
 use crate::limits::{Limits, PLANNED_RATIO, squared};
 use crate::math;
@@ -12,15 +12,16 @@ use crate::motion::{
 };
 use crate::path_element::{AccelerationModel, PathElement};
 
-/// Half of what lies between a limit and what is planned with.
+/// Half of the gap between the planned limit and the real one.
 const COASTING_LIMIT_RATIO: f64 = 1.0 + 0.5 * (1.0 - PLANNED_RATIO);
-/// And a little less, which is surely below that whatever was rounded.
+/// A little less, which is below the real limit whatever rounding did.
 const COASTING_QUICK_LIMIT_RATIO: f64 = 1.0 + 0.4 * (1.0 - PLANNED_RATIO);
-/// How often an acceleration is halved in that leaves another one to be kept up.
+/// How many accelerations are tried when the fastest one is searched by bisection.
 const ACCELERATION_TRIALS_MAX: u32 = 3;
-/// What that is worth of [`MotionState::effort`].
+/// The cost of these trials, in units of [`MotionState::work`].
 const TRIALS_WORK: u32 = 4;
-/// The share of the square of a speed by which it is worth to be faster, and the same over what is left of a bend.
+/// The least relative gain of the squared speed for which the search is worth its cost, and the step of that search
+/// over the rest of the blend.
 const SPEED_SQ_GAIN_RATIO_MIN: f64 = 1e-3;
 const SPEED_SQ_GAIN_STEP_RATIO: f64 = 0.03;
 
@@ -40,8 +41,8 @@ impl MotionState {
             let eased =
                 ElementEnd { speed_sq: math::min(request.speed_sq_factor * exit, ceiling), ..end };
             let met = (eased.speed_sq - squared(self.speed)) / (2.0 * remaining);
-            // Who comes evenly to the exit is below the ceiling all the way, as the exit is; after a change of
-            // override that is too late.
+            // A motion that reaches the exit with a constant acceleration stays below the speed limit, as the exit
+            // does. After a change of the override this is no longer certain.
             let eases = request.rapid < 1.0;
             let fastest = if eases {
                 self.speed_limit_within_cycle(element, remaining, time_left)
@@ -73,8 +74,8 @@ impl MotionState {
         self.accelerate(element, math::max(most, least), end, time_left)
     }
 
-    /// What is easily told of an acceleration: that it can be kept up to the end of a bend, or that more leads to one
-    /// that can.
+    /// An acceleration that is quickly found: a sustainable one, or on a long blend a greater one after which another
+    /// is sustainable.
     #[inline]
     pub(crate) fn sustainable_or_faster<const N: usize>(
         &mut self,
@@ -92,8 +93,7 @@ impl MotionState {
         Some(even)
     }
 
-    /// An acceleration that can be kept up to the end of a bend, where it is easily told: what is asked for, or less
-    /// of it.
+    /// A sustainable acceleration where it is quickly found: the requested one or less.
     #[inline]
     pub(crate) fn sustainable<const N: usize>(
         &self,
@@ -112,8 +112,7 @@ impl MotionState {
         self.is_allowed::<N>(element, remaining, asked, limits).then_some(asked)
     }
 
-    /// An acceleration that can be kept up to the end of a bend, where what is asked for is little; none where it is
-    /// less than the least that could be.
+    /// A sustainable acceleration where the request is close to the limit; `None` where it is below the least one.
     #[inline]
     pub(crate) fn near_limit<const N: usize>(
         &self,
@@ -129,8 +128,7 @@ impl MotionState {
         Some(math::min(asked, math::max(high, low)))
     }
 
-    /// The least acceleration that all axes allow within this cycle. That may be more than can be kept up to the end
-    /// of the piece, and the more, the less far it leads.
+    /// The least acceleration that all axes allow within this cycle. It may be more than the sustainable one.
     #[inline(never)]
     fn min_within_cycle<const N: usize>(
         &self,
@@ -152,7 +150,7 @@ impl MotionState {
         least
     }
 
-    /// The highest speed that the axes allow so far ahead.
+    /// The highest speed that the axes allow at a distance ahead.
     fn speed_limit_ahead(&self, element: &PathElement, ahead: f64) -> f64 {
         let rise = element.end_limit_sq - element.start_limit_sq;
         if rise.abs() <= 0.0 {
@@ -175,8 +173,7 @@ impl MotionState {
         math::min(self.speed_limit_ahead(element, 0.0), self.speed_limit_ahead(element, near))
     }
 
-    /// Whether the motion is so much slower than a bend may be passed evenly that it is worth to be faster: mostly it
-    /// is not.
+    /// Whether the motion is so much slower than the steady speed of the blend that a search for more is worth it.
     #[inline]
     fn gains_by_speed(&self, element: &PathElement) -> bool {
         let AccelerationModel::Blend { steady_speed_sq: most } = element.model else {
@@ -185,8 +182,8 @@ impl MotionState {
         most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
     }
 
-    /// On a bend that lasts for some cycles, more than the acceleration that can be kept up to its end: as much as is
-    /// asked for, if another one can be kept up then.
+    /// On a blend that takes several cycles: an acceleration above the sustainable one, up to the request, after which
+    /// another one is sustainable.
     #[inline(never)]
     fn faster<const N: usize>(
         &mut self,
@@ -203,7 +200,7 @@ impl MotionState {
         let near = math::min(self.speed * time_left, end.remaining);
         let wanted = target_speed(element, self.speed_limit_ahead(element, near), request);
         let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / time_left;
-        // Mostly the motion is as fast as it may be.
+        // Usually the motion is as fast as allowed already.
         let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
         let with = (limits, request);
         if even >= asked
@@ -235,13 +232,13 @@ impl MotionState {
         low
     }
 
-    /// How far an acceleration leads in a time.
+    /// The distance that an acceleration covers in a time.
     #[inline]
     fn distance_after(&self, acceleration: f64, time: f64) -> f64 {
         (self.speed + 0.5 * acceleration * time) * time
     }
 
-    /// Whether after a cycle with an acceleration another one can be kept up to the end of a bend.
+    /// Whether after a cycle with this acceleration a sustainable one exists.
     fn leaves_sustainable<const N: usize>(
         &self,
         element: &PathElement,
@@ -274,7 +271,7 @@ impl MotionState {
         used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
 
-    /// Whether all axes allow an acceleration up to the end of a bend: what is asked for mostly is.
+    /// Whether all axes allow an acceleration up to a distance ahead.
     #[inline]
     fn is_allowed<const N: usize>(
         &self,
@@ -296,7 +293,7 @@ impl MotionState {
         used.iter().zip(&limits.planned).all(|(used, limit)| used <= limit)
     }
 
-    /// Whether all axes allow the motion to go on without acceleration. Mostly its speed alone tells.
+    /// Whether all axes allow the motion to go on without acceleration. Usually the speed alone decides.
     #[inline]
     fn may_coast<const N: usize>(&self, element: &PathElement, limits: &Limits) -> bool {
         let AccelerationModel::Blend { steady_speed_sq: even } = element.model else {
@@ -314,7 +311,7 @@ impl MotionState {
         axes.all(|(bend, limit)| (bend * y).abs() <= COASTING_LIMIT_RATIO * limit)
     }
 
-    /// The greatest acceleration that is planned with up to the end of a bend.
+    /// The greatest planned acceleration up to a distance ahead.
     pub(crate) fn max_acceleration(
         &self,
         element: &PathElement,
@@ -328,7 +325,7 @@ impl MotionState {
         }
     }
 
-    /// The least acceleration that all axes allow up to the end of a bend.
+    /// The least acceleration that all axes allow up to a distance ahead.
     pub(crate) fn min_acceleration(
         &self,
         element: &PathElement,
@@ -342,7 +339,7 @@ impl MotionState {
         }
     }
 
-    /// The same for so many leading axes.
+    /// Does the same for N leading axes.
     fn max_acceleration_of<const N: usize>(
         &self,
         element: &PathElement,
@@ -357,7 +354,7 @@ impl MotionState {
             let across = bend * y;
             let here = sense * (rate + self.x * bend);
             let most = |share: f64| {
-                // Towards the greater acceleration an axis has what p''·y leaves it.
+                // For a greater acceleration an axis has what p''·y leaves of its limit.
                 (limit - signed(across, share)) / math::max(share.abs(), AXIS_SHARE_MIN)
             };
             *greatest = math::min(most(here), most(here + thrice * bend));
@@ -365,8 +362,8 @@ impl MotionState {
         greatest.into_iter().fold(f64::INFINITY, math::min)
     }
 
-    /// The least acceleration that all axes allow on a bend from here to so far ahead. It is a little below what is
-    /// planned with, so that a speed that rounding has made too high comes down again.
+    /// The least acceleration that all axes allow from here to a distance ahead. It uses the real limits, a little
+    /// below the planned ones, so that a speed that rounding made too high comes down again.
     pub(crate) fn min_acceleration_of<const N: usize>(
         &self,
         element: &PathElement,
@@ -389,7 +386,7 @@ impl MotionState {
     }
 }
 
-/// A number, with the other sign where a second one is negative.
+/// A number, negated where `sign` is negative.
 #[inline]
 pub(crate) fn signed(number: f64, sign: f64) -> f64 {
     f64::from_bits(number.to_bits() ^ (sign.to_bits() & (-0.0_f64).to_bits()))

@@ -1,4 +1,4 @@
-//! What becomes of the corner between two legs: a stop, nothing, or a blend of lengths taken from both.
+//! The corner between two segments: a stop, a smooth transition, a break of the tangent, or a blend.
 
 use crate::limits::{Limits, SMOOTH_BREAK_MAX_RAD, least, squared};
 use crate::math;
@@ -8,48 +8,48 @@ use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::segment::PathControl;
 use crate::vector::{norm, norm_of};
 
-/// The change of direction from which an exact path comes to rest, radians.
+/// From this change of direction on, an exact path stops at the corner.
 const EXACT_PATH_BREAK_MAX_RAD: f64 = 0.05;
-/// How often the speed at which a kink may be passed is halved in.
+/// How many times the speed of a tangent break is bisected.
 const SPEED_BISECTIONS: u32 = 12;
-/// The most that a kink may use of what an arc beside it can do: the whole of its turn is slower for it.
+/// The share of an arc's acceleration that a tangent break next to it may use. The whole arc is slower for it.
 const ARC_BREAK_USE_RATIO: f64 = 0.075;
-/// The share of the acceleration that a blend may cost where it has the length to choose.
+/// The share of the acceleration that a blend may cost where its length is free.
 const BLEND_ACCELERATION_RATIO: f64 = 0.05;
-/// How fast a spindle is taken to turn where that decides how long a blend with a rapid move is: in turns per second.
-/// It is not known when the blend is made, and may be four times as fast until the blend costs something.
+/// The spindle speed, in revolutions per second, that decides how long a blend with a rapid move is. The real speed is
+/// not known when the blend is made; up to four times as much costs nothing.
 const ASSUMED_SPINDLE_SPEED: f64 = 10.0;
-/// The angle of an arc that is bent for a corner at most, radians: its acceleration is bounded over the whole of that.
+/// The greatest angle of an arc that is blended at a corner: its acceleration is bounded over all of it.
 const BLENDED_ARC_ANGLE_MAX_RAD: f64 = 0.1;
-/// How much of a tolerance is used: rounding has the rest.
+/// The share of a tolerance that is used; the rest is for rounding.
 const TOLERANCE_USE_RATIO: f64 = 1.0 - 1e-9;
-/// A blend that turns by less, radians, and is longer than an axis moves in so many cycles from rest, may be worth to
-/// speed up and slow down in.
+/// A blend that turns by less than this, and that is longer than an axis moves from rest in the second number of
+/// cycles, may be split, so that the motion can speed up and slow down in it.
 const FLAT_BLEND_ANGLE_MAX_RAD: f64 = 0.2;
 const SPLIT_BLEND_CYCLES_MIN: f64 = 4.0;
-/// How much less the square of a speed is than another one at least, where that decides how long a blend is.
+/// Two feeds are unequal, where that decides the length of a blend, if the squared speeds have at most this ratio.
 const UNEQUAL_FEED_RATIO_MAX: f64 = 0.9;
-/// For how many cycles a leg lasts at least for that, at its own speed or the other one's.
+/// For how many cycles a segment must last for that, at its own speed or at the other one's.
 const UNEQUAL_FEED_CYCLES_MIN: f64 = 0.25;
-/// How unequal the two sides of a parabola may be; beyond, a line remains on the longer one. It is slower by as much
-/// where a feed limits it, but chords whose ends are rounded are never quite equal, and what remains of them would
-/// crowd a cycle with pieces that are next to nothing.
+/// How unequal the two sides of a parabola may be. Beyond, a line remains on the longer side. A feed limit makes the
+/// parabola slower by this ratio, but chords with rounded ends are never quite equal, and the remaining lines would
+/// fill a cycle with tiny elements.
 const PARABOLA_SIDE_RATIO_MAX: f64 = 1.02;
 
-/// What may be done at a corner, before the lengths of its legs are shared out.
+/// What is possible at a corner, before the lengths of its segments are divided.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) enum Corner {
     #[default]
     Stop,
-    /// The legs meet smoothly.
+    /// The segments meet tangentially.
     Smooth,
-    /// The path is exact, and its direction breaks so little that the motion need not rest.
+    /// The path is exact, and its direction changes so little that the motion need not stop.
     TangentBreak(TangentBreak),
-    /// A blend may take so much of each leg, and not more than half of it if `half`.
+    /// A blend may use up to `most` of each segment, and with `half` at most half of each.
     Blend { most: f64, half: bool },
 }
 
-/// The break of direction from one leg to the next.
+/// The change of the unit tangent from one segment to the next.
 pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) -> Axes {
     let mut change = after.start_tangent;
     for (change, before) in change.iter_mut().zip(&before.end_tangent) {
@@ -59,7 +59,8 @@ pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) ->
 }
 
 impl Corner {
-    /// A parabola that takes d of both legs misses the corner by d·|turn|/4, and so does an arc that is bent.
+    /// The corner between two segments. A parabola that uses d of both segments misses the corner by d·|change|/4, and
+    /// so does a blended arc.
     #[inline]
     pub(crate) fn between(
         before: &NominalSegment,
@@ -67,7 +68,7 @@ impl Corner {
         limits: &Limits,
     ) -> Self {
         let blend = stricter(before.path_control, after.path_control);
-        // Most often, and known without a root.
+        // The most frequent case, known without a square root.
         if blend == PathControl::ExactStop {
             return Self::Stop;
         }
@@ -85,7 +86,7 @@ impl Corner {
             (PathControl::ExactPath, _) => {
                 return Self::TangentBreak(TangentBreak::between(before, after, &change, limits));
             }
-            // A leg is left by what it allows itself, whatever the other one does.
+            // Each segment deviates by at most its own tolerance.
             (PathControl::Within(one), PathControl::Within(other)) => {
                 ((one - before.merge_deviation).min(other - after.merge_deviation), false)
             }
@@ -94,16 +95,16 @@ impl Corner {
             (PathControl::Within(tolerance), _) => (tolerance, false),
             (PathControl::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
-        // Who keeps between the middles of two segments keeps to these, and not to a leg that several have become.
+        // A blend between midpoints refers to the midpoints of programmed segments, not of merged ones.
         if half && (before.is_merged || after.is_merged) {
             return Self::Stop;
         }
-        // A blend has one feed, and nobody can say which of two is slower that are counted by time and by turns.
+        // A blend has one feed. Feeds per second and per revolution cannot be compared in advance.
         let bases = [before.whole.feed_basis, after.whole.feed_basis];
         if bases.contains(&FeedBasis::PerTurn) && bases.contains(&FeedBasis::PerSecond) {
             return Self::Stop;
         }
-        // A blend that is long enough to cost nothing need not be longer.
+        // A blend that is long enough to cost no speed need not be longer.
         let fastest = before.max_speed_sq().min(after.max_speed_sq());
         let fastest = match bases {
             [FeedBasis::PerTurn, FeedBasis::Rapid] => {
@@ -121,8 +122,8 @@ impl Corner {
         };
         let enough =
             fastest / (2.0 * BLEND_ACCELERATION_RATIO * least(&limits.acceleration, &change, axes));
-        // Two parts of arcs that take a cycle each do not crowd it, whatever little the legs have left between them
-        // and other corners.
+        // Two blended arcs that take a cycle each do not crowd it, whatever is left of the segments between their
+        // corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
         let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_angle).min(enough);
@@ -131,26 +132,26 @@ impl Corner {
     }
 }
 
-/// A corner of an exact path that is passed without rest.
+/// A corner of an exact path that is passed without a stop.
 ///
-/// An exact path is one whose every commanded point lies on it, and points are commanded once in a cycle. Between two
-/// of them the velocity may jump at a corner, if it could have changed by as much in the time. What an axis is seen
-/// to accelerate is a mean over two cycles, in which the middle counts most (a triangle of height 1/h): so a jump J
-/// counts at most as J/h there.
+/// On an exact path every commanded point is on the path, and one point is commanded per cycle. Between two points the
+/// velocity may jump at a corner if it could have changed by as much in that time. The acceleration seen in samples is
+/// a mean over two cycles in which the middle counts most (a triangle of height 1/h), so a jump J counts at most as
+/// J/h.
 ///
-/// Let jumps be spread evenly over times of T about their corners, which do not overlap: T is a cycle h at most, and
-/// no longer than the way to the next corner. Then such a spread jump counts as much as the jump itself, but for the
-/// one that holds the middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, that is c/4·T/h too little, and leaving another
-/// c/3 within T makes up for it, since T·(1 - T/4h)/3 ≥ T/4. So an axis that can do a keeps its limit if along the
-/// path it is given a - 4c/3 within T. With c ≤ a/2 a corner between two samples is missed by their chord no farther
-/// than by a motion that accelerates evenly: by J·h/4 ≤ a·h²/8.
+/// Let each jump be spread evenly over a time T about its corner, where these times do not overlap: T is at most a
+/// cycle h, and at most the time to the next corner. Then the spread jump counts as much as the jump itself, except
+/// for the one that contains the middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, this is c/4·T/h too little, and
+/// leaving another c/3 within T makes up for it, since T·(1 - T/4h)/3 ≥ T/4. So an axis with limit a keeps it if along
+/// the path it is given a - 4c/3 within T. With c ≤ a/2 the chord misses a corner between two samples by J·h/4 ≤
+/// a·h²/8, no more than a motion with constant acceleration does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct TangentBreak {
     /// The square of the speed at which it may be passed.
     junction_limit_sq: f64,
-    /// How much of each leg half of T takes, millimetres.
+    /// The length of half of T on each segment, millimetres.
     pub(crate) half_length: f64,
-    /// The share of all accelerations that remains there.
+    /// The share of the acceleration that remains there.
     acceleration_ratio: f64,
 }
 
@@ -162,18 +163,18 @@ impl TangentBreak {
         limits: &Limits,
     ) -> Self {
         let h = limits.cycle;
-        // Per axis c·|direction of the jump|, by which the speed times T is bounded.
+        // Per axis c·|direction of the jump|, which bounds the speed times T.
         let jump = 0.5 * least(&limits.planned, change, change.len());
         let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
         let jump = if rounds { ARC_BREAK_USE_RATIO * jump } else { jump };
-        // The most that the speed rises within a cycle: the way to the next corner takes no less than length / (speed
-        // + rise).
+        // The most that the speed rises within a cycle: the way to the next corner takes at least length / (speed +
+        // rise).
         let (one, other) =
             (max_tangential_acceleration(before), max_tangential_acceleration(after));
         let rise = one.max(other) * h;
         let length = before.whole.length.min(after.whole.length);
         let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
-        // A hold may take two cycles more to stop than what all of an axis can do: so little may be missing.
+        // A hold may take two cycles more to stop than with all of the acceleration, so little may be missing.
         let eases = |speed: f64| {
             let cycles = 2.0 * one.min(other) * h / speed;
             1.5 * cycles / (1.0 + cycles)
@@ -197,12 +198,12 @@ impl TangentBreak {
         }
     }
 
-    /// The last part of the leg before it.
+    /// The last part of the segment before the corner.
     pub(crate) fn end(&self, segment: &NominalSegment, given: f64) -> PathElement {
         self.reduced(segment.whole.part(segment.whole.length - given, segment.whole.length))
     }
 
-    /// The first part of the leg after it.
+    /// The first part of the segment after the corner.
     pub(crate) fn start(&self, segment: &NominalSegment, given: f64) -> PathElement {
         let element = self.reduced(segment.whole.part(0.0, given));
         PathElement {
@@ -216,7 +217,7 @@ impl TangentBreak {
         element.has_tangent_break = true;
         match &mut element.model {
             AccelerationModel::Constant { acceleration } => {
-                *acceleration *= self.acceleration_ratio
+                *acceleration *= self.acceleration_ratio;
             }
             AccelerationModel::Arc { acceleration, planned } => {
                 *acceleration *= self.acceleration_ratio;
@@ -233,7 +234,7 @@ impl TangentBreak {
     }
 }
 
-/// The most that a leg may be accelerated along itself.
+/// The greatest acceleration along a segment.
 fn max_tangential_acceleration(segment: &NominalSegment) -> f64 {
     match segment.whole.model {
         AccelerationModel::Constant { acceleration }
@@ -244,7 +245,7 @@ fn max_tangential_acceleration(segment: &NominalSegment) -> f64 {
     }
 }
 
-/// The most of an arc that is bent for a corner.
+/// The greatest length of an arc that may be blended.
 fn blended_arc_length_max(segment: &NominalSegment) -> f64 {
     segment
         .whole
@@ -252,9 +253,9 @@ fn blended_arc_length_max(segment: &NominalSegment) -> f64 {
         .map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.angle_rate)
 }
 
-/// Whether a blend of two legs takes longer the longer it is, since all of it is as slow as the slower one: then it
-/// is no longer than the programmed feed needs. Where legs are short a long one saves a piece, of which too many
-/// would fit into a cycle.
+/// Whether a longer blend takes more time, since all of it is as slow as the slower of two feeds. Then it is only as
+/// long as the programmed feed needs. Between short segments a long blend saves an element, of which too many would
+/// fit into a cycle.
 #[inline(never)]
 fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
     let (one, other) = (requested_speed_sq(before), requested_speed_sq(after));
@@ -264,7 +265,7 @@ fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) 
         && squared(short) > squared(UNEQUAL_FEED_CYCLES_MIN * limits.cycle) * most
 }
 
-/// The square of the speed that a leg is asked to have while nobody overrides its feed.
+/// The square of the speed of a segment at an override of 1.
 fn requested_speed_sq(segment: &NominalSegment) -> f64 {
     match segment.whole.feed_basis {
         FeedBasis::PerSecond => segment.whole.start_limit_sq.min(squared(segment.whole.feed)),
@@ -272,8 +273,9 @@ fn requested_speed_sq(segment: &NominalSegment) -> f64 {
     }
 }
 
-/// How much of each leg a blend takes, given what there is: equal lengths, or nearly so between lines. An arc's
-/// parameter may run a little slower or faster at its end than the path: then lengths are equal along the path.
+/// How much of each segment a blend uses, given what is available: equal lengths, or nearly equal ones between lines.
+/// At the end of an arc the parameter may run a little slower or faster than the path; then the lengths are equal
+/// along the path.
 pub(crate) fn corner_lengths(
     most: f64,
     (before, after): (f64, f64),
@@ -291,7 +293,7 @@ pub(crate) fn corner_lengths(
     }
 }
 
-/// The parabola between two lines that takes d of the first and e of the second.
+/// Writes the parabola between two lines that uses d of the first and e of the second.
 #[inline]
 pub(crate) fn write_parabola(
     (before, after): (&NominalSegment, &NominalSegment),
@@ -309,7 +311,7 @@ pub(crate) fn write_parabola(
         *origin -= d * from;
         *bend = (exit * to - from) / (2.0 * d);
     }
-    // Its strips are laid when it has its law.
+    // Its blend limits are computed when it has its model.
     blend.begin_at(&origin);
     (blend.tangent, blend.curvature, blend.end) = (before.end_tangent, bend, end);
     (blend.length, blend.end_speed_ratio) = (2.0 * d, exit);
@@ -319,17 +321,16 @@ pub(crate) fn write_parabola(
     (blend.number, blend.index) = (after.whole.number, after.whole.index);
     blend.probing = after.whole.probing;
     limits.assign_model(blend);
-    // On its way from one direction to the other a blend has more of what a feed is measured along than one of its
-    // legs, and no more than the other.
+    // Between the two directions a blend has no more of the feed's path than the larger of its two segments.
     let most = before.feed_path_ratio.max(after.feed_path_ratio);
     blend.feed *= after.feed_path_ratio / most;
     take_slower_feed(blend, &before.whole, before.whole.feed * before.feed_path_ratio / most);
     blend.feed /= blend.end_speed_ratio.max(1.0);
 }
 
-/// Where a parabola is halved into two pieces, each with a law of its own: a long flat blend between two slow corners
-/// can speed up and slow down in it, and where speed is limited by another axis at its end than at its start both
-/// have what they allow. `None` where nothing is won, or where the halves would be over within a cycle.
+/// Where a parabola is split into two elements with models of their own. A long flat blend between two slow corners
+/// can then speed up and slow down. Where different axes limit the speed at both ends, each end gets its own limit.
+/// `None` where nothing is gained, or where a half would take less than a cycle.
 #[inline]
 pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
     let AccelerationModel::Blend { steady_speed_sq: even } = blend.model else { return None };
@@ -353,7 +354,7 @@ pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
     Some(blend.segment_start.unwrap_or(0.5 * blend.length))
 }
 
-/// The last d of the leg before a corner, bent by half of its turn.
+/// The last d of the segment before a corner, bent by half of the change of direction.
 pub(crate) fn blended_end(
     (segment, after): (&NominalSegment, &NominalSegment),
     change: &Axes,
@@ -362,7 +363,7 @@ pub(crate) fn blended_end(
 ) -> PathElement {
     let length = segment.whole.length;
     let mut element = segment.whole.part(length - d, length);
-    // Where the radius of an arc changes, p' is not quite 1 long at its end.
+    // Where the radius of an arc changes, |p'| is not quite 1 at its end.
     let exit = segment.whole.end_speed_ratio;
     for ((bend, end), change) in element.curvature.iter_mut().zip(&mut element.end).zip(change) {
         *bend += exit * change / (2.0 * d);
@@ -373,7 +374,7 @@ pub(crate) fn blended_end(
     element
 }
 
-/// The first d of the leg after a corner, bent by the other half.
+/// The first d of the segment after a corner, bent by the other half.
 pub(crate) fn blended_start(
     (before, segment): (&NominalSegment, &NominalSegment),
     change: &Axes,
@@ -394,7 +395,7 @@ pub(crate) fn blended_start(
     element
 }
 
-/// An arc that is bent may be a little longer than it was, and its feed is along the path.
+/// Adapts axes and feed: a blended arc may be a little longer than the arc was, and its feed is along the path.
 fn finish_blended_arc(element: &mut PathElement, change: &Axes, d: f64, limits: &Limits) {
     let last = change.iter().rposition(|change| change.abs() > 0.0);
     element.axis_count = element.axis_count.max(last.map_or(0, |last| last.saturating_add(1)));
@@ -403,7 +404,7 @@ fn finish_blended_arc(element: &mut PathElement, change: &Axes, d: f64, limits: 
     limits.assign_model(element);
 }
 
-/// What may happen at a corner between two modes: a leg that is to be exact is so from its beginning.
+/// The path control at a corner: a segment that must be exact is exact from its beginning.
 fn stricter(before: PathControl, after: PathControl) -> PathControl {
     match (before, after) {
         (
@@ -414,7 +415,7 @@ fn stricter(before: PathControl, after: PathControl) -> PathControl {
     }
 }
 
-/// A blend has the slower of both feeds.
+/// Gives a blend the slower of both feeds.
 fn take_slower_feed(blend: &mut PathElement, other: &PathElement, feed: f64) {
     blend.is_partly_rapid =
         blend.feed_basis == FeedBasis::Rapid || other.feed_basis == FeedBasis::Rapid;

@@ -1,9 +1,9 @@
-//! How fast a piece may be entered so that it, and all after it, can be kept to.
+//! How fast an element may be entered so that it and all elements after it can be executed within the limits.
 //!
-//! With the parameter accelerated by a constant u, the square of its speed y changes evenly along the piece, by 2u
-//! per unit. On a bend each axis limits both ends of that (`strips`). All that is within limits makes a convex set
-//! that holds rest, so that whatever is slower than a plan can be kept to as well: neither overrides nor holds can
-//! trap the machine. (Pham and Pham, time-optimal path parameterisation by reachability.)
+//! With a constant acceleration u of the parameter, its squared speed y changes linearly along the element, by 2u per
+//! unit. On a blend each axis limits both ends of that (`blend_limits`). All that is within the limits is a convex set
+//! that contains rest. So whatever is slower than a plan is feasible as well, and neither overrides nor holds can trap
+//! the motion. (Pham and Pham, time-optimal path parameterisation by reachability analysis.)
 
 use crate::blend_limits;
 use crate::limits::{Limits, squared};
@@ -11,14 +11,13 @@ use crate::math;
 use crate::path_element::{AccelerationModel, Circle, FeedBasis, PathElement};
 use crate::ring::Ring;
 
-/// The slowest override, and turns of a spindle per second, that running back is planned for, and that the motion is
-/// eased to.
+/// The lowest override, and the lowest spindle speed in revolutions per second, for which speeds are planned.
 pub(crate) const OVERRIDE_MIN: f64 = 0.01;
 
-/// Where z / (1 + z/2 + z²/12) is greatest: the root of 12, or a little less.
+/// The argument z at which z / (1 + z/2 + z²/12) is greatest, √12, rounded down.
 const DECAY_EXPONENT_MAX: f64 = 3.464;
 
-/// Overrides that look-ahead plans for, and turns of the spindle per second times that of the feed.
+/// The overrides that look-ahead plans for, and the spindle speed in revolutions per second, times the feed override.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OverrideScale {
     pub(crate) feed: f64,
@@ -27,10 +26,9 @@ pub(crate) struct OverrideScale {
 }
 
 impl OverrideScale {
-    /// What squares of speeds that are planned for another scale are multiplied by, so that they suit this one: no
-    /// more than 1.
+    /// The factor, at most 1, for squared speeds that were planned for another scale, so that they suit this one.
     ///
-    /// What an override of zero asks for is a little more, so that the motion creeps until that is planned for.
+    /// For an override of 0 it is a little more than 0, so that the motion creeps until the plan is ready.
     pub(crate) fn speed_sq_factor(self, planned: Self) -> f64 {
         let share = |asked: f64, planned: f64| math::max(OVERRIDE_MIN, asked) / planned;
         let mut ease = math::min(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
@@ -40,7 +38,7 @@ impl OverrideScale {
         squared(math::min(1.0, ease))
     }
 
-    /// The greater of both in everything.
+    /// The greater of both in each field.
     pub(crate) fn max(self, other: Self) -> Self {
         Self {
             feed: math::max(self.feed, other.feed),
@@ -50,7 +48,7 @@ impl OverrideScale {
     }
 }
 
-/// The squares of the speeds that a piece is never run beyond where it begins and where it ends.
+/// The squared speeds that the request never exceeds at the start and at the end of an element.
 #[inline]
 pub(crate) fn speed_sq_limits(element: &PathElement, scale: OverrideScale) -> (f64, f64) {
     let (start, end) = if element.is_partly_rapid || element.feed_basis == FeedBasis::Rapid {
@@ -74,7 +72,7 @@ fn rapid_speed_sq_limits(element: &PathElement, scale: OverrideScale) -> (f64, f
     (element.start_limit_sq * share, element.end_limit_sq * share)
 }
 
-/// The highest y at a piece's start from which y at its end is at most `exit`.
+/// The highest squared speed at the start of an element from which the one at its end is at most `exit`.
 pub(crate) fn max_entry_speed_sq(
     element: &PathElement,
     exit: f64,
@@ -96,7 +94,7 @@ pub(crate) fn max_entry_speed_sq(
     math::min(math::min(entry, cap), element.junction_limit_sq)
 }
 
-/// The highest y at its end from which, running back, y at its start is at most `exit`.
+/// The highest squared speed at the end of an element from which, in reverse, the one at its start is at most `exit`.
 pub(crate) fn max_reverse_entry_speed_sq(
     element: &PathElement,
     exit: f64,
@@ -118,7 +116,7 @@ pub(crate) fn max_reverse_entry_speed_sq(
     math::min(entry, cap)
 }
 
-/// The highest y some way before an exit, where that has a closed form.
+/// The highest squared speed at a distance before an exit, where a closed form exists.
 pub(crate) fn speed_sq_before(
     model: AccelerationModel,
     circle: &Option<Circle>,
@@ -128,7 +126,7 @@ pub(crate) fn speed_sq_before(
     match (model, circle) {
         (AccelerationModel::Constant { acceleration }, _) => exit + 2.0 * acceleration * distance,
         (AccelerationModel::Arc { planned, .. }, Some(circle)) => {
-            // dy/dx = -2·√(planned² - (turn·y)²) gives turn·y = planned·sin(angle).
+            // dy/dx = -2·√(planned² - (κ·y)²) gives κ·y = planned·sin(angle).
             let angle = 2.0 * circle.angle_rate * distance;
             let share = (circle.angle_rate * exit / planned).min(1.0);
             if angle >= core::f64::consts::FRAC_PI_2 {
@@ -136,7 +134,7 @@ pub(crate) fn speed_sq_before(
             }
             let (sine, cosine) = math::sin_cos(angle);
             let other = math::sqrt((1.0 - share * share).max(0.0));
-            // Beyond the quarter turn the sine would fall again.
+            // Beyond a quarter turn the sine would fall again.
             if cosine <= share {
                 planned / circle.angle_rate
             } else {
@@ -144,8 +142,8 @@ pub(crate) fn speed_sq_before(
             }
         }
         (AccelerationModel::BlendedArc { at_rest: most, loss: less }, _) => {
-            // dy/dx = -2·(most - less·y) gives an exponential. What stands here for 1 - e^-z is never more, and rises
-            // no steeper than what is left of its way to 1.
+            // dy/dx = -2·(at_rest - loss·y) gives an exponential. The rational term in place of 1 - e^-z is never
+            // greater, and rises no more steeply than its distance to 1.
             let far = math::min(2.0 * less * distance, DECAY_EXPONENT_MAX);
             let way =
                 if far < DECAY_EXPONENT_MAX { distance } else { DECAY_EXPONENT_MAX / (2.0 * less) };
@@ -161,7 +159,7 @@ pub(crate) fn speed_sq_before(
     }
 }
 
-/// The square of the speed at which a piece may be left, by its own parameter.
+/// The square of the speed, by an element's own parameter, at which it may be left.
 pub(crate) fn exit_speed_sq(
     elements: &Ring<PathElement>,
     element: &PathElement,

@@ -5,9 +5,9 @@ use core::fmt;
 /// Why a planner was not made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// This version cannot do it yet; what, for people.
+    /// This version cannot do it yet; the text says what.
     Unimplemented(&'static str),
-    /// A value of the machine cannot be used; which and why, for people.
+    /// A value of the machine cannot be used; the text says which and why.
     Configuration(&'static str),
 }
 
@@ -25,8 +25,9 @@ impl core::error::Error for Error {}
 /// Why a segment was not queued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotQueued {
-    /// The queue is full, or is being forgotten; try again after the next cycle.
+    /// The queue is full, or an abort is clearing it; try again after the next cycle.
     Full,
-    /// A number is not finite, a feed not positive, a radius is zero, or an axis that cannot move is asked to.
+    /// A number is not finite, a feed is not positive, a radius is zero, or the segment moves an axis that cannot
+    /// move.
     Malformed,
 }

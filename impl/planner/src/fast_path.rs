@@ -1,7 +1,7 @@
-//! A cycle of motion where look-ahead and axes leave more than is asked for, which is most of them.
+//! The fast path of a servo cycle, for the common case that look-ahead and axes allow more than is requested.
 //!
-//! It runs forward at the overrides that look-ahead has planned for, up to a piece where that is not known to be
-//! easy, and leaves the rest of the cycle to `step`. What it does, that would do too, but for rounding.
+//! It runs forward at the overrides that look-ahead has planned for, up to an element that it cannot decide quickly,
+//! and leaves the rest of the cycle to `servo_cycle`. That would do the same, except for rounding.
 
 use crate::acceleration_window::constant_window;
 use crate::limits::{Limits, squared};
@@ -13,21 +13,22 @@ use crate::motion::{
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::ring::Ring;
 
-/// How much of what the axes can do is easily used on a bend: its p' may be a little longer than 1 (`corner::PARABOLA_SIDE_RATIO_MAX`).
+/// The share of the limits that a blend may use on the fast path: its |p'| may be a little above 1
+/// (`corner::PARABOLA_SIDE_RATIO_MAX`).
 const FAST_USE_RATIO_MAX: f64 = 0.98;
-/// By so much the square of a speed may be above another one by rounding.
+/// By this factor rounding may raise one squared speed above another.
 const SPEED_SQ_ROUNDING_RATIO: f64 = 1.0 + 1e-12;
 
-/// An acceleration that is easily kept, and what it leads to.
+/// An acceleration that is known to be allowed, and what it leads to.
 #[derive(Clone, Copy, Debug)]
 struct FastStep {
     acceleration: f64,
-    /// The square of the speed at which it comes to the end of the piece.
+    /// The squared speed at the end of the element.
     end_speed_sq: f64,
 }
 
 impl MotionState {
-    /// Moves on over pieces that are easy; how much of the time is left for those that are not.
+    /// Moves along elements that are decided quickly. Returns the time that is left for the others.
     #[inline]
     pub(crate) fn advance_fast(
         &mut self,
@@ -86,7 +87,7 @@ impl MotionState {
         time_left
     }
 
-    /// The acceleration that is asked for, if that is easily kept.
+    /// The requested acceleration, if it is quickly known to be allowed.
     #[inline]
     fn fast_step(
         &mut self,
@@ -96,7 +97,7 @@ impl MotionState {
         time_left: f64,
     ) -> Option<FastStep> {
         let y = squared(self.speed);
-        // Rapid moves are not overridden here.
+        // The fast path runs without a rapid override.
         let wanted = match element.feed_basis {
             FeedBasis::PerSecond => math::min(element.speed_limit, element.feed * request.feed),
             FeedBasis::Rapid => element.speed_limit,
@@ -108,10 +109,10 @@ impl MotionState {
                 let exit = math::min(exit, element.end_limit_sq);
                 let met = (exit - y) / (2.0 * remaining);
                 let most = math::min(asked, met);
-                // An axis uses no more than |p'|·|u| + |p''|·y.
+                // An axis uses at most |p'|·|u| + |p''|·y.
                 let last = y + 2.0 * most * remaining;
                 let used = math::max(y, last) / even + most.abs() / limits.softest;
-                // On a bend that lasts there may be more than can be kept up to its end.
+                // On a long blend more than the sustainable acceleration may be possible.
                 let lasts = || LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < remaining;
                 if used <= FAST_USE_RATIO_MAX && (most >= asked || !lasts()) {
                     return Some(FastStep { acceleration: most, end_speed_sq: last });
@@ -165,12 +166,12 @@ impl MotionState {
         }
     }
 
-    /// Whether the motion is where look-ahead has planned a bend to be run through, or slower, so that it may slow
-    /// down evenly to its exit.
+    /// Whether the motion is at most as fast as look-ahead has planned on this blend, so that it may slow down evenly
+    /// to the exit.
     ///
-    /// The axes allow the plan: from `reach`, where the bend begins, to the exit that this relied on. And they allow
-    /// to go on as fast as there, if that is below `even`. What they allow is convex, so that all that lies between
-    /// these is allowed, as long as the exit is no less than the plan's.
+    /// The axes allow the plan: from `entry_speed_sq` at the start to the exit that it assumed. They also allow a
+    /// constant speed of `entry_speed_sq` if that is at most the steady speed. The allowed set is convex, so
+    /// everything between these two is allowed as long as the exit is no lower than in the plan.
     #[inline]
     fn keeps_to_plan(
         &self,
@@ -184,7 +185,7 @@ impl MotionState {
             && squared(self.speed) * element.length <= planned * SPEED_SQ_ROUNDING_RATIO
     }
 
-    /// The acceleration on a bend whose axes have little more than is asked of them.
+    /// The acceleration on a blend whose axes allow little more than the request.
     #[cold]
     #[inline(never)]
     fn acceleration_near_limit(
@@ -215,7 +216,7 @@ impl MotionState {
         })
     }
 
-    /// The acceleration on a bend that lasts.
+    /// The acceleration on a long blend.
     #[cold]
     #[inline(never)]
     fn acceleration_on_long_blend(

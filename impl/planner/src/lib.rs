@@ -1,26 +1,33 @@
-//! The trajectory planner: canonical moves in, one servo sample out per cycle.
+//! A trajectory planner for CNC: canonical moves in, one servo sample out per cycle.
 //!
-//! A caller queues [`Segment`]s while the planner runs, and calls [`Planner::update`] once per servo cycle with what
-//! the outside wants now ([`InputParameter`]); it gets where the machine shall be next ([`OutputParameter`]).
+//! A caller queues [`Segment`]s while the planner runs. It calls [`Planner::update`] once per servo cycle with what the
+//! operator and the machine ask for ([`InputParameter`]), and gets the next position ([`OutputParameter`]).
 //!
 //! ```text
 //! Segment
-//!   leg         a segment as one piece of path, by the distance, or several in one leg
-//!   course      the end of the path: legs are cut, corners put between them        course, corner
-//! Piece         a part of the path with one law for speed and acceleration         piece, limits
-//!   ahead       how fast each piece may be entered, from the end of the queue back ahead, reach, strips
-//!   retrace     the same for running back, from far behind up to the motion
-//!   step        a cycle of motion along the pieces                                 step, cruise, bend, brakes
+//!   nominal_segment   a segment as one element, by its length; short lines are merged        segment_merge
+//!   path_builder      the end of the path: segments are cut, corners are put between them    corner
+//! PathElement         a part of the path with one acceleration model   path_element, acceleration_model, limits
+//!   look_ahead        how fast each element may be entered, from the end of the queue back   entry_speed, blend_limits
+//!   retrace           the same for running in reverse
+//!   servo_cycle       a cycle of motion along the elements    motion, fast_path, acceleration_window, blend_motion,
+//!                                                             arc_braking
 //! OutputParameter
 //! ```
 //!
-//! Each stage sees the one before it through [`path_element::PathElement`] alone, so that another profile is another `reach` and
-//! `step`.
+//! Each stage sees the one before it as [`path_element::PathElement`] alone. Another velocity profile needs another
+//! `entry_speed` and another `servo_cycle`. `docs/planner.md` in the repository explains the theory.
 //!
-//! **Invariants.** No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts. A
-//! cycle's work is bounded and allocates nothing: all memory is taken by [`Planner::new`]. When the queue runs short,
-//! the machine stops on its path. Samples depend on segments and inputs alone, and on the time of queueing only where
-//! the queue is so short that the machine could not go faster for it.
+//! The planner limits velocity and acceleration of each axis. For limits of jerk [`Planner::new`] returns
+//! [`Error::Unimplemented`].
+//!
+//! **Invariants.**
+//! * No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts.
+//! * The work of a cycle is bounded, and a cycle allocates nothing: [`Planner::new`] allocates all memory.
+//! * When the queue runs short, the machine stops on its path.
+//! * Samples depend on segments and inputs alone. They depend on the time of queueing only where the queue is so short
+//!   that the machine could not go faster.
+//! * The crate has no `std`: no clock, no file, no thread. It never panics; the lints below refuse what could.
 #![no_std]
 #![cfg_attr(
     not(test),

@@ -3,24 +3,25 @@
 use crate::math;
 use crate::parameters::{Axes, Dynamics};
 
-/// What is kept of each limit: a sample is rounded, and a break of direction below [`SMOOTH_BREAK_MAX_RAD`] is not seen as one.
+/// The shares of the limits that are used: samples are rounded, and a break of direction below
+/// [`SMOOTH_BREAK_MAX_RAD`] is ignored.
 const ACCELERATION_USE_RATIO: f64 = 1.0 - 1e-7;
-/// What is planned with, of that: so that a plan that rounding has missed can be come back to.
+/// The share of that which is planned with, so that the motion can return to a plan that rounding made it miss.
 pub(crate) const PLANNED_RATIO: f64 = 1.0 - 1e-7;
 const VELOCITY_USE_RATIO: f64 = 1.0 - 1e-9;
-/// A break of direction as small as this is none: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
+/// A smaller break of direction is ignored: at 1000 mm/s and 1 ms it costs 1e-4 mm/s².
 pub(crate) const SMOOTH_BREAK_MAX_RAD: f64 = 1e-10;
 
-/// Limits per axis, with what rounding needs taken off.
+/// Limits per axis, less what rounding needs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     pub(crate) velocity: Axes,
     pub(crate) acceleration: Axes,
-    /// What may be used of it where all goes to plan.
+    /// The acceleration that plans use.
     pub(crate) planned: Axes,
-    /// The least of that.
+    /// The least planned acceleration of all axes.
     pub(crate) softest: f64,
-    /// Seconds.
+    /// The servo cycle, seconds.
     pub(crate) cycle: f64,
 }
 
@@ -38,7 +39,7 @@ impl Limits {
     }
 }
 
-/// The least of limit / use over the leading axes, of which there are three or more.
+/// The least limit / use over the leading axes, of which there are at least three.
 #[inline]
 pub(crate) fn least(limits: &Axes, uses: &Axes, axes: usize) -> f64 {
     if axes <= 3 { least_of::<3>(limits, uses) } else { least_of::<9>(limits, uses) }

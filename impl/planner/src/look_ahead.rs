@@ -1,8 +1,8 @@
-//! Look-ahead: keeps `reach` of all queued pieces true, and raises it when more is queued.
+//! Look-ahead: keeps `entry_speed_sq` of all queued elements valid, and raises it when more is queued.
 //!
-//! What is stored may be lower than it could be, never higher. So a lower value must reach all pieces that rely on it
-//! at once ([`LookAhead::settle`]), and a higher one may run back through the queue a few pieces at a time
-//! ([`LookAhead::work`]).
+//! A stored value may be lower than possible, never higher. So a lower value is passed on at once to all elements that
+//! rely on it ([`LookAhead::recompute`]), and a higher one may travel back through the queue a few elements at a time
+//! ([`LookAhead::advance`]).
 
 use crate::entry_speed::{OverrideScale, max_entry_speed_sq, speed_sq_limits};
 use crate::limits::{Limits, squared};
@@ -11,63 +11,63 @@ use crate::motion::MotionState;
 use crate::path_element::{AccelerationModel, PathElement};
 use crate::ring::Ring;
 
-/// Pieces before the one in execution that a change of override is planned for; and how near unplanned ones may come.
+/// How many elements ahead of the motion a change of override is planned for, and how near elements planned for the
+/// old override may come.
 const REPLAN_HORIZON_ELEMENTS: u64 = 256;
 const REPLAN_SPAN_MAX: u64 = 2 * REPLAN_HORIZON_ELEMENTS;
-/// How many pieces next to the motion are planned for another scale first; then always so many times as many, up to
-/// two horizons.
+/// After a change of override, each pass plans this many times as many elements as the one before, up to
+/// `REPLAN_SPAN_MAX`.
 const REPLAN_SPAN_GROWTH: u64 = 4;
-/// So many are planned for a scale before another one may take its place.
+/// So many elements are planned for a scale before another scale may replace it.
 const REPLAN_SPAN_BEFORE_NEXT: u64 = 64;
-/// By so much the square of a speed may grow at most where axes do not let the motion slow down: many times of what
-/// it does.
+/// The most by which a squared speed may grow where a blend does not let the motion slow down: many times what occurs.
 const SPEED_SQ_GROWTH_MAX: f64 = 2.0;
-/// How near the motion may come to pieces that could be raised, beyond what it takes to stop.
+/// How near the motion may come to elements that could be raised, beyond its stopping distance.
 const URGENT_MARGIN_ELEMENTS: u64 = 32;
 
-/// The run of a raise through the queue, from new pieces to old.
+/// A pass over the queue from new elements to old ones, which raises entry speeds.
 #[derive(Clone, Copy, Debug)]
 struct BackwardPass {
     next: u64,
-    /// Down to here all are computed; below, as far as something changes.
+    /// All elements down to here are computed; below, as long as something changes.
     floor: u64,
-    /// Where it began.
+    /// The element at which it began.
     from: u64,
 }
 
-/// What the axes allow, whatever is asked for.
+/// A scale that leaves the limits of the axes alone.
 const UNLIMITED_SCALE: OverrideScale =
     OverrideScale { feed: f64::INFINITY, rapid: 1.0, spindle_speed: f64::INFINITY };
 
-/// What look-ahead has still to do.
+/// The state of look-ahead.
 #[derive(Debug)]
 pub(crate) struct LookAhead {
-    /// What is planned for from now on.
+    /// The scale that is planned for from now on.
     pub(crate) scale: OverrideScale,
-    /// What pieces may still be planned for, while they are planned for another scale: at first those next to the
-    /// motion, then from `stale` on.
+    /// The scale that some elements may still be planned for: at first those next to the motion, then those from
+    /// `stale_from` on.
     old_scale: Option<OverrideScale>,
-    /// By how much the squares of speeds are less that are allowed where those begin.
+    /// The factor for squared speeds at the boundary to those elements.
     old_scale_factor_sq: f64,
-    /// Those made since are planned for this scale.
+    /// Elements from here on were made after the change, for the new scale.
     new_scale_from: u64,
-    /// Up to this piece all next to the motion are planned for this scale, so that they can be kept to as they are.
+    /// Up to this element, all elements next to the motion are planned for the new scale.
     planned_end: u64,
     pass: Option<BackwardPass>,
-    /// Work that was too little for the next bend.
+    /// Work that was too little for the next blend.
     spare_work: u32,
-    /// Pieces from the first to the second, whose raise no wave has taken up.
+    /// The range of elements that a later pass has to raise.
     pending: Option<(u64, u64)>,
-    /// From here on pieces are planned for another scale.
+    /// From here on elements are planned for the old scale.
     stale_from: u64,
-    /// How many pieces have been taken up that were planned for another scale.
+    /// How many elements of the old scale have been planned again.
     replanned_count: u64,
-    /// How many pieces the last wave changed, which the next one has to be worth.
+    /// How many elements the last pass changed. The next pass waits until it is worth as much.
     pass_length: u64,
-    /// The most that pieces before `mixed` may be planned for, which the motion has passed.
+    /// The highest scale that elements before `mixed_end`, which the motion has passed, may be planned for.
     passed_scale: OverrideScale,
     mixed_end: u64,
-    /// While the motion is before this piece, nothing is pressing and nothing to be taken up; 0 where it is not known.
+    /// While the motion is before this element, nothing is urgent and nothing has to be planned again; 0 if unknown.
     quiet_until: u64,
 }
 
@@ -91,9 +91,9 @@ impl LookAhead {
         }
     }
 
-    /// Computes the pieces from `changed` on, and lowers those before them that relied on more, those behind the
-    /// motion, too, which may run back. Gives back the first piece that is another now. A lower value runs back
-    /// through as many pieces as it takes to stop, at most.
+    /// Computes the elements from `changed` on, and lowers those before them that relied on more. This includes
+    /// elements that the motion has passed, since it may reverse. Returns the first element that changed. A lower
+    /// value travels back by at most the stopping distance.
     pub(crate) fn recompute(
         &mut self,
         elements: &mut Ring<PathElement>,
@@ -102,13 +102,13 @@ impl LookAhead {
     ) -> u64 {
         let mut place = elements.end();
         let mut first = changed;
-        // Down to here all is computed, and what lies before it need not be raised for it.
+        // Everything down to here is computed; elements before it need not be raised.
         let mut settled = changed;
         let mut raised = true;
-        // How fast the piece after it may be entered.
+        // The entry speed of the element after it.
         let mut next = 0.0;
         let unusual = self.old_scale.is_some();
-        // Up to here the motion has passed those before the changed ones.
+        // The motion has passed the elements before this one, among those before the changed ones.
         let passed = at.saturating_add(1).min(changed);
         while place > elements.first() {
             place = place.wrapping_sub(1);
@@ -146,7 +146,7 @@ impl LookAhead {
             None => raised.then_some((below, below)),
         };
         if unusual && let (Some((_, old)), Some((_, high))) = (self.pending, &mut pending) {
-            // What has still to be planned for this scale may have been left as it was.
+            // A part that has still to be planned for the new scale may have been left as it was.
             *high = old.min(elements.end().saturating_sub(1)).max(below);
         }
         self.pending = pending;
@@ -156,9 +156,9 @@ impl LookAhead {
         first
     }
 
-    /// How fast a piece may be entered that the motion has passed, whatever it is planned for: as the axes allow it.
-    /// And what is planned for one that lies before the motion while some are still planned for another scale: where
-    /// these begin, the one after it may be entered eased.
+    /// The entry speed of an element in two unusual cases. An element that the motion has passed gets what the axes
+    /// allow, whatever scale it was planned for. An element in the range of the old scale is planned for the higher
+    /// scale, and the boundary is scaled down.
     #[cold]
     #[inline(never)]
     fn entry_speed_sq_while_replanning(
@@ -181,8 +181,7 @@ impl LookAhead {
         entry_speed_sq(element, *next, scale, limits)
     }
 
-    /// A wave has come to its end while some pieces are planned for another scale: what it has planned is known where
-    /// it joins what was.
+    /// A pass has ended while some elements are planned for the old scale: records how far the new plan is connected.
     #[cold]
     #[inline(never)]
     fn finish_pass(&mut self, pass: &BackwardPass, at: u64) {
@@ -195,8 +194,8 @@ impl LookAhead {
         }
     }
 
-    /// Raises pieces for so much work. With `eager` it begins as soon as there is something to raise, otherwise when
-    /// it is worth it.
+    /// Raises elements until `work` is used up. If `eager`, it starts as soon as there is something to raise;
+    /// otherwise when that is worth it.
     pub(crate) fn advance(
         &mut self,
         elements: &mut Ring<PathElement>,
@@ -224,7 +223,7 @@ impl LookAhead {
         }
     }
 
-    /// Runs a wave on while there is work left to do; whether it has come to its end.
+    /// Continues a pass while there is work left. Returns whether the pass has ended.
     #[inline]
     fn run_pass(
         &self,
@@ -245,7 +244,7 @@ impl LookAhead {
                 return true;
             }
             let Some(element) = elements.get_mut(pass.next) else { return true };
-            // A bend takes two of the work, any other piece one.
+            // A blend takes two units of work, any other element one.
             let work = if matches!(element.model, AccelerationModel::Blend { .. }) { 2 } else { 1 };
             let Some(rest) = left.checked_sub(work) else { return false };
             *left = rest;
@@ -260,19 +259,20 @@ impl LookAhead {
         }
     }
 
-    /// Whether there is something to raise that the motion will soon come to.
+    /// Whether there is something to raise that the motion will soon reach.
     pub(crate) fn is_urgent(&self, at: u64) -> bool {
         let soon = self.urgent_end(at);
         self.pass.is_some_and(|pass| pass.floor < soon)
             || self.pending.is_some_and(|(low, _)| low < soon)
     }
 
-    /// Up to where the motion may soon be: what the last wave changed is what it takes to stop.
+    /// The end of the range that the motion may soon reach: the length of the last pass approximates the stopping
+    /// distance.
     fn urgent_end(&self, at: u64) -> u64 {
         at.saturating_add(self.pass_length).saturating_add(URGENT_MARGIN_ELEMENTS)
     }
 
-    /// While the motion is before this piece, it will not come soon to that one.
+    /// While the motion is before this element, it does not soon reach `place`.
     fn quiet_end(&self, place: u64) -> u64 {
         place.saturating_sub(self.pass_length).saturating_sub(URGENT_MARGIN_ELEMENTS)
     }
@@ -286,18 +286,18 @@ impl LookAhead {
         Some(BackwardPass { next: high, floor: low, from: high })
     }
 
-    /// The most that any piece next to the motion is planned for.
+    /// The highest scale that any element next to the motion is planned for.
     pub(crate) fn highest_scale(&self) -> OverrideScale {
         self.old_scale.map_or(self.scale, |before| before.max(self.scale))
     }
 
-    /// Whether the pieces next to the motion are planned for the scale.
+    /// Whether the elements next to the motion are planned for the current scale.
     #[inline]
     pub(crate) fn is_ready(&self, at: u64) -> bool {
         self.old_scale.is_none() || at.saturating_add(1) < self.planned_end
     }
 
-    /// Whether the pieces next to the motion are planned for these shares.
+    /// Whether the elements next to the motion are planned for these overrides.
     #[inline]
     pub(crate) fn plans_for(&self, feed: f64, rapid: f64, at: u64) -> bool {
         self.is_ready(at)
@@ -305,13 +305,13 @@ impl LookAhead {
             && self.scale.rapid.to_bits() == rapid.to_bits()
     }
 
-    /// Whether there is nothing to do in a cycle, as is known since the last one.
+    /// Whether it is already known that this cycle has nothing to do.
     #[inline]
     pub(crate) fn is_quiet(&self, at: u64) -> bool {
         at < self.quiet_until
     }
 
-    /// Spares the next cycle a look where there is nothing to do.
+    /// Spares the next cycle a check where there is nothing to do.
     #[inline]
     pub(crate) fn note_quiet_after_queueing(&mut self, at: u64) {
         if self.stale_from > at.saturating_add(REPLAN_HORIZON_ELEMENTS) && !self.is_urgent(at) {
@@ -319,7 +319,7 @@ impl LookAhead {
         }
     }
 
-    /// Nothing is pressing: notes up to where that stays so.
+    /// Records up to where nothing is urgent.
     pub(crate) fn note_quiet(&mut self) {
         let floor = self.pass.map_or(u64::MAX, |pass| pass.floor);
         let low = self.pending.map_or(u64::MAX, |(low, _)| low);
@@ -328,7 +328,7 @@ impl LookAhead {
             .min(self.stale_from.saturating_sub(REPLAN_HORIZON_ELEMENTS));
     }
 
-    /// Plans for other overrides from now on: what lies next is planned anew, the rest when the motion comes near.
+    /// Plans for other overrides from now on: the next elements at once, the others when the motion comes near.
     pub(crate) fn rescale(&mut self, scale: OverrideScale, elements: &Ring<PathElement>, at: u64) {
         let planned = self.highest_scale();
         let forgotten = elements.first() >= self.mixed_end;
@@ -338,14 +338,14 @@ impl LookAhead {
         self.replan(planned, elements, at);
     }
 
-    /// The motion has run back, and is to go on from here: over pieces that may be planned for what is long over.
+    /// The motion has reversed and goes forward again, over elements that may be planned for an old scale.
     pub(crate) fn resume_after_retrace(&mut self, elements: &Ring<PathElement>, at: u64) {
         if at < self.mixed_end {
             self.replan(self.highest_scale().max(self.passed_scale), elements, at);
         }
     }
 
-    /// From here on pieces are planned for no more than this.
+    /// From here on elements may be planned for up to `before`, and are to be planned for the current scale.
     fn replan(&mut self, before: OverrideScale, elements: &Ring<PathElement>, at: u64) {
         self.old_scale = Some(before);
         (self.old_scale_factor_sq, self.planned_end) = (self.scale.speed_sq_factor(before), at);
@@ -354,14 +354,14 @@ impl LookAhead {
         self.extend_replan(elements, at);
     }
 
-    /// Whether another scale may be planned for: so much is planned for this one that it does not happen in each
-    /// cycle, or nothing is left to do.
+    /// Whether the scale may be replaced: enough is planned for it that this does not happen in every cycle, or
+    /// nothing is left to do.
     pub(crate) fn may_rescale(&self, at: u64) -> bool {
         self.replanned_count >= REPLAN_SPAN_BEFORE_NEXT || !self.is_urgent(at)
     }
 
-    /// Takes up pieces that are planned for another scale when the motion comes near: a few at first, so that it need
-    /// not wait for many.
+    /// Plans elements of the old scale again when the motion comes near: a few at first, so that it need not wait for
+    /// many.
     pub(crate) fn refresh(&mut self, elements: &Ring<PathElement>, at: u64) {
         if !(self.stale_from > at.saturating_add(REPLAN_HORIZON_ELEMENTS)
             || self.replanned_count < REPLAN_SPAN_MAX && self.is_urgent(at))
@@ -377,7 +377,7 @@ impl LookAhead {
             self.replanned_count.saturating_mul(REPLAN_SPAN_GROWTH).min(REPLAN_SPAN_MAX);
         let high = at.saturating_add(self.replanned_count).min(newest);
         let low = self.stale_from.min(high).max(at);
-        // What a wave was still to come to is come to by the next one.
+        // The new pass includes what the old one had left.
         let low = low.min(self.pass.take().map_or(low, |pass| pass.floor));
         self.pending = Some(self.pending.map_or((low, high), |(old, _)| (old.min(low), high)));
         self.stale_from =
@@ -385,7 +385,7 @@ impl LookAhead {
     }
 }
 
-/// The square of the speed at which a piece may be entered, by that of the next one.
+/// The squared entry speed of an element, given that of the next one.
 #[inline]
 fn entry_speed_sq(element: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {
     max_entry_speed_sq(
@@ -396,7 +396,7 @@ fn entry_speed_sq(element: &PathElement, next: f64, scale: OverrideScale, limits
     )
 }
 
-/// Whether the axes allow the motion, as fast as it is, to keep to a path that is changed from a piece on, whatever
+/// Whether the axes allow the motion, at its present speed, to follow a path that changes from an element on, whatever
 /// is planned for it.
 #[cold]
 #[inline(never)]
@@ -407,7 +407,7 @@ pub(crate) fn axes_allow(
     limits: &Limits,
 ) -> bool {
     let Some(element) = elements.get(motion.at) else { return true };
-    // It slows down, but where a bend does not let it; so it need not be looked at where much more is allowed.
+    // The motion slows down, unless a blend prevents it. So elements that allow much more need not be checked.
     let most = SPEED_SQ_GROWTH_MAX
         * squared(motion.speed)
         * math::max(1.0, squared(element.end_speed_ratio));

@@ -1,35 +1,35 @@
-//! The only place where functions of `libm` are called and where numbers are compared as the fast path needs it.
+//! All calls of `libm`, and comparisons that compile to single instructions.
 //!
-//! The functions come from `libm`, so that a motion has the same samples on every platform; nothing is fused.
+//! The functions come from `libm`, and nothing is fused, so that a motion has the same samples on every platform.
 
 /// The square root.
 pub(crate) fn sqrt(value: f64) -> f64 {
     libm::sqrt(value)
 }
-/// The length of the third side.
+/// The length of the hypotenuse of a right triangle.
 pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
     libm::sqrt(x * x + y * y)
 }
-/// The lesser of two numbers, the first where one is none; an instruction, which `f64::min` is not.
+/// The lesser of two numbers, the first one if either is NaN; one instruction, unlike `f64::min`.
 #[inline]
 pub(crate) fn min(one: f64, other: f64) -> f64 {
     if other < one { other } else { one }
 }
-/// The greater of two numbers, the first where one is none.
+/// The greater of two numbers, the first one if either is NaN.
 #[inline]
 pub(crate) fn max(one: f64, other: f64) -> f64 {
     if other > one { other } else { one }
 }
-/// Sine and cosine of an angle in radians, to within 2^-52. It is asked for in each cycle on an arc, and takes half
-/// of what `libm::sincos` does: without the bits that only a small sine would show, one reduction to an eighth of a
-/// turn serves both. The series are those of `libm`.
+/// Sine and cosine of an angle in radians, to within 2^-52. Each cycle on an arc calls it, and it takes half the time
+/// of `libm::sincos`: it omits the bits that matter for small sines alone, and one reduction to an eighth of a turn
+/// serves both. The series are those of `libm`.
 #[inline]
 pub(crate) fn sin_cos(radians: f64) -> (f64, f64) {
-    /// Within it, a number of quarters times the first part of one is exact.
+    /// Up to this angle, the number of quarter turns times the first part of `QUARTER_TURN` is exact.
     const EXACT_RADIANS_MAX: f64 = 1e6;
-    /// Added, rounds to an integer, which the last bits of the sum then are.
+    /// Adding this rounds to an integer, which is then in the last bits of the sum.
     const ROUNDING_TERM: f64 = 1.5 / f64::EPSILON;
-    /// A quarter of a turn: 33 bits, and the rest.
+    /// A quarter turn: 33 bits, and the rest.
     const QUARTER_TURN: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
     const SINE: [f64; 6] = [
         -1.666_666_666_666_663_2e-1,

@@ -1,91 +1,91 @@
-//! The state of the motion, and what one constant acceleration does to it.
+//! The state of the motion, and the effect of one constant acceleration on it.
 //!
-//! Within an element and a cycle the acceleration of the parameter is constant. So the speed has no jumps, and each axis
-//! keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their period.
+//! Within an element and a cycle the acceleration of the parameter is constant. So the speed has no jumps, and each
+//! axis keeps its limits at every instant. Differences of samples are means of such accelerations, whatever their
+//! period.
 
 use crate::entry_speed::speed_sq_before;
 use crate::limits::squared;
 use crate::math;
 use crate::path_element::{FeedBasis, PathElement};
 
-/// The share of an axis in a direction below which it takes no part.
+/// An axis with a smaller share of the direction is ignored.
 pub(crate) const AXIS_SHARE_MIN: f64 = 1e-9;
-/// By so much what is left of a piece may be too short by rounding for a motion that is to come to rest at its end.
+/// By this factor rounding may shorten the rest of an element for a motion that must stop at its end.
 const REMAINING_ROUNDING_RATIO: f64 = 1.0 + 1e-6;
-/// The most pieces that are touched in a cycle; pieces are made so that fewer fit into one.
+/// The most elements in a cycle. Elements are made so that fewer fit into one.
 pub(crate) const ELEMENTS_PER_CYCLE_MAX: u32 = 12;
-/// What a part of a cycle on a bend is worth of [`MotionState::effort`].
+/// The cost of a part of a cycle on a blend, in units of [`MotionState::work`].
 pub(crate) const BLEND_WORK: u32 = 2;
-/// What costs much in a cycle is left out, or to the next one, where this much has been done.
+/// When a cycle has cost this much, expensive steps are omitted or postponed to the next cycle.
 pub(crate) const CYCLE_WORK_MAX: u32 = 5;
-/// For how many cycles a bend must still last at the present speed where another acceleration is looked for than one
-/// that can be kept up to its end.
+/// A blend is long if it lasts for more cycles than this at the present speed. Then an acceleration above the
+/// sustainable one is searched for.
 pub(crate) const LONG_BLEND_CYCLES_MIN: f64 = 2.0;
 
-/// What is asked for in a cycle.
+/// What a cycle is asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CycleRequest {
-    /// Share of the programmed feed.
+    /// Factor of the programmed feed.
     pub(crate) feed: f64,
-    /// Share of the rapid speed.
+    /// Factor of the rapid speed.
     pub(crate) rapid: f64,
-    /// Turns of the spindle per second, times the share of the programmed feed.
+    /// Revolutions of the spindle per second, times the feed override.
     pub(crate) spindle_speed: f64,
-    /// Whether to come to rest.
+    /// Whether the motion must come to rest.
     pub(crate) must_stop: bool,
-    /// Whether look-ahead has planned for just these shares.
+    /// Whether look-ahead has planned for exactly these overrides.
     pub(crate) is_planned: bool,
-    /// What speeds of look-ahead are multiplied by, squared, where it has planned for more than is asked for.
+    /// Factor for squared speeds of look-ahead where it has planned for more than is asked for.
     pub(crate) speed_sq_factor: f64,
 }
 
-/// Where the motion is.
+/// Where the motion is, and how it moves.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct MotionState {
-    /// The piece.
+    /// The number of the element.
     pub(crate) at: u64,
-    /// Its parameter.
+    /// The parameter within the element.
     pub(crate) x: f64,
-    /// Speed of the parameter, never negative.
+    /// Speed of the parameter, at least 0.
     pub(crate) speed: f64,
-    /// Its acceleration in the last part of the cycle, along the direction of motion.
+    /// Acceleration of the parameter in the last part of the cycle, in the direction of motion.
     pub(crate) acceleration: f64,
-    /// Whether it runs back.
+    /// Whether the motion runs backwards along the path.
     pub(crate) is_reversed: bool,
-    /// The piece to whose beginning it may run back.
+    /// The element to whose start it may run backwards.
     pub(crate) reverse_end: u64,
-    /// Seconds of a dwell that are over.
+    /// Elapsed seconds of a dwell.
     pub(crate) dwell_elapsed: f64,
-    /// The segment under way: planner's number and caller's.
+    /// The segment under way: the planner's number and the caller's.
     pub(crate) begun: u64,
     pub(crate) number: u64,
-    /// How much work this cycle has been, in parts of it on a line; one on a bend counts as two, one on an arc as
-    /// three, and where all is easy each piece that is passed as one.
+    /// The cost of this cycle: 1 per part on a line, 2 on a blend, 3 on an arc; on the fast path 1 per element passed.
     pub(crate) work: u32,
-    /// Whether the least acceleration on an arc has been found in it.
+    /// Whether the strongest braking on an arc has been computed in this cycle.
     pub(crate) found_braking: bool,
-    /// Seconds that the rest at the end of the cycle before begins late.
+    /// Seconds by which the stop at the end of the last cycle was early.
     pub(crate) time_owed: f64,
 }
 
-/// The end of a piece in the direction of motion.
+/// The end of an element in the direction of motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ElementEnd {
-    /// Square of the speed at which the piece may be left there.
+    /// Square of the speed at which the element may be left there.
     pub(crate) speed_sq: f64,
-    /// How far it is.
+    /// Distance to it.
     pub(crate) remaining: f64,
-    /// Whether the path goes on without rest there, so that only an override can ask for one.
+    /// Whether the path goes on there without a stop, so that only an override can cause one.
     pub(crate) is_open: bool,
 }
 
 impl MotionState {
-    /// What is left of the piece in the direction of motion.
+    /// The rest of the element in the direction of motion.
     pub(crate) fn remaining(&self, element: &PathElement) -> f64 {
         if self.is_reversed { self.x } else { element.length - self.x }
     }
 
-    /// Goes over to the piece after this one.
+    /// Moves to the next element.
     #[inline]
     pub(crate) fn enter(&mut self, before: &PathElement) {
         self.at = self.at.wrapping_add(1);
@@ -94,14 +94,14 @@ impl MotionState {
         self.dwell_elapsed = 0.0;
     }
 
-    /// Who is held at the start of a segment has not begun it.
+    /// Records the start of a segment if the motion has moved: a motion that is held at the start has not begun it.
     pub(crate) fn note_begin(&mut self, element: &PathElement, from: f64) {
         if self.x > from {
             self.begin_segment(element, from);
         }
     }
 
-    /// A segment has begun if its start was passed.
+    /// Records the start of a segment if it was passed.
     #[inline]
     pub(crate) fn begin_segment(&mut self, element: &PathElement, from: f64) {
         if element.segment_start.is_some_and(|begins| from <= begins && begins <= self.x) {
@@ -110,8 +110,8 @@ impl MotionState {
         }
     }
 
-    /// The square of the speed at which a piece is left where an override asks for rest at its end when the motion
-    /// can no more come to it, since `late`.
+    /// The square of the speed at which an element is left. An override may ask for a stop at its end too late: then
+    /// the motion leaves it at a tiny speed.
     #[inline]
     pub(crate) fn exit_after_late_override(
         &self,
@@ -127,7 +127,7 @@ impl MotionState {
         }
     }
 
-    /// Accelerates evenly until the time is over, the piece ends, or the motion rests.
+    /// Accelerates constantly until the time is over, the element ends, or the motion stops. Returns the time used.
     #[inline(always)]
     pub(crate) fn accelerate(
         &mut self,
@@ -143,7 +143,7 @@ impl MotionState {
         if end > 0.0 && travel < remaining {
             self.move_by(travel);
             self.speed = end;
-            // Rounding may bring it to the end all the same.
+            // Rounding may still bring it to the end.
             if ahead.speed_sq <= 0.0 && self.remaining(element) <= 0.0 {
                 self.stop_at_end(end, time_left);
             }
@@ -155,10 +155,10 @@ impl MotionState {
         });
         let (mut last, mut brakes) = (y + 2.0 * acceleration * remaining, 0.0);
         if exit <= 0.0 && last >= -1e-6 * y {
-            // The square of the last speed is the difference of two numbers that should be equal. Less is left of it
-            // by braking a little harder than by resting all of a sudden.
+            // The squared end speed is the difference of two numbers that should be equal. Braking a little harder
+            // leaves less of it than stopping abruptly.
             last = 0.0;
-            // What is left of a long piece is rounded, and so how long that takes; how long the brakes take is not.
+            // The rest of a long element is rounded, and so is the time for it. The braking time is not.
             if acceleration < 0.0 {
                 brakes = -self.speed / acceleration;
             }
@@ -187,8 +187,8 @@ impl MotionState {
         time_left
     }
 
-    /// Comes to rest at the end of a piece with the end of a cycle, where rounding leaves a speed of it. What that
-    /// would still take is less than the place can show, but an axis that turns round needs the time.
+    /// Stops at the end of an element at the end of a cycle, where rounding leaves some speed. The position cannot
+    /// show the remaining way, but an axis that reverses needs the time.
     #[cold]
     pub(crate) fn stop_at_end(&mut self, end: f64, time_left: f64) {
         let takes = -end / self.acceleration;
@@ -201,7 +201,7 @@ impl MotionState {
     }
 }
 
-/// The speed that a piece is asked to have where its axes allow so much.
+/// The requested speed on an element whose axes allow `fastest`.
 pub(crate) fn target_speed(element: &PathElement, fastest: f64, request: &CycleRequest) -> f64 {
     let axes = if element.is_partly_rapid { fastest * request.rapid } else { fastest };
     match element.feed_basis {

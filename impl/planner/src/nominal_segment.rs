@@ -1,4 +1,4 @@
-//! A queued segment as a whole piece of path, or several in one, before its corners are known.
+//! A queued segment as one element, or several segments merged into one, before its corners are known.
 
 use crate::error::NotQueued;
 use crate::limits::{Limits, squared};
@@ -8,45 +8,44 @@ use crate::path_element::{Circle, FeedBasis, PathElement};
 use crate::segment::{Feed, Path, PathControl, Segment};
 use crate::vector::{cross, dot, norm};
 
-/// A segment that is no longer leads nowhere, millimetres: what rounding leaves of one that does. The next one takes
-/// it up.
+/// A shorter segment moves nothing: rounding leaves as much. The next segment includes it.
 const ZERO_LENGTH_MM: f64 = 1e-10;
 
-/// By so much two feeds may differ that are one.
+/// Feeds that differ by less than this ratio are equal.
 const FEED_TOLERANCE_RATIO: f64 = 1e-12;
 
-/// A segment from corner to corner, or several that are over within a cycle.
+/// A segment from corner to corner, or several merged ones.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct NominalSegment {
-    /// All of it, with its law.
+    /// All of it, with its acceleration model.
     pub(crate) whole: PathElement,
     /// p' at its ends.
     pub(crate) start_tangent: Axes,
     pub(crate) end_tangent: Axes,
     /// What may happen at its end.
     pub(crate) path_control: PathControl,
-    /// How fast that runs which its feed is measured along, over the parameter, at most.
+    /// The greatest ratio of the path that the feed is measured along to the parameter.
     pub(crate) feed_path_ratio: f64,
-    /// How much of it the corner at its start has taken.
+    /// The length that the corner at its start uses.
     pub(crate) start_trim: f64,
-    /// Whether it is made of several segments, and how far these may be from it, and it from them, millimetres.
+    /// Whether several segments are merged in it, and how far it deviates from them at most, millimetres.
     pub(crate) is_merged: bool,
     pub(crate) merge_deviation: f64,
-    /// Whether its start is to stay where it is.
+    /// Whether its start must stay where it is.
     pub(crate) is_separate: bool,
 }
 
-/// What a segment is once its end is known.
+/// A segment after its end is known.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ResolvedSegment {
     Moves,
     /// It moves nothing.
     ZeroLength,
-    /// Seconds of rest.
+    /// A stop for so many seconds.
     Dwell(f64),
 }
 
-/// Reads a segment that begins at a position, into a leg if it is one.
+/// Reads a segment that begins at a position. If it moves, it is written to `merged`.
 pub(crate) fn resolve(
     segment: &Segment,
     (merged, start): (&mut NominalSegment, &Axes),
@@ -99,7 +98,7 @@ pub(crate) fn resolve(
 }
 
 impl NominalSegment {
-    /// Whether both have one feed, but for rounding.
+    /// Whether both have the same feed, except for rounding.
     #[inline]
     pub(crate) fn has_same_feed(&self, next: &Self) -> bool {
         let (one, other) = (&self.whole, &next.whole);
@@ -107,7 +106,7 @@ impl NominalSegment {
         one.feed_basis == other.feed_basis && (near || one.feed.to_bits() == other.feed.to_bits())
     }
 
-    /// The highest square of speed that it is ever run at, overrides up to 2.
+    /// The highest squared speed at which it is ever run, for overrides up to 2.
     pub(crate) fn max_speed_sq(&self) -> f64 {
         match self.whole.feed_basis {
             FeedBasis::PerSecond => self.whole.start_limit_sq.min(squared(2.0 * self.whole.feed)),
@@ -124,7 +123,7 @@ pub(crate) fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQue
         *rate = end - start;
         sum += *rate * *rate;
     }
-    // What is no number, or too far away for one, has no length.
+    // A length that is NaN or infinite is refused.
     whole.length = math::sqrt(sum);
     if !whole.length.is_finite() {
         return Err(NotQueued::Malformed);
@@ -137,7 +136,7 @@ pub(crate) fn set_line(whole: &mut PathElement, end: &Axes) -> Result<(), NotQue
     Ok(())
 }
 
-/// The circle is the one through the start; where the end departs from it, an even motion makes up for it.
+/// The circle goes through the start. Where the end is not on it, the difference is spread evenly.
 fn set_arc(
     whole: &mut PathElement,
     end: &Axes,
@@ -171,7 +170,7 @@ fn set_arc(
     }
     let rise = dot(&last, normal);
     let grown = math::sqrt((dot(&last, &last) - rise * rise).max(0.0)) / size;
-    // What the circle does not do: the helix and other axes.
+    // The part that is not on the circle: the helix and other axes.
     let mut even = *end;
     for (even, start) in even.iter_mut().zip(&start) {
         *even -= start;
@@ -193,7 +192,8 @@ fn set_arc(
     Ok(())
 }
 
-/// The speed of the parameter that a feed asks for, given what it is measured along; whether it is one.
+/// Sets the parameter's speed for a feed, given the ratios of the path that it is measured along. Returns whether the
+/// feed is positive.
 fn set_feed(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> bool {
     let (feed_basis, speed) = match feed {
         Feed::Rapid => (FeedBasis::Rapid, f64::INFINITY),
@@ -207,7 +207,7 @@ fn set_feed(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> b
     has_no_length || speed > 0.0
 }
 
-/// How fast that runs which a feed is measured along, over the parameter: the least and the most of it.
+/// The ratio of the path that a feed is measured along to the parameter: the least and the greatest.
 fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
     let [x, y, z, a, b, c, u, v, w] = whole.tangent;
     let even = squared(x) + squared(y) + squared(z);
@@ -227,7 +227,7 @@ fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
     (math::sqrt(least), math::sqrt(most))
 }
 
-/// How many leading axes cover those that move.
+/// How many leading axes include all that move.
 fn used_axis_count(rate: &Axes) -> usize {
     let last = rate.iter().rposition(|rate| rate.abs() > 0.0);
     last.map_or(0, |last| last.saturating_add(1)).max(3)

@@ -1,17 +1,16 @@
-//! What a servo cycle takes and gives.
+//! Input and output of a servo cycle, and the machine's limits.
 
 /// A value per axis, in the order X Y Z A B C U V W; millimetres for linear axes, degrees for rotary ones.
 pub type Axes = [f64; 9];
 
-/// What the machine can do, and how the planner is built.
+/// The limits of the machine, and the size of the queue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dynamics {
     /// Highest velocity per axis, millimetres or degrees per second.
     pub velocity: Axes,
     /// Highest acceleration per axis, millimetres or degrees per second squared.
     pub acceleration: Axes,
-    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles that are not limited in
-    /// jerk.
+    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles without a limit of jerk.
     pub jerk: Option<Axes>,
     /// Servo cycle, seconds.
     pub cycle: f64,
@@ -27,7 +26,7 @@ pub(crate) fn lead<const N: usize>(axes: &mut Axes, leading: &[f64; N]) {
     }
 }
 
-/// Whether the machine shall come to rest on its path.
+/// Whether the machine must come to rest on its path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Hold {
     /// Go on.
@@ -39,20 +38,21 @@ pub enum Hold {
     Abort,
 }
 
-/// What the outside wants in this cycle.
+/// What the operator and the machine ask for in this cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputParameter {
     /// Feed override, 0 and up; 1 is the programmed feed.
     pub feed_override: f64,
     /// Rapid override, 0 to 1.
     pub rapid_override: f64,
-    /// Adaptive feed, -1 to 1, on top of both; negative runs back along the path, as far as the planner remembers it.
+    /// Adaptive feed, -1 to 1, multiplies both overrides. Negative values run backwards along the path, as far as the
+    /// planner remembers it.
     pub adaptive_feed: f64,
     /// Feed hold, or abort.
     pub hold: Hold,
-    /// Turns of the spindle since the start, for segments that follow it.
+    /// Revolutions of the spindle since the start, for segments that follow it.
     pub spindle_turns: f64,
-    /// Whether the probe touches.
+    /// Whether the probe is in contact.
     pub probe: bool,
 }
 
@@ -83,7 +83,7 @@ pub enum Phase {
     Holding,
 }
 
-/// Where the machine shall be at the end of this cycle.
+/// Where the machine must be at the end of this cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OutputParameter {
     /// Machine position.
@@ -94,11 +94,10 @@ pub struct OutputParameter {
     pub acceleration: Axes,
     /// What the planner is doing.
     pub phase: Phase,
-    /// Caller's number of the segment that is being executed, or was last; of several that are over within a cycle,
-    /// the last one.
+    /// Caller's number of the segment under way, or of the last one. Of several segments within a cycle, the last one.
     pub segment: u64,
     /// Speed along the path of all nine axes, millimetres or degrees per second.
     pub speed: f64,
-    /// Whether the probe has changed in a probing segment; the motion comes to rest and the queue is forgotten.
+    /// Whether the probe has changed in a probing segment. The motion then stops, and the queue is cleared.
     pub probe_tripped: bool,
 }

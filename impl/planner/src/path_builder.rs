@@ -1,9 +1,9 @@
-//! From segments to pieces: what a new segment does to the end of the path that is queued.
+//! From segments to elements: how a new segment changes the end of the queued path.
 //!
-//! A segment may go on in the last leg, where both are over within a cycle. The last two legs are open. A corner gets
-//! what it can use of its legs, at least half of each; how much the corner after it leaves is known when that one is,
-//! and the corner is then made anew. A path that has been promised to the motion is never changed so that it could
-//! not be kept to: then the corner keeps the form it has, a stop at worst.
+//! A segment may be merged into the last one where both would be over within a cycle. The last two segments are open.
+//! A corner uses what it can of its segments, at least half of each. How much the next corner leaves is known when
+//! that one is, and then the corner is made again. A path that the motion relies on is never changed so that the
+//! motion could not follow it: then the corner keeps its form, a stop at worst.
 
 use crate::corner::{
     Corner, blended_end, blended_start, corner_lengths, split_place, tangent_change, write_parabola,
@@ -18,23 +18,23 @@ use crate::path_element::{AccelerationModel, BlendLimits, FeedBasis, PathElement
 use crate::ring::Ring;
 use crate::segment::PathControl;
 
-/// So many pieces may be touched in a cycle, by a limit of speed where they are short.
+/// Where elements are short, the speed is limited so that at most this many end within a cycle.
 const ELEMENTS_PER_CROWDED_CYCLE: u64 = 3;
-/// A leg that is shorter when its corners have taken theirs is left out, millimetres.
+/// A shorter rest of a segment between its corners is omitted, millimetres.
 const ELEMENT_LENGTH_MIN_MM: f64 = 1e-12;
-/// How much of a leg that begins smoothly or at rest its end may take.
+/// The share of a segment with a smooth start, or one from rest, that the corner at its end may use.
 const END_TRIM_RATIO_MAX: f64 = 0.96875;
 
-/// A leg whose end may still change.
+/// A segment whose end may still change.
 #[derive(Clone, Copy, Debug, Default)]
 struct OpenSegment {
     segment: NominalSegment,
-    /// The number of its first own piece, and whether the corners have left it one.
+    /// The number of its first own element, and whether its corners leave it one.
     first_element: u64,
     has_element: bool,
     /// The corner before it.
     corner: Corner,
-    /// How much of the leg before it and of itself that corner has.
+    /// The lengths that this corner uses of the segment before it and of this one.
     corner_lengths: (f64, f64),
 }
 
@@ -43,24 +43,24 @@ struct OpenSegment {
 pub(crate) struct PathBuilder {
     /// Where the last segment ends.
     pub(crate) end: Axes,
-    /// The last two legs and room for a new one; `turn` is where the older one lies.
+    /// The last two segments and room for a new one; `oldest` is the index of the older one.
     open_segments: [OpenSegment; 3],
     oldest: u8,
-    /// How many of them there are since the path last closed.
+    /// How many of them are open.
     open_count: u8,
 }
 
-/// What a change of the path is made with.
+/// What a change of the path needs.
 #[derive(Debug)]
 pub(crate) struct PathEdit<'a> {
     pub(crate) elements: &'a mut Ring<PathElement>,
     pub(crate) look_ahead: &'a mut LookAhead,
     pub(crate) motion: &'a MotionState,
     pub(crate) limits: &'a Limits,
-    /// The first piece that has been changed, or that has been lowered for it.
+    /// The first element that was changed or lowered.
     pub(crate) first_changed: u64,
-    /// Whether the motion is still faster than it is planned, since an override has been lowered: what is planned
-    /// says nothing of it then.
+    /// Whether the motion is faster than planned, since an override was lowered. Then the plan cannot decide what the
+    /// motion can follow.
     pub(crate) motion_exceeds_plan: bool,
 }
 
@@ -69,23 +69,23 @@ impl PathBuilder {
         Self { end, open_segments: [OpenSegment::default(); 3], oldest: 0, open_count: 0 }
     }
 
-    /// The path ends at rest here, for what comes next.
+    /// Ends the path at rest here.
     pub(crate) fn close(&mut self) {
         self.open_count = 0;
     }
 
-    /// The corner after the last leg comes to rest, if it is not made yet.
+    /// Makes the corner after the last segment a stop, if it is not made yet.
     pub(crate) fn stop_at_end(&mut self) {
         let (_, last, _) = in_order(&mut self.open_segments, self.oldest);
         last.segment.path_control = PathControl::ExactStop;
     }
 
-    /// Whether one of the last legs follows the spindle, of which pieces may have been made anew.
+    /// Whether one of the last segments follows the spindle; its elements may have been made again.
     pub(crate) fn follows_spindle(&self) -> bool {
         self.open_segments.iter().any(|open| open.segment.whole.feed_basis == FeedBasis::PerTurn)
     }
 
-    /// Seconds of rest at the end of the path.
+    /// Adds a stop for so many seconds at the end of the path.
     pub(crate) fn dwell(&mut self, seconds: f64, edit: &mut PathEdit<'_>) {
         let mut rest = PathElement {
             origin: self.end,
@@ -99,13 +99,13 @@ impl PathBuilder {
         self.close();
     }
 
-    /// Where the next leg is to be written, and where it begins.
+    /// Where the next segment is written, and where it begins.
     pub(crate) fn new_segment(&mut self) -> (&mut NominalSegment, &Axes) {
         let (_, _, next) = in_order(&mut self.open_segments, self.oldest);
         (&mut next.segment, &self.end)
     }
 
-    /// Adds the leg that was written.
+    /// Adds the segment that was written.
     #[inline]
     pub(crate) fn add(&mut self, edit: &mut PathEdit<'_>) {
         edit.first_changed = u64::MAX;
@@ -138,7 +138,7 @@ impl PathBuilder {
     }
 }
 
-/// The leg before the last, the last and the next.
+/// The segment before the last one, the last one, and the next one.
 fn in_order(
     segments: &mut [OpenSegment; 3],
     oldest: u8,
@@ -151,7 +151,8 @@ fn in_order(
     }
 }
 
-/// Makes one leg of the last and the next, where both are over within a cycle, and the corner before it anew.
+/// Merges the next segment into the last one, where both are over within a cycle, and makes the corner before it
+/// again.
 fn merge_next(
     before: &mut OpenSegment,
     last: &mut OpenSegment,
@@ -196,7 +197,7 @@ fn merge_next(
     false
 }
 
-/// Makes the corner before the last leg anew where it may have more, and then the one before the next.
+/// Makes the corner before the last segment again where it can use more, and then the one before the next.
 #[inline]
 fn enlarge_previous_corner(
     before: &mut OpenSegment,
@@ -235,7 +236,7 @@ fn enlarge_previous_corner(
     false
 }
 
-/// Makes the corner between the last leg and the next.
+/// Makes the corner between the last segment and the next one.
 fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, edit: &mut PathEdit<'_>) -> bool {
     let given = provisional_lengths(last, next);
     if !can_end_earlier(last, given.0, edit) {
@@ -250,14 +251,14 @@ fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, edit: &mut PathEd
     false
 }
 
-/// What a form of the path has lowered is computed anew for the one that takes its place.
+/// Recomputes what another form of the path has lowered.
 fn update_look_ahead(edit: &mut PathEdit<'_>) -> u64 {
     let places = (edit.first_changed, edit.motion.at);
     edit.first_changed = edit.look_ahead.recompute(edit.elements, places, edit.limits);
     edit.first_changed
 }
 
-/// Whether the motion can keep to a changed path.
+/// Whether the motion can follow the changed path.
 fn is_accepted(edit: &mut PathEdit<'_>) -> bool {
     let changed = edit.first_changed;
     let first = update_look_ahead(edit);
@@ -267,7 +268,7 @@ fn is_accepted(edit: &mut PathEdit<'_>) -> bool {
     first > edit.motion.at.saturating_add(1) || edit.motion.can_follow(edit.elements, edit.limits)
 }
 
-/// Whether a leg can end so much earlier: it must not be over.
+/// Whether a segment can end this much earlier: the motion must not be past that point.
 fn can_end_earlier(open: &OpenSegment, given: f64, edit: &PathEdit<'_>) -> bool {
     let left = open.segment.whole.length - open.segment.start_trim - given;
     let motion = edit.motion;
@@ -277,7 +278,7 @@ fn can_end_earlier(open: &OpenSegment, given: f64, edit: &PathEdit<'_>) -> bool 
             && motion.x < left - ELEMENT_LENGTH_MIN_MM
 }
 
-/// How much of a leg is left for the corner at its end.
+/// How much of a segment is left for the corner at its end.
 fn available_length(open: &OpenSegment) -> f64 {
     match open.corner {
         Corner::TangentBreak(_) | Corner::Blend { .. } => {
@@ -291,12 +292,13 @@ fn are_lines(before: &NominalSegment, after: &NominalSegment) -> bool {
     before.whole.circle.is_none() && after.whole.circle.is_none()
 }
 
-/// The lengths that a corner has before the one after it is known.
+/// The lengths of a corner before the one after it is known.
 fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
     match next.corner {
         Corner::Stop | Corner::Smooth => (0.0, 0.0),
         Corner::TangentBreak(tangent_break) => {
-            // Half of a leg is left for the corner at its other end, and nothing is where that one begins at rest.
+            // Half of a segment is left for the corner at its other end, and nothing is needed where that end is at
+            // rest.
             let half = |segment: &NominalSegment| {
                 tangent_break.half_length.min(0.5 * segment.whole.length)
             };
@@ -316,13 +318,13 @@ fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
     }
 }
 
-/// Makes the end of a leg anew and the corner after it.
+/// Makes the end of a segment and the corner after it again.
 fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, edit: &mut PathEdit<'_>) {
     push_own_element(before, last.corner_lengths.0, edit);
     push_corner(&before.segment, last, edit);
 }
 
-/// Makes the end of the last leg anew, the corner after it, and the next leg.
+/// Makes the end of the last segment, the corner after it, and the next segment again.
 fn remake_corner_and_next(
     last: &mut OpenSegment,
     next: &mut OpenSegment,
@@ -334,7 +336,7 @@ fn remake_corner_and_next(
     push_own_element(next, 0.0, edit);
 }
 
-/// The leg's own piece, from its first corner to so much before its end; whatever lies from there on is forgotten.
+/// Appends the segment's own element, from its first corner to `given` before its end. What follows is dropped.
 fn push_own_element(open: &mut OpenSegment, given: f64, edit: &mut PathEdit<'_>) {
     edit.elements.truncate(open.first_element);
     edit.first_changed = edit.first_changed.min(open.first_element);
@@ -410,7 +412,7 @@ fn push(element: &PathElement, edit: &mut PathEdit<'_>) {
     finish_element(edit.elements.end().wrapping_sub(1), edit);
 }
 
-/// What a piece gets once it has its place.
+/// Completes an element in its place in the queue.
 fn finish_element(place: u64, edit: &mut PathEdit<'_>) {
     if let Some(element) = edit.elements.get_mut(place)
         && matches!(element.model, AccelerationModel::Blend { .. })
@@ -421,17 +423,17 @@ fn finish_element(place: u64, edit: &mut PathEdit<'_>) {
     limit_crowded_speed(place.wrapping_add(1), edit);
 }
 
-/// Limits the speed of the last pieces before an end where too many would fit into a cycle.
+/// Limits the speed of the last elements where too many would fit into a cycle.
 fn limit_crowded_speed(end: u64, edit: &mut PathEdit<'_>) {
     let Some(last) = edit.elements.get(end.wrapping_sub(1)) else { return };
-    // A piece that takes a cycle by itself is no part of a crowd.
+    // An element that takes a whole cycle does not crowd one.
     if last.length >= last.speed_limit * edit.limits.cycle {
         return;
     }
     let first = end.saturating_sub(ELEMENTS_PER_CROWDED_CYCLE);
     let (mut length, mut most) = (last.length, last.speed_limit);
     for place in first..end.wrapping_sub(1) {
-        // Without so many before it there is no crowd.
+        // With fewer elements before it there is no crowd.
         let Some(element) = edit.elements.get(place) else { return };
         length += element.length;
         most = math::max(most, element.speed_limit);

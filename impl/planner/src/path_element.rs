@@ -1,42 +1,43 @@
-//! Pieces of the commanded path, by a parameter that runs like the distance.
+//! Elements of the commanded path, each with a parameter that runs like the distance.
 //!
-//! A piece is p(x) = origin + rate·x + bend·x²/2, and on arcs a circle about it. Its parameter x runs from 0 to
-//! `length`, and
-//! |p'| is 1 at its start: so the speed of x is the path's speed wherever pieces meet. Lines have no bend, blends of two
-//! lines are bends alone, and a blend with an arc is that arc with a bend added, which takes the break out of its
-//! direction.
+//! An element is p(x) = origin + tangent·x + curvature·x²/2, on arcs plus a circle. Its parameter x runs from 0 to
+//! `length`, and |p'| is 1 at its start, so the speed of x is the path's speed at every junction. Lines have no
+//! curvature. A blend of two lines has curvature alone. A blend with an arc is that arc plus a curvature that removes
+//! the break of direction.
+//!
+//! Names that end in `_sq` are squares of speeds of the parameter.
 
 use crate::math;
 use crate::parameters::{Axes, lead};
 
-/// The part of a position that turns: (cosine·cos(turn·x) + sine·sin(turn·x))·(1 + growth·x) on X, Y and Z.
+/// The part of a position that rotates: (cosine·cos(κ·x) + sine·sin(κ·x))·(1 + growth·x) on X, Y and
+/// Z.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Circle {
-    /// From the centre to where the piece begins.
+    /// From the centre to the start of the element.
     pub(crate) cosine: [f64; 3],
     /// A quarter turn further.
     pub(crate) sine: [f64; 3],
-    /// Radians per unit of the parameter; never negative, since `sine` has the sense of the turn.
+    /// Radians per unit of the parameter, κ in formulas; at least 0: `sine` has the sense of rotation.
     pub(crate) angle_rate: f64,
-    /// How much the radius grows per unit of the parameter, over what it is where the piece begins: an end point that
-    /// is rounded is never quite on the circle of its start, and the distance from the axis changes evenly between
-    /// them.
+    /// Growth of the radius per unit of the parameter, relative to the radius at the start. A rounded end point is
+    /// never exactly on the circle of the start, so the distance from the axis changes evenly between them.
     pub(crate) growth: f64,
 }
 
 impl Circle {
-    /// The radius after so much, over that at the start.
+    /// The radius at x relative to the one at the start.
     pub(crate) fn radius_ratio(&self, x: f64) -> f64 {
         1.0 + self.growth * x
     }
 
-    /// Whether what lies so far ahead limits no speed here: whatever the speed there, it is planned to fall within
+    /// Whether something at this distance cannot limit the speed here: whatever the speed there, it is reached within
     /// half of that angle.
     pub(crate) fn is_beyond_influence(&self, distance: f64) -> bool {
         2.0 * self.angle_rate * distance >= core::f64::consts::FRAC_PI_2
     }
 
-    /// What turns of p, p' and p'' at x.
+    /// The rotating part of p, p' and p'' at x.
     #[inline(never)]
     fn derivatives(&self, x: f64) -> [[f64; 3]; 3] {
         let [mut position, mut first, mut second] = [[0.0; 3]; 3];
@@ -55,7 +56,7 @@ impl Circle {
         [position, first, second]
     }
 
-    /// Lets it begin further on.
+    /// Moves its start forward.
     fn begin_at(&mut self, from: f64) {
         let (sine, cosine) = math::sin_cos(self.angle_rate * from);
         let grown = self.radius_ratio(from);
@@ -68,29 +69,29 @@ impl Circle {
     }
 }
 
-/// What keeps speed and acceleration of a piece within the limits of all axes.
+/// What keeps speed and acceleration of an element within the limits of all axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum AccelerationModel {
-    /// The parameter may be accelerated by so much anywhere.
+    /// A line: the acceleration of the parameter has one limit everywhere.
     Constant {
         /// Per second squared.
         acceleration: f64,
     },
-    /// Limits are looked at axis by axis: exact for a piece that is a bend and nothing else.
+    /// A blend of two lines: each axis is checked by itself, which is exact.
     Blend {
-        /// The square of the speed at which it may be passed evenly.
+        /// The squared speed at which it may be passed without acceleration.
         steady_speed_sq: f64,
     },
-    /// On an arc acceleration along the path and towards the centre share a limit: u² + (turn·v²)² ≤ acceleration².
+    /// An arc: tangential and centripetal acceleration share a limit, u² + (κ·v²)² ≤ acceleration².
     Arc {
-        /// Per second squared, of whichever axis has least.
+        /// Per second squared, of the axis that has least.
         acceleration: f64,
-        /// What is planned with: less by what a speed that changes in steps of a cycle loses.
+        /// The limit for plans: less by what a speed that changes once per cycle loses.
         planned: f64,
     },
-    /// On an arc that is bent acceleration along the path and across it share what the axes can do: |u| + less·v² ≤
-    /// most, planned with. Both are less than what the axes can do by what a speed that changes in steps of a cycle
-    /// loses: less·v times the cycle at the highest speed.
+    /// A blended arc: acceleration along and across the path share what the axes allow, `|u| + loss * v² <= at_rest` in
+    /// plans. Both values are less than what the axes allow by what a speed that changes once per cycle loses: loss·v
+    /// times the cycle at the highest speed.
     BlendedArc {
         /// Per second squared, at rest.
         at_rest: f64,
@@ -107,7 +108,7 @@ impl Default for AccelerationModel {
     }
 }
 
-/// What a feed is measured by, and so which override applies to it.
+/// The unit of a feed, and so which override applies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum FeedBasis {
     #[default]
@@ -116,16 +117,16 @@ pub(crate) enum FeedBasis {
     PerTurn,
 }
 
-/// The same as |entry + slope·exit| ≤ limit, which is infinite where an axis does not limit the entry.
+/// The limits of a blend in the form |entry + slope·exit| ≤ limit; infinite where an axis does not limit the entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BlendLimits<const N: usize> {
     pub(crate) slopes: [[f64; N]; 2],
     pub(crate) limits: [[f64; N]; 2],
-    /// The highest exit that axes allow which do not limit the entry.
+    /// The highest exit that the axes allow which do not limit the entry.
     pub(crate) exit_max: f64,
     /// Whether no slope is above 0, so that a lower exit never allows a higher entry.
     pub(crate) slopes_fall: bool,
-    /// Up to this exit there is an entry that all axes allow, for certain.
+    /// Up to this exit some entry is certainly allowed by all axes.
     pub(crate) feasible_exit_max: f64,
 }
 
@@ -142,55 +143,55 @@ impl<const N: usize> Default for BlendLimits<N> {
     }
 }
 
-/// A part of the path with one law.
+/// A part of the path with one acceleration model.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PathElement {
     pub(crate) origin: Axes,
     pub(crate) tangent: Axes,
     pub(crate) curvature: Axes,
     pub(crate) circle: Option<Circle>,
-    /// p(length), as programmed where it was.
+    /// p(length), exactly as programmed where it was programmed.
     pub(crate) end: Axes,
     pub(crate) length: f64,
-    /// |p'| at the end: how much faster than its parameter the next one's runs.
+    /// |p'| at the end: the ratio of the next element's parameter speed to this one's.
     pub(crate) end_speed_ratio: f64,
-    /// How many of the leading axes take part.
+    /// How many leading axes take part, at least 3.
     pub(crate) axis_count: usize,
     pub(crate) model: AccelerationModel,
-    /// What the axes allow at both ends of a bend of up to three, run forward.
+    /// The limits of a blend of up to three axes, run forward.
     pub(crate) blend_limits: BlendLimits<3>,
-    /// Highest square of the parameter's speed that the axes allow, where the piece begins.
+    /// Highest squared speed that the axes allow at the start.
     pub(crate) start_limit_sq: f64,
-    /// The same where it ends; between these it changes evenly.
+    /// The same at the end; between them it changes linearly.
     pub(crate) end_limit_sq: f64,
     /// The root of the higher one.
     pub(crate) speed_limit: f64,
-    /// Programmed speed of the parameter, per second or per turn.
+    /// Programmed speed of the parameter, per second or per revolution.
     pub(crate) feed: f64,
     pub(crate) feed_basis: FeedBasis,
-    /// Whether it is also part of a rapid move, so that the rapid override applies too.
+    /// Whether it is also part of a rapid move, so that the rapid override applies, too.
     pub(crate) is_partly_rapid: bool,
-    /// The square of the speed at which this piece may be entered so that all that is queued can be kept to.
+    /// The squared speed at which it may be entered so that all that is queued can be executed within the limits.
     pub(crate) entry_speed_sq: f64,
-    /// What the next piece's was when that was found.
+    /// `entry_speed_sq` of the next element on which that value relies.
     pub(crate) assumed_next_entry_sq: f64,
-    /// The same for entering it from its end, running back.
+    /// The same for entering it from its end, in reverse.
     pub(crate) reverse_entry_speed_sq: f64,
-    /// The square of the speed at which it may be entered at most, from either side: 0 where the motion rests there.
+    /// The highest squared speed at its start in either direction: 0 where the motion stops there.
     pub(crate) junction_limit_sq: f64,
-    /// Where in it a segment begins.
+    /// Where a segment begins in it.
     pub(crate) segment_start: Option<f64>,
-    /// Whether a break of direction at its end takes a share of what the axes can do.
+    /// Whether a break of the tangent at its end uses a share of the axes' acceleration.
     pub(crate) has_tangent_break: bool,
-    /// Whether it ends where the probe changes.
+    /// Whether the motion ends where the probe changes.
     pub(crate) probing: bool,
-    /// Which segment that is, or which was under way: the caller's number and the planner's.
+    /// The segment that begins in it or was under way: the caller's number and the planner's.
     pub(crate) number: u64,
     pub(crate) index: u64,
 }
 
 impl PathElement {
-    /// Becomes a piece that begins at a position and leads nowhere yet, with nothing of what it was.
+    /// Resets it to an element of no length at a position.
     pub(crate) fn begin_at(&mut self, start: &Axes) {
         self.origin = *start;
         self.curvature = Axes::default();
@@ -201,7 +202,7 @@ impl PathElement {
         (self.segment_start, self.is_partly_rapid, self.has_tangent_break) = (None, false, false);
     }
 
-    /// p, p' and p'' at x, of so many leading axes.
+    /// p, p' and p'' at x, of N leading axes.
     #[inline]
     pub(crate) fn derivatives<const N: usize>(&self, x: f64) -> [[f64; N]; 3] {
         let [mut position, mut first, mut second] = [[0.0; N]; 3];
@@ -224,7 +225,7 @@ impl PathElement {
         [position, first, second]
     }
 
-    /// p' and p'' at x, of so many leading axes.
+    /// p' and p'' at x, of N leading axes.
     #[inline]
     pub(crate) fn tangent_and_curvature<const N: usize>(&self, x: f64) -> ([f64; N], [f64; N]) {
         let [_, first, second] = self.derivatives(x);
@@ -243,14 +244,14 @@ impl PathElement {
         tangent
     }
 
-    /// The part of it from one place to another, as if nothing began there.
+    /// A copy of the part between two parameters, without the start of a segment.
     pub(crate) fn part(&self, from: f64, to: f64) -> Self {
         let mut part = *self;
         part.cut(from, to);
         part
     }
 
-    /// Leaves of it the part from one place to another, as if nothing began there.
+    /// Keeps the part between two parameters, without the start of a segment.
     pub(crate) fn cut(&mut self, from: f64, to: f64) {
         self.junction_limit_sq = f64::INFINITY;
         self.segment_start = None;
@@ -264,7 +265,7 @@ impl PathElement {
         }
     }
 
-    /// The same for what does not turn, and the end.
+    /// Does so for the part that does not rotate, and for the end.
     #[inline]
     fn cut_axes<const N: usize>(&mut self, from: f64, to: f64) {
         if to < self.length {

@@ -14,18 +14,46 @@ use crate::retrace::Retrace;
 use crate::ring::Ring;
 use crate::segment::{OutputSwitch, PathControl, Segment};
 
-/// How many pieces behind the motion are remembered at least, for running back.
+/// How many elements behind the motion are remembered at least, for running in reverse.
 const REVERSE_ELEMENTS_MIN: u64 = 128;
-/// Work of look-ahead for a queued segment, and for a cycle: a bend takes two of it, any other piece one.
+/// Work of look-ahead per queued segment and per cycle: a blend takes two units, any other element one.
 const LOOK_AHEAD_WORK_PER_SEGMENT: u32 = 24;
 const LOOK_AHEAD_WORK_PER_CYCLE: u32 = 4;
-/// How many pieces may be made when a segment is queued, at most.
+/// The most elements that are made when a segment is queued.
 const ELEMENTS_PER_SEGMENT_MAX: u64 = 8;
-/// How much slower or faster than planned a spindle may turn before look-ahead plans anew, and how much faster it
-/// plans then.
+/// How far the spindle speed may differ from the planned one before look-ahead plans again, and how much faster it
+/// then plans.
 const SPINDLE_SPEED_TOLERANCE_RATIO: f64 = 0.02;
 
 /// A planner for nine axes in machine coordinates.
+///
+/// ```
+/// use gaugeblock_planner::{Dynamics, Feed, InputParameter, OutputParameter, Path, PathControl};
+/// use gaugeblock_planner::{Phase, Planner, Segment};
+///
+/// let dynamics = Dynamics {
+///     velocity: [250.0; 9],
+///     acceleration: [2000.0; 9],
+///     jerk: None,
+///     cycle: 0.001,
+///     queue: 100,
+/// };
+/// let mut planner = Planner::new(dynamics, [0.0; 9])?;
+/// let mut end = [0.0; 9];
+/// end[0] = 10.0;
+/// let segment = Segment {
+///     number: 1,
+///     path: Path::Straight { end },
+///     feed: Feed::PerSecond(50.0),
+///     path_control: PathControl::ExactStop,
+///     probing: false,
+/// };
+/// assert_eq!(planner.queue(&segment), Ok(()));
+/// let (input, mut output) = (InputParameter::default(), OutputParameter::default());
+/// while planner.update(&input, &mut output) != Phase::Idle {}
+/// assert_eq!(output.position, end);
+/// # Ok::<(), gaugeblock_planner::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Planner {
     dynamics: Dynamics,
@@ -34,31 +62,31 @@ pub struct Planner {
     builder: PathBuilder,
     look_ahead: LookAhead,
     motion: MotionState,
-    /// Where the machine is while there are no pieces.
+    /// The machine's position while there are no elements.
     position: Axes,
-    /// Outputs that wait for the segment of that number.
+    /// Outputs, each with the number of the segment that it waits for.
     switches: Ring<(u64, OutputSwitch)>,
-    /// The first switch behind the last segment that moves nothing: those before it need not wait for one that does.
+    /// Outputs before this one wait for a segment that moves nothing: they also switch at the end of the path.
     switches_due_at_end: u64,
     /// How many segments that move have been queued.
     queued_count: u64,
     aborting: bool,
     retrace: Retrace,
     spindle_turns: f64,
-    /// The end of the last piece that follows the spindle.
+    /// The end of the last element that follows the spindle.
     spindle_sync_end: u64,
     probe: bool,
-    /// Whether the next segment is to begin where it is programmed to.
+    /// Whether the next segment must begin where it is programmed to.
     next_is_separate: bool,
-    /// Whether the motion may be faster than it is planned, since an override has changed.
+    /// Whether the motion may be faster than planned, since an override has changed.
     motion_exceeds_plan: bool,
 }
 
 impl Planner {
-    /// A planner that stands still at a position, with all its memory taken.
+    /// A planner at rest at a position. It allocates all its memory here.
     ///
     /// # Errors
-    /// [`Error::Unimplemented`] for limits of jerk, [`Error::Configuration`] for limits that are no numbers above 0.
+    /// [`Error::Unimplemented`] for limits of jerk, [`Error::Configuration`] for limits that are not above 0.
     pub fn new(dynamics: Dynamics, position: Axes) -> Result<Self, Error> {
         if dynamics.jerk.is_some() {
             return Err(Error::Unimplemented("a planner that is limited in jerk"));
@@ -99,7 +127,7 @@ impl Planner {
     /// Queues a segment that begins where the last one ends.
     ///
     /// # Errors
-    /// The queue is full, or the segment is none.
+    /// [`NotQueued::Full`] if the queue has no room, [`NotQueued::Malformed`] for numbers that describe no segment.
     pub fn queue(&mut self, segment: &Segment) -> Result<(), NotQueued> {
         self.make_room();
         let waiting = self.queued_count.saturating_sub(self.motion.begun);
@@ -123,7 +151,7 @@ impl Planner {
         }
         match resolved {
             ResolvedSegment::ZeroLength if segment.path_control == PathControl::ExactStop => {
-                self.builder.stop_at_end()
+                self.builder.stop_at_end();
             }
             ResolvedSegment::ZeroLength => {}
             ResolvedSegment::Dwell(seconds) => self.builder.dwell(seconds, &mut edit),
@@ -154,18 +182,18 @@ impl Planner {
         Ok(())
     }
 
-    /// Keeps the next segment from becoming one with those before it, which short ones may within their tolerance:
-    /// for instance where other overrides act on it.
+    /// Keeps the next segment from being merged with those before it, for instance where other overrides apply to it.
+    /// Short segments are otherwise merged within their tolerance.
     pub fn prevent_merge(&mut self) {
         self.next_is_separate = true;
     }
 
-    /// Lets an output switch when the next segment that is not queued yet begins: in the cycle in which the commanded
-    /// point passes the start of the segment, or on a blend its middle. A segment that moves nothing begins with the
-    /// one after it, or where the path ends. Without such a segment it never switches.
+    /// Switches an output when the next segment that is queued begins: in the cycle in which the commanded point
+    /// passes the start of the segment, or on a blend its middle. A segment that moves nothing begins with the one
+    /// after it, or where the path ends. Without such a segment the output never switches.
     ///
     /// # Errors
-    /// As many wait as the queue holds segments.
+    /// [`NotQueued::Full`] if as many outputs wait as the queue holds segments.
     pub fn queue_output(&mut self, switch: OutputSwitch) -> Result<(), NotQueued> {
         if self.aborting || self.switches.room() == 0 {
             return Err(NotQueued::Full);
@@ -174,7 +202,7 @@ impl Planner {
         Ok(())
     }
 
-    /// The next output that has switched, in the order of queueing; to be asked after each cycle until there is none.
+    /// The next output that has switched, in the order of queueing. Call it after each cycle until it returns `None`.
     pub fn next_switched_output(&mut self) -> Option<OutputSwitch> {
         let first = self.switches.first();
         let (segment, switch) = *self.switches.get(first)?;
@@ -185,7 +213,7 @@ impl Planner {
         Some(switch)
     }
 
-    /// Moves on by one servo cycle.
+    /// Moves by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let request = self.cycle_request(input);
         self.motion.advance_cycle(&self.elements, &self.limits, &request);
@@ -195,7 +223,7 @@ impl Planner {
         self.write_output(output);
         output.phase = self.phase(&request);
         if output.phase == Phase::Idle {
-            // Whatever comes next begins at rest here, also if the motion has run back by then.
+            // What comes next begins at rest here, even if the motion reverses first.
             self.builder.close();
         }
         if self.aborting && self.motion.speed <= 0.0 {
@@ -204,13 +232,13 @@ impl Planner {
         output.phase
     }
 
-    /// What the machine can do.
+    /// The limits of the machine.
     pub fn dynamics(&self) -> &Dynamics {
         &self.dynamics
     }
 
-    /// Finds the last piece that follows the spindle: a leg takes the corner with it, which is made with the next leg
-    /// and anew with the one after.
+    /// Finds the last element that follows the spindle. A segment includes the corner before it, which is made with
+    /// the next segment and again with the one after.
     fn note_spindle_sync(&mut self) {
         let end = self.elements.end();
         let follows = |place: &u64| {
@@ -222,7 +250,7 @@ impl Planner {
         }
     }
 
-    /// Forgets pieces that lie far behind the motion, if there is need.
+    /// Drops elements far behind the motion if the queue needs room.
     fn make_room(&mut self) {
         while self.elements.room() < 16
             && !self.retrace.is_requested()
@@ -233,10 +261,10 @@ impl Planner {
         }
     }
 
-    /// What the outside asks for.
+    /// Reads the input of a cycle.
     fn cycle_request(&mut self, input: &InputParameter) -> CycleRequest {
         let back = input.adaptive_feed < 0.0;
-        // What is no number is 0.
+        // NaN counts as 0.
         let adaptive = math::min(1.0, math::max(0.0, input.adaptive_feed.abs()));
         let feed = math::max(0.0, input.feed_override * adaptive);
         let rapid = math::min(1.0, math::max(0.0, input.rapid_override)) * adaptive;
@@ -264,7 +292,7 @@ impl Planner {
         CycleRequest { feed, rapid, spindle_speed, must_stop, is_planned, speed_sq_factor }
     }
 
-    /// What speeds of look-ahead are multiplied by, squared.
+    /// The factor for squared speeds of look-ahead.
     #[cold]
     #[inline(never)]
     fn speed_sq_factor(&self, feed: f64, rapid: f64, spindle_speed: Option<f64>) -> f64 {
@@ -273,7 +301,7 @@ impl Planner {
         OverrideScale { feed, rapid, spindle_speed }.speed_sq_factor(planned)
     }
 
-    /// Turns the motion round when it is at rest and knows how fast it may go.
+    /// Reverses the motion when it is at rest and its speeds in the new direction are known.
     #[inline]
     fn update_direction(&mut self, back: bool) {
         if back || self.motion.is_reversed {
@@ -297,7 +325,7 @@ impl Planner {
         self.motion.reverse_end = self.retrace.reverse_end();
     }
 
-    /// Look-ahead, and look-back while the motion is to run back: mostly there is nothing to do.
+    /// Advances look-ahead, and the plan for reverse motion; usually there is nothing to do.
     #[inline]
     fn advance_look_ahead(&mut self, request: &CycleRequest, input: &InputParameter) {
         let at = self.motion.at;
@@ -307,7 +335,7 @@ impl Planner {
         }
     }
 
-    /// Does less where the motion itself has had more to do.
+    /// Does less where the motion itself has cost more.
     #[inline(never)]
     fn advance_look_ahead_and_retrace(&mut self, request: &CycleRequest, input: &InputParameter) {
         let (work, back) = match self.motion.work {
@@ -341,8 +369,8 @@ impl Planner {
         }
     }
 
-    /// Turns per second to plan for: others than before where something follows the spindle, and its speed has
-    /// changed by more than it wavers.
+    /// The spindle speed to plan for. It changes only while something follows the spindle and its speed differs by
+    /// more than the tolerance.
     fn spindle_speed_to_plan(&self, spindle_speed: f64) -> f64 {
         let planned = self.look_ahead.scale.spindle_speed;
         let near = spindle_speed <= planned
@@ -374,7 +402,7 @@ impl Planner {
         }
     }
 
-    /// Where the motion is on a piece on which so many leading axes may move.
+    /// Writes position, velocity and acceleration on an element with N leading axes.
     #[inline]
     fn write_output_on<const N: usize>(&self, element: &PathElement, output: &mut OutputParameter) {
         let motion = &self.motion;
@@ -392,7 +420,7 @@ impl Planner {
         (output.velocity, output.acceleration) = (Axes::default(), Axes::default());
         lead(&mut output.velocity, &first);
         lead(&mut output.acceleration, &second);
-        // Axes that take no part lie where the piece ends.
+        // Axes that take no part are at the element's end.
         output.position = element.end;
         if motion.x.to_bits() != element.length.to_bits() {
             lead(&mut output.position, &place);
@@ -419,7 +447,7 @@ impl Planner {
         }
     }
 
-    /// Whether the motion rests at the end of all that is queued.
+    /// Whether the motion is at rest at the end of all that is queued.
     fn is_at_end(&self) -> bool {
         let motion = &self.motion;
         let Some(element) = self.elements.get(motion.at) else { return true };
@@ -434,7 +462,7 @@ impl Planner {
         motion.speed <= 0.0 && over && last && !motion.is_reversed
     }
 
-    /// Forgets the queue, at rest.
+    /// Clears the queue, at rest.
     fn clear_queue(&mut self, position: &Axes) {
         self.position = *position;
         self.elements.clear();

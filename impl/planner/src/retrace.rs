@@ -1,9 +1,8 @@
-//! How fast the path behind the motion may be run back.
+//! How fast the path behind the motion may be run in reverse.
 //!
-//! It is planned from a piece behind up to the motion, which may run back to the beginning of that piece and no
-//! farther. What lies near comes first, so that the motion need not wait for all; while it runs back the rest
-//! follows, in stretches that begin farther and farther behind. What earlier runs left is worth nothing, since the
-//! path may have changed.
+//! It is planned from an earlier element up to the motion, which may run back to the start of that element and no
+//! farther. Near elements come first, so that the motion need not wait for all. While it runs back, planning starts
+//! again from farther and farther behind. Values of earlier runs are not used, since the path may have changed.
 
 use crate::entry_speed::{
     OVERRIDE_MIN, OverrideScale, max_reverse_entry_speed_sq, speed_sq_limits,
@@ -13,10 +12,10 @@ use crate::math;
 use crate::path_element::PathElement;
 use crate::ring::Ring;
 
-/// How many pieces behind the motion are planned before it turns round.
+/// How many elements behind the motion are planned before it reverses.
 const FIRST_REVERSE_ELEMENTS: u64 = 64;
 
-/// What is planned while the motion is to run back.
+/// The plan while the motion is to run in reverse.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Retrace {
     planned: Option<ReversePass>,
@@ -24,34 +23,34 @@ pub(crate) struct Retrace {
 
 #[derive(Clone, Copy, Debug)]
 struct ReversePass {
-    /// The piece that planning began from.
+    /// The element at which planning began.
     from: u64,
-    /// The next piece to be planned.
+    /// The next element to plan.
     next: u64,
-    /// From this piece on all is planned, if only for a path that ends there.
+    /// From this element on everything is planned, though for a path that ends there.
     known: Option<u64>,
 }
 
 impl Retrace {
-    /// Whether the motion is to run back.
+    /// Whether the motion is to run in reverse.
     #[inline]
     pub(crate) fn is_requested(&self) -> bool {
         self.planned.is_some()
     }
 
-    /// The motion is to turn round; whether it may, at a piece.
+    /// Requests reverse motion. Returns whether the motion may reverse at an element.
     pub(crate) fn may_turn(&mut self, elements: &mut Ring<PathElement>, at: u64) -> bool {
         let near = at.saturating_sub(FIRST_REVERSE_ELEMENTS);
         let planned = self.planned.get_or_insert_with(|| ReversePass::begin(elements, near, None));
         planned.next > at
     }
 
-    /// The motion goes on, so that the path behind it may change.
+    /// The motion runs forward, so the path behind it may change.
     pub(crate) fn forget(&mut self) {
         self.planned = None;
     }
 
-    /// The piece to whose beginning the motion may run back.
+    /// The element to whose start the motion may run back.
     pub(crate) fn reverse_end(&self) -> u64 {
         match self.planned {
             Some(ReversePass { next, known: Some(known), .. }) if next < known => known,
@@ -60,7 +59,8 @@ impl Retrace {
         }
     }
 
-    /// Plans the next piece up to the motion; where all are planned and it runs back, begins farther behind.
+    /// Plans the next element up to the motion. When all are planned and the motion runs back, starts again from
+    /// farther behind.
     #[cold]
     #[inline(never)]
     pub(crate) fn advance(
@@ -82,7 +82,7 @@ impl Retrace {
 }
 
 impl ReversePass {
-    /// For the plan, the path ends where the first piece begins.
+    /// In the plan, the path ends where the first element begins.
     fn begin(elements: &mut Ring<PathElement>, from: u64, known: Option<u64>) -> Self {
         let from = from.max(elements.first());
         if let Some(before) = from.checked_sub(1).and_then(|before| elements.get_mut(before)) {
@@ -91,8 +91,8 @@ impl ReversePass {
         Self { from, next: from, known }
     }
 
-    /// How fast the next piece may be entered from its end. Where that is no more than is known already, so is all up
-    /// to the motion.
+    /// Computes how fast the next element may be entered from its end. Where that is no more than known already,
+    /// everything up to the motion is known.
     fn plan(
         &mut self,
         elements: &mut Ring<PathElement>,
@@ -111,7 +111,8 @@ impl ReversePass {
             ),
             None => 0.0,
         };
-        // It is planned for one speed, and so for some where the motion turned at rest.
+        // It is planned for one spindle speed, and so for some speed even where the spindle stood still when the
+        // motion reversed.
         let slowest =
             OverrideScale { feed: OVERRIDE_MIN, rapid: OVERRIDE_MIN, spindle_speed: OVERRIDE_MIN };
         let back = max_reverse_entry_speed_sq(
@@ -120,7 +121,7 @@ impl ReversePass {
             speed_sq_limits(element, scale.max(slowest)),
             limits,
         );
-        // The motion may be there by now, and relies on what is known.
+        // The motion may be there already, and relies on what is known.
         if self.known.is_some_and(|known| known <= place) && back <= element.reverse_entry_speed_sq
         {
             self.next = at.saturating_add(1);

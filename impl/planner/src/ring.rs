@@ -1,4 +1,4 @@
-//! A queue of fixed size whose elements keep their number while they lie in it.
+//! A queue of fixed size. Elements keep their number while they are in it.
 
 use alloc::boxed::Box;
 use alloc::vec;
@@ -7,14 +7,14 @@ use alloc::vec;
 #[derive(Debug)]
 pub(crate) struct Ring<T> {
     slots: Box<[T]>,
-    /// One less than how many slots there are, a power of two.
+    /// The number of slots, a power of two, minus one.
     mask: u64,
     first: u64,
     end: u64,
 }
 
 impl<T: Copy + Default> Ring<T> {
-    /// Room for at least so many elements, taken now.
+    /// Allocates room for at least so many elements.
     pub(crate) fn new(room: usize) -> Self {
         let slots = room.max(1).checked_next_power_of_two().unwrap_or(1);
         let mask = u64::try_from(slots).unwrap_or(u64::MAX).saturating_sub(1);
@@ -45,14 +45,14 @@ impl<T: Copy + Default> Ring<T> {
         if self.holds(number) { self.slots.get_mut(slot) } else { None }
     }
 
-    /// Appends an element; without room it is lost, so ask first.
+    /// Appends an element. Without room it is lost, so check `room` first.
     pub(crate) fn push(&mut self, element: &T) {
         if let Some(place) = self.append() {
             *place = *element;
         }
     }
 
-    /// Appends what was in the slot before, to be written there; nothing without room.
+    /// Appends the old content of the slot, to be overwritten; `None` without room.
     #[inline]
     pub(crate) fn append(&mut self) -> Option<&mut T> {
         if self.room() == 0 {
@@ -64,7 +64,7 @@ impl<T: Copy + Default> Ring<T> {
         Some(place)
     }
 
-    /// Appends what the last element is, to be changed there; nothing without room.
+    /// Appends a copy of the last element, to be changed; `None` without room.
     pub(crate) fn append_copy(&mut self) -> Option<&mut T> {
         if self.room() == 0 || self.end == self.first {
             return None;
@@ -77,19 +77,19 @@ impl<T: Copy + Default> Ring<T> {
         Some(place)
     }
 
-    /// Forgets the oldest element.
+    /// Drops the oldest element.
     pub(crate) fn drop_first(&mut self) {
         if self.first < self.end {
             self.first = self.first.wrapping_add(1);
         }
     }
 
-    /// Forgets the elements from a number on.
+    /// Drops the elements from a number on.
     pub(crate) fn truncate(&mut self, end: u64) {
         self.end = end.clamp(self.first, self.end);
     }
 
-    /// Forgets all; the numbers go on.
+    /// Drops all elements; the numbers go on.
     pub(crate) fn clear(&mut self) {
         self.first = self.end;
     }

@@ -1,4 +1,4 @@
-//! What a planner is asked to do.
+//! Segments: what a caller queues.
 
 use crate::parameters::Axes;
 
@@ -10,8 +10,8 @@ pub enum Path {
         /// End point.
         end: Axes,
     },
-    /// An arc or helix about an axis through the centre; all other axes move evenly with it. Where the end point does
-    /// not lie on the circle, the difference is spread evenly over the arc.
+    /// An arc or helix about an axis through the centre. All other axes move in proportion. Where the end point is not
+    /// on the circle, the difference is spread evenly over the arc.
     Arc {
         /// End point.
         end: Axes,
@@ -22,48 +22,48 @@ pub enum Path {
         /// Angle about the normal, radians; positive is counterclockwise.
         angle: f64,
     },
-    /// No motion; the corner before it is a stop.
+    /// No motion. The corner before it is a stop.
     Dwell {
         /// Seconds.
         seconds: f64,
     },
 }
 
-/// How fast a segment is asked to be.
+/// The requested speed of a segment.
 ///
-/// Along the path is along X Y Z where those move, else along U V W, else in degrees along A B C.
+/// "Along the path" means along X Y Z where those move, else along U V W, else in degrees along A B C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
-    /// As fast as the axes allow; the rapid override applies.
+    /// As fast as the axes allow. The rapid override applies.
     Rapid,
-    /// Millimetres or degrees per second along the path; feed override and adaptive feed apply.
+    /// Millimetres or degrees per second along the path. Feed override and adaptive feed apply.
     PerSecond(f64),
-    /// The whole segment in so many seconds, were it not for acceleration.
+    /// The whole segment in so many seconds, if acceleration took no time.
     InTime(f64),
-    /// Millimetres or degrees per turn of the spindle; feed override and adaptive feed apply. Look-ahead plans for
-    /// the speed that the spindle has; where it turns slower all of a sudden, the motion comes down to its feed as
-    /// fast as the axes allow.
+    /// Millimetres or degrees per revolution of the spindle. Feed override and adaptive feed apply. Look-ahead plans
+    /// for the present spindle speed; where the spindle suddenly slows down, the motion follows as fast as the axes
+    /// allow.
     PerTurn(f64),
 }
 
-/// What may happen at the corner after a segment. Between a line and another is a parabola, otherwise the path itself
+/// What may happen at the corner after a segment. A blend of two lines is a parabola; at an arc the path itself is
 /// bent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PathControl {
-    /// G61.1: come to rest.
+    /// G61.1: stop.
     #[default]
     ExactStop,
-    /// G61: keep to the path, without rest where it goes on smoothly, or so nearly that the axes can follow from one
-    /// cycle to the next.
+    /// G61: stay on the path. It is passed without a stop where it goes on smoothly, or nearly enough that the axes
+    /// can follow from one cycle to the next.
     ExactPath,
-    /// G64 with a tolerance: leave the path by this much at most, in the length of all nine axes, millimetres. Lines
-    /// of which several are over within a cycle become one within it.
+    /// G64 with a tolerance: leave the path by at most this distance, in the length of all nine axes, millimetres.
+    /// Short lines, several of which would be over within a cycle, are merged within it.
     Within(f64),
-    /// G64 without one: leave the path between the midpoints of the two segments.
+    /// G64 without a tolerance: leave the path at most between the midpoints of the two segments.
     BetweenMidpoints,
 }
 
-/// An output that switches with the start of the next motion.
+/// An output that switches with the start of the next segment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OutputSwitch {
     /// Output number.
@@ -72,17 +72,17 @@ pub struct OutputSwitch {
     pub value: f64,
 }
 
-/// One canonical move, as a planner takes it.
+/// One canonical move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// Caller's number, which comes back in the output.
+    /// Caller's number, which is reported in the output.
     pub number: u64,
-    /// Where it goes.
+    /// Its geometry.
     pub path: Path,
-    /// How fast it is asked to be.
+    /// Its requested speed.
     pub feed: Feed,
     /// What may happen at its end.
     pub path_control: PathControl,
-    /// Whether it ends, and the queue with it, at the first change of the probe. The segments around it come to rest.
+    /// Whether it, and the queue, ends at the first change of the probe. The motion stops before and after it.
     pub probing: bool,
 }

@@ -1,4 +1,4 @@
-//! Short lines that become one: several segments that would be over within one servo cycle are merged.
+//! Short lines that are merged: several segments that would be over within one servo cycle become one.
 
 use crate::limits::{Limits, squared};
 use crate::math;
@@ -6,16 +6,15 @@ use crate::nominal_segment::{NominalSegment, set_line};
 use crate::path_element::FeedBasis;
 use crate::segment::PathControl;
 
-/// The most of a tolerance that segments may be away from the one leg that is made of them: blends have the rest.
+/// The share of a tolerance that merged segments may use. Blends use the rest.
 const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
-/// At least so many segments of a length make a leg, since legs of unequal length are slower to go round a curve than
-/// equal ones.
+/// At least so many segments of equal length are merged, since segments of unequal length are slower round a curve.
 const MERGED_SEGMENTS_MIN: f64 = 4.0;
-/// The change of direction, radians, up to which two segments may become one leg.
+/// The greatest change of direction, radians, between segments that are merged.
 const MERGE_ANGLE_MAX_RAD: f64 = 0.2;
 
 impl NominalSegment {
-    /// Whether the next leg may become one with this: both are lines alike that go on nearly straight and are over
+    /// Whether the next segment may be merged into this one: both are similar lines, nearly in one direction, and over
     /// within a cycle.
     #[inline]
     pub(crate) fn can_merge_with(&self, next: &Self, limits: &Limits) -> bool {
@@ -38,7 +37,8 @@ impl NominalSegment {
             && bends <= squared(MERGE_ANGLE_MAX_RAD)
     }
 
-    /// Becomes one with the next leg, if the tolerance has room for it; nothing of worth otherwise.
+    /// Merges the next segment into this one. Returns whether the tolerance permits it; if not, the content is
+    /// undefined.
     pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
         let PathControl::Within(tolerance) = self.path_control else { return false };
         let whole = &mut self.whole;
@@ -46,7 +46,8 @@ impl NominalSegment {
         if set_line(whole, &next.whole.end).is_err() {
             return false;
         }
-        // The end that is dropped is so far from the line: what of the old direction is not along the new one.
+        // The distance of the dropped end point from the line: the part of the old direction that is not along the new
+        // one.
         let (mut along, mut across) = (0.0, 0.0);
         for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
             along += new * old;

@@ -11,7 +11,7 @@ use crate::path_element::{AccelerationModel, PathElement};
 use crate::ring::Ring;
 
 impl MotionState {
-    /// Moves on by a cycle.
+    /// Moves by one cycle.
     #[inline]
     pub(crate) fn advance_cycle(
         &mut self,
@@ -28,7 +28,7 @@ impl MotionState {
             time_left = self.advance_fast(elements, limits, request, time_left);
         }
         if time_left > 0.0 {
-            // What is not easy has been looked at twice.
+            // An element that the fast path could not decide has been examined twice.
             self.work = self.work.saturating_add(u32::from(easy));
             self.advance(elements, limits, request, time_left);
         }
@@ -73,8 +73,8 @@ impl MotionState {
         }
     }
 
-    /// The end of the piece in the direction of motion. An override makes no more of its exit than the next piece is
-    /// asked to have, where that is planned for more.
+    /// The end of the element in the direction of motion. Under an override the exit is at most the requested speed of
+    /// the next element, where that is planned for more.
     #[inline]
     fn end(
         &self,
@@ -104,7 +104,7 @@ impl MotionState {
         ElementEnd { speed_sq: exit, remaining, is_open: next.junction_limit_sq > 0.0 }
     }
 
-    /// Goes over to the next piece; none where there is none, or where a dwell uses up the cycle.
+    /// Moves to the next element. `None` where there is none, or where a dwell uses up the cycle.
     fn enter_next<'a>(
         &mut self,
         elements: &'a Ring<PathElement>,
@@ -131,7 +131,7 @@ impl MotionState {
         }
         let after = self.at.wrapping_add(1);
         let Some(later) = elements.get(after) else {
-            // Rounding may have brought the motion to the end of all with a little speed left.
+            // Rounding may have left a little speed at the end of the path.
             self.speed = 0.0;
             return None;
         };
@@ -139,7 +139,7 @@ impl MotionState {
         Some(later)
     }
 
-    /// Moves within a piece for as long as there is time and path; how long that was.
+    /// Moves within an element while there is time and path. Returns the time used.
     #[inline]
     fn advance_within(
         &mut self,
@@ -177,7 +177,7 @@ impl MotionState {
         }
         let most = low;
         if self.speed + low * time_left > wanted {
-            // Whoever lowers an override wants all of the brakes, as for a hold.
+            // A lowered override uses all of the braking, as a hold does.
             low = math::min(low, self.strongest_braking(element, limits, time_left));
         }
         let mut acceleration = low;
@@ -194,13 +194,13 @@ impl MotionState {
         self.accelerate(element, acceleration, end, time_left)
     }
 
-    /// Whether a piece that was changed at its end can still be kept to from here.
+    /// Whether the motion can follow an element that was changed at its end.
     pub(crate) fn can_follow(&self, elements: &Ring<PathElement>, limits: &Limits) -> bool {
         let Some(element) = elements.get(self.at) else { return true };
         self.can_reach_end_at(element, exit_speed_sq(elements, element, self.at), limits)
     }
 
-    /// Whether the motion can come to the end of its piece at the square of a speed, or slower.
+    /// Whether the motion can reach the end of its element at a squared speed or less.
     pub(crate) fn can_reach_end_at(
         &self,
         element: &PathElement,

@@ -3,7 +3,7 @@
 use crate::math;
 use crate::parameters::Axes;
 
-/// The length of a vector of so many leading axes, of which there are three or more.
+/// The length of a vector of so many leading axes, at least three.
 #[inline]
 pub(crate) fn norm_of(vector: &Axes, axes: usize) -> f64 {
     let [x, y, z, ..] = *vector;
