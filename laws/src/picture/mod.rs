@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use crate::report::{Drawing, Node};
-use place::{Box, Layout};
+use place::{Box, Layout, count};
 
 /// Fill colours of groups of nodes, in order of the groups' names.
 const COLOURS: [&str; 8] =
@@ -61,10 +61,6 @@ fn size(node: &Node) -> (f64, f64) {
     let longest = node.lines.iter().map(|line| line.chars().count()).max().unwrap_or_default();
     let width = LETTER_WIDTH * count(longest) + 2.0 * PADDING;
     (width, LINE_HEIGHT * count(node.lines.len()) + PADDING)
-}
-
-fn count(number: usize) -> f64 {
-    u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
 fn node_box(text: &mut String, node: &Node, at: &Box, fill: &str) {

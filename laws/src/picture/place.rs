@@ -103,7 +103,7 @@ impl Grid {
         let cell = &self.cells[cell];
         let neighbours = if is_down { &cell.above } else { &cell.below };
         let sum: f64 = neighbours.iter().map(|other| self.cells[*other].centre).sum();
-        if neighbours.is_empty() { cell.centre } else { sum / super::count(neighbours.len()) }
+        if neighbours.is_empty() { cell.centre } else { sum / count(neighbours.len()) }
     }
 
     /// Orders each row by the places of its neighbours, downwards and upwards in turn.
@@ -215,13 +215,17 @@ fn ascending(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
                 break;
             }
             let all = many + few;
-            let mean =
-                (before * super::count(*many) + last * super::count(*few)) / super::count(all);
+            let mean = (before * count(*many) + last * count(*few)) / count(all);
             blocks.truncate(blocks.len() - 2);
             blocks.push((mean, all));
         }
     }
     blocks.into_iter().flat_map(|(mean, many)| std::iter::repeat_n(mean, many)).collect()
+}
+
+/// A number of things as a measure.
+pub(super) fn count(number: usize) -> f64 {
+    u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
 #[cfg(test)]

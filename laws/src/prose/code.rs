@@ -6,7 +6,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 use syn::{Attribute, Expr, Item, Lit, LitStr, Meta};
 
-use super::{Kind, Text, without_code};
+use super::text::{Kind, Text, without_code};
 use crate::graph::{attributes, is_test};
 
 /// Traits of clap whose derivation makes help of documentation comments.

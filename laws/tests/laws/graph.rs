@@ -34,13 +34,17 @@ fn no_crate_builds_on_one_of_a_higher_layer() {
             assert_eq!(layer_of.insert(name.clone(), number), None, "{name} is in two layers");
         }
     }
+    let crates = workspace::crates();
+    let listed: BTreeSet<_> = layer_of.keys().collect();
+    assert_eq!(
+        listed,
+        crates.keys().collect(),
+        "laws/layers.toml lists each crate of the workspace"
+    );
     let mut upward = Vec::new();
-    for (name, on) in graph::of_crates(&workspace::crates()) {
-        let is_upward = |other: &&String| match (layer_of.get(*other), layer_of.get(&name)) {
-            (Some(other), Some(own)) => other >= own,
-            _ => false,
-        };
-        upward.extend(on.iter().filter(is_upward).map(|other| format!("{name} builds on {other}")));
+    for (name, on) in graph::of_crates(&crates) {
+        let above = on.iter().filter(|other| layer_of[*other] >= layer_of[&name]);
+        upward.extend(above.map(|other| format!("{name} builds on {other}")));
     }
     holds("a crate builds on lower layers alone", &upward);
 }
