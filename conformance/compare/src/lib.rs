@@ -18,8 +18,9 @@ pub use capabilities::Capabilities;
 pub use same::surely_same;
 pub use state::{FieldDifference, StateDifference, state};
 pub use tally::{Basis, Tally};
+pub use tolerance::rounded;
 
-use crate::observe::{Observed, ObservedEffect, ObservedStep};
+use crate::observe::{Observed, ObservedEffect, ObservedStep, recorded};
 
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -338,11 +339,6 @@ impl Walk<'_> {
     }
 }
 
-/// The steps after which a state is recorded, each with its place.
-fn recorded(run: &Observed) -> Vec<(usize, &ObservedStep)> {
-    run.steps.iter().enumerate().filter(|(_, step)| step.state.is_some()).collect()
-}
-
 /// Two faults are the same when they are at the same block; kinds are judged by assertions, where a document names
 /// them.
 fn same_fault(a: &Fault, b: &Fault) -> bool {
@@ -362,21 +358,6 @@ fn describe(observed: &ObservedEffect) -> String {
         text.push_str(&format!(" {name}={}", rounded(&value)));
     }
     text
-}
-
-/// A value without the noise of the last bits.
-pub fn rounded(value: &Value) -> String {
-    let tidy = |number: f64| {
-        let rounded = (number * 1e6).round() / 1e6;
-        if rounded.is_finite() { rounded + 0.0 } else { number }
-    };
-    match value {
-        Value::Number(number) => tidy(*number).to_string(),
-        Value::Position(position) => {
-            gaugeblock_vocabulary::Position::from(position.to_array().map(tidy)).to_string()
-        }
-        Value::Word(_) | Value::Text(_) => value.to_string(),
-    }
 }
 
 /// The values that a pin took, as an assertion writes them.

@@ -227,6 +227,11 @@ pub fn value_of(entries: &[Entry], field: &str, index: Option<&str>) -> Option<V
         .map(|entry| entry.value.clone())
 }
 
+/// The steps after which a state is recorded, each with its place.
+pub(crate) fn recorded(run: &Observed) -> Vec<(usize, &ObservedStep)> {
+    run.steps.iter().enumerate().filter(|(_, step)| step.state.is_some()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use gaugeblock_reference::run;

@@ -4,9 +4,9 @@ use gaugeblock_vocabulary::{Entry, Settings, State};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{recorded, rounded, tolerance};
+use super::tolerance::{self, rounded};
 use crate::Capabilities;
-use crate::observe::{Observed, ObservedStep};
+use crate::observe::{Observed, ObservedStep, recorded};
 
 /// Settings and state after a block, as far as they differ.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

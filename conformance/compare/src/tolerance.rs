@@ -103,6 +103,19 @@ fn parts(text: &str) -> Vec<&str> {
     parts
 }
 
+/// A value without the noise of the last bits.
+pub fn rounded(value: &Value) -> String {
+    let tidy = |number: f64| {
+        let rounded = (number * 1e6).round() / 1e6;
+        if rounded.is_finite() { rounded + 0.0 } else { number }
+    };
+    match value {
+        Value::Number(number) => tidy(*number).to_string(),
+        Value::Position(position) => Position::from(position.to_array().map(tidy)).to_string(),
+        Value::Word(_) | Value::Text(_) => value.to_string(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,10 +4,9 @@ use std::collections::BTreeMap;
 
 use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::laws::{Judgement, Law, Verdict, judge_under};
+use gaugeblock_suite::{MotionCase, Saying, Setup};
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use gaugeblock_vocabulary::{End, Options, Position, Scenario};
-
-use gaugeblock_suite::{MotionCase, Saying, Setup};
 
 /// Servo cycles per segment at which a planner is fed; without a number as fast as it takes them.
 pub const FEEDS: [Option<u32>; 6] = [None, Some(1), Some(5), Some(20), Some(31), Some(80)];

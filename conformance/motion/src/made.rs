@@ -1,9 +1,8 @@
 //! Samples made of stretches of constant acceleration, and what may be wrong with them.
 
+use gaugeblock_suite::{MotionCase, Piece, PlantedFault};
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Samples};
-
-use gaugeblock_suite::{MotionCase, Piece, PlantedFault};
 
 /// The samples of a case that has some, with its fault.
 ///

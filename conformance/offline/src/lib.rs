@@ -8,6 +8,7 @@
 
 mod adapter;
 mod answer;
+mod asked;
 mod blocks;
 mod carried;
 mod form;
@@ -19,12 +20,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use gaugeblock_vocabulary::motion::MotionLimits;
-use gaugeblock_vocabulary::{Axis, Options, Scenario};
+use gaugeblock_vocabulary::{Options, Scenario};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 pub use adapter::Offline;
 pub use answer::answer;
+pub use asked::Asked;
 pub use blocks::{Blocks, read_blocks};
 pub use instructions::{operator, readme};
 pub use questions::{Question, can_ask, questions};
@@ -64,28 +66,6 @@ pub struct Manifest {
     pub programs: Vec<Asked>,
     /// What the route cannot carry: how many cases, by the reason.
     pub left_out: BTreeMap<String, usize>,
-}
-
-/// A program that is asked for.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Asked {
-    /// Its folder.
-    pub folder: String,
-    /// Digest of its scenario.
-    pub scenario: String,
-    /// What it is about.
-    pub chapter: String,
-    /// How many cases it serves.
-    pub cases: usize,
-    /// Axes whose positions are asked for.
-    pub axes: Vec<Axis>,
-    /// Variables that are asked for.
-    pub variables: Vec<u32>,
-    /// Whether it may show messages.
-    pub messages: bool,
-    /// Whether recorded samples are asked for, and nothing else.
-    pub samples: bool,
 }
 
 impl Manifest {

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use gaugeblock_vocabulary::{BlockLocation, Channel, Position, Rs274State, Settings, State};
 
-use super::Asked;
+use super::asked::Asked;
 
 /// How a run can end, in the words of a sheet.
 pub(super) const ENDS: &[(&str, &str)] = &[

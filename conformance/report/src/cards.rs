@@ -5,9 +5,9 @@ use gaugeblock_runner::certify::{CaseResult, Departure};
 use serde::Serialize;
 
 use super::Report;
+use super::causes::without_guard;
 use super::causes::{explained, groups};
 use super::sides::{Side, sides};
-use super::terminal::without_guard;
 
 /// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
 const MOST: usize = 1 << 20;

@@ -113,7 +113,7 @@ fn what(departure: &Departure) -> String {
     }
     // What a person asserted, whatever its numbers are.
     let said = departure.assertion.as_ref().map_or("", |(said, _)| said.as_str());
-    let words = super::terminal::without_guard(said).split_whitespace();
+    let words = without_guard(said).split_whitespace();
     let is_word = |word: &&str| word.starts_with(|c: char| c.is_alphabetic() || c == '=');
     let words: Vec<_> = words.filter(is_word).collect();
     format!("asserted: {}", words.join(" "))
@@ -165,6 +165,12 @@ fn parts(line: &str) -> Option<Divergence> {
     let field = place.rsplit_once(": ").map_or(place, |(_, field)| field);
     let (field, expected, found) = (field.to_owned(), expected.to_owned(), found.to_owned());
     Some(Divergence { block: None, field, expected, found })
+}
+
+/// An assertion without the option under which it is made: that the run was held to it says enough.
+pub(super) fn without_guard(assertion: &str) -> &str {
+    let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
+    guarded.map_or(assertion, |(_, claim)| claim)
 }
 
 #[cfg(test)]

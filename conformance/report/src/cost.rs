@@ -4,9 +4,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use serde::{Deserialize, Serialize};
-
 use gaugeblock_runner::certify::{CaseResult, Run};
+use serde::{Deserialize, Serialize};
 
 /// Name of the file in the folder of a report.
 pub const FILE: &str = "cost.json";

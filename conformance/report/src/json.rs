@@ -10,11 +10,9 @@ use schemars::{JsonSchema, Schema, schema_for};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::merge::VERSION;
 use super::stored::StoredCase;
 use super::{Counts, Header, Report, RuleVerdict};
-
-/// Version of the form.
-pub const VERSION: u32 = 1;
 
 /// A report: what it is of, what it comes to, and what came of each case. The same run gives the same bytes, so that
 /// what it cost is not here.

@@ -12,54 +12,21 @@ pub mod markdown;
 pub mod matrix;
 pub mod merge;
 pub mod profiles;
+mod rule;
 mod sides;
 pub mod stored;
 pub mod terminal;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_compare::Tally;
-use gaugeblock_suite::Rule;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 pub use inert::{inert, inert_line};
 pub use merge::Header;
 pub use profiles::ProfileResult;
+pub(crate) use rule::verdicts;
+pub use rule::{Counts, RuleResult, RuleVerdict};
 
-use gaugeblock_runner::certify::{CaseResult, Cause, Run, Verdict};
+use gaugeblock_runner::certify::{CaseResult, Run, Verdict};
 use gaugeblock_runner::expectations::Trouble;
-
-/// A verdict on a whole rule.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-pub enum RuleVerdict {
-    /// Every case that was judged passes, or passes but for a quirk of other rules, and at least one was.
-    #[serde(rename = "pass")]
-    Pass,
-    /// A case diverges, known or not.
-    #[serde(rename = "diverges")]
-    Diverges,
-    /// No case could be run on this controller.
-    #[serde(rename = "unsupported")]
-    Unsupported,
-    /// A case was not judged, or is inconclusive.
-    #[serde(rename = "not judged")]
-    NotJudged,
-}
-
-impl RuleVerdict {
-    /// In a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Pass => "pass",
-            Self::Diverges => "diverges",
-            Self::Unsupported => "unsupported",
-            Self::NotJudged => "not judged",
-        }
-    }
-}
 
 /// A run with what it is held against.
 #[derive(Clone, Debug)]
@@ -74,112 +41,6 @@ pub struct Report<'a> {
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
     pub troubles: Option<Vec<Trouble>>,
-}
-
-/// What came of a rule.
-#[derive(Clone, Debug)]
-pub struct RuleResult<'a> {
-    /// The rule.
-    pub rule: &'a Rule,
-    /// The verdict.
-    pub verdict: RuleVerdict,
-    /// Its cases.
-    pub counts: Counts,
-    /// What the verdict rests on.
-    pub compared: Tally,
-}
-
-/// How many cases came to what.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct Counts {
-    /// All cases.
-    pub cases: usize,
-    /// Cases that pass.
-    pub pass: usize,
-    /// Cases that diverge, and nobody knows of it.
-    pub diverges: usize,
-    /// Cases that pass but for a quirk that is charged to other rules.
-    pub charged_elsewhere: usize,
-    /// Cases that diverge exactly as is known.
-    pub known: usize,
-    /// Cases that diverge, and somebody answers for it.
-    pub waived: usize,
-    /// Cases that the controller does not support.
-    pub unsupported: usize,
-    /// Cases that documents or model leave open.
-    pub inconclusive: usize,
-    /// Cases of which two runs differ.
-    pub nondeterministic: usize,
-    /// Cases that the controller died of.
-    pub crash: usize,
-    /// Cases that did not end in time.
-    pub timeout: usize,
-    /// Cases of which the controller could not be asked, or its answer not be read.
-    pub harness_error: usize,
-    /// Cases that nobody has run.
-    pub not_run: usize,
-}
-
-impl Counts {
-    fn add(&mut self, verdict: &Verdict) {
-        self.cases += 1;
-        let count = match verdict {
-            Verdict::Pass => &mut self.pass,
-            Verdict::Diverges(_) => &mut self.diverges,
-            Verdict::ChargedElsewhere(_) => &mut self.charged_elsewhere,
-            Verdict::Known(..) => &mut self.known,
-            Verdict::Waived(..) => &mut self.waived,
-            Verdict::Unsupported(_) => &mut self.unsupported,
-            Verdict::Inconclusive(_) => &mut self.inconclusive,
-            Verdict::NotJudged(unjudged) => match unjudged.cause {
-                Cause::Nondeterministic => &mut self.nondeterministic,
-                Cause::Crash => &mut self.crash,
-                Cause::Timeout => &mut self.timeout,
-                Cause::HarnessError => &mut self.harness_error,
-                Cause::NotRun => &mut self.not_run,
-            },
-        };
-        *count += 1;
-    }
-
-    /// Why cases that were to be judged are not, each with its word.
-    pub fn unjudged(self) -> [(&'static str, usize); 6] {
-        [
-            ("inconclusive", self.inconclusive),
-            ("nondeterministic", self.nondeterministic),
-            ("crash", self.crash),
-            ("timeout", self.timeout),
-            ("harness error", self.harness_error),
-            ("not run", self.not_run),
-        ]
-    }
-
-    /// All cases.
-    pub fn all(self) -> usize {
-        self.cases
-    }
-
-    /// Cases that were to be judged and are not.
-    pub fn not_judged(self) -> usize {
-        self.unjudged().into_iter().map(|(_, count)| count).sum()
-    }
-
-    /// Cases of which something is known: they pass, or they depart, whoever knows of it.
-    pub fn judged(self) -> usize {
-        self.pass + self.charged_elsewhere + self.diverges + self.known + self.waived
-    }
-
-    fn verdict(self) -> RuleVerdict {
-        if self.diverges + self.known + self.waived > 0 {
-            RuleVerdict::Diverges
-        } else if self.not_judged() > 0 {
-            RuleVerdict::NotJudged
-        } else if self.pass + self.charged_elsewhere > 0 {
-            RuleVerdict::Pass
-        } else {
-            RuleVerdict::Unsupported
-        }
-    }
 }
 
 impl<'a> Report<'a> {
@@ -248,25 +109,4 @@ impl<'a> Report<'a> {
             0
         }
     }
-}
-
-/// Each rule of a run with its verdict, in order.
-fn verdicts<'a>(run: &Run<'a>) -> Vec<RuleResult<'a>> {
-    let mut rules: Vec<RuleResult<'a>> = Vec::new();
-    for result in &run.cases {
-        if rules.last().is_none_or(|last| last.rule.id != result.rule.id) {
-            rules.push(RuleResult {
-                rule: result.rule,
-                verdict: RuleVerdict::Unsupported,
-                counts: Counts::default(),
-                compared: Tally::default(),
-            });
-        }
-        if let Some(last) = rules.last_mut() {
-            last.counts.add(&result.verdict);
-            last.compared.extend(&result.compared);
-            last.verdict = last.counts.verdict();
-        }
-    }
-    rules
 }

@@ -8,8 +8,9 @@ use gaugeblock_runner::certify::CaseResult;
 use gaugeblock_runner::expectations::Trouble;
 use gaugeblock_vocabulary::Language;
 
+use super::causes::without_guard;
 use super::causes::{self, Group, explained};
-use super::terminal::{shortened, without_guard};
+use super::terminal::shortened;
 use super::{Report, RuleResult, html};
 
 /// Most bytes of the page: less than a comment on GitHub may have.

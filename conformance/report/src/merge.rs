@@ -10,8 +10,10 @@ use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
 use serde::{Deserialize, Serialize};
 
-use super::json::VERSION;
 use super::stored::StoredCase;
+
+/// Version of the form.
+pub const VERSION: u32 = 1;
 
 /// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

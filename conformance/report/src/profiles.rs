@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_runner::certify::Run;
 use gaugeblock_suite::{Case, Profile, Rule, Suite};
 
-use super::{RuleVerdict, verdicts};
+use super::rule::{RuleVerdict, verdicts};
 
 /// A profile, judged.
 #[derive(Clone, Debug)]

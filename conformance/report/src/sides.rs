@@ -5,9 +5,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde::Serialize;
-
 use gaugeblock_runner::certify::Traces;
+use serde::Serialize;
 
 /// Numbers that are no further apart than this may be the same, told with fewer digits.
 const NEAR: f64 = 6e-5;

@@ -5,11 +5,10 @@ use std::time::Duration;
 
 use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_motion::Sketch;
+use gaugeblock_runner::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
 use gaugeblock_suite::Suite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use gaugeblock_runner::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
 
 /// A case and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

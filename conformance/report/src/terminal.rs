@@ -6,7 +6,7 @@ use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, Verdict};
 use gaugeblock_vocabulary::Language;
 
-use super::causes::{explained, groups};
+use super::causes::{explained, groups, without_guard};
 use super::{Report, RuleVerdict, inert, inert_line};
 
 const BOLD: Style = Style::new().bold();
@@ -153,12 +153,6 @@ fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
         line!(text, "  … and {} more kinds (-v tells them)", groups.len() - most);
     }
     line!(text);
-}
-
-/// An assertion without the option under which it is made: that the run was held to it says enough.
-pub(super) fn without_guard(assertion: &str) -> &str {
-    let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
-    guarded.map_or(assertion, |(_, claim)| claim)
 }
 
 /// The lines of a program, numbered as blocks are.

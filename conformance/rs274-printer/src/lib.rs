@@ -24,12 +24,14 @@
 mod arguments;
 mod block;
 mod calls;
+mod codes;
 mod ini;
 mod machine;
 mod modes;
 mod motion;
 mod output;
 mod parameters;
+mod plane;
 mod printer;
 mod refusals;
 mod settled;
@@ -37,6 +39,7 @@ mod source;
 mod switched;
 mod text;
 mod threads;
+mod words;
 
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
     SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
-use super::block::Words;
+use super::words::Words;
 
 /// Most spindles that a machine has.
 pub(super) const SPINDLES: usize = 8;

@@ -5,14 +5,13 @@ use gaugeblock_vocabulary::{
 };
 
 use super::block::Printed;
+use super::codes::INCH;
 use super::modes::Modes;
+use super::plane::in_plane;
 use super::refusals::Begun;
 
 /// What a cycle switches to on its way.
 const EXACT_PATH: &str = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)";
-
-/// Millimetres in an inch: stored lengths are inches.
-pub(super) const INCH: f64 = 25.4;
 
 impl Printed<'_> {
     /// The block's motion.
@@ -286,18 +285,6 @@ impl Printed<'_> {
             begun.number(front_angle).text(", ").number(back_angle).text(", ");
             begun.integer(orientation.into()).text(")").end();
         }
-    }
-}
-
-/// A position in the plane's axes and along its normal.
-pub(super) fn in_plane(plane: Plane, at: &Position) -> ([f64; 2], f64) {
-    match plane {
-        Plane::Xy => ([at.x, at.y], at.z),
-        Plane::Zx => ([at.z, at.x], at.y),
-        Plane::Yz => ([at.y, at.z], at.x),
-        Plane::Uv => ([at.u, at.v], at.w),
-        Plane::Wu => ([at.w, at.u], at.v),
-        Plane::Vw => ([at.v, at.w], at.u),
     }
 }
 

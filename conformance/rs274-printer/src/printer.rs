@@ -3,13 +3,14 @@
 use gaugeblock_interpreter::{BlockBegun, BlockDone, Executed, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, Event, FaultKind, Plane, Position, Settings};
 
-use super::block::{Fixed, Phase, Printed, Words};
+use super::block::{Fixed, Printed};
+use super::codes::{CYCLES, MOTIONS};
 use super::modes::Modes;
 use super::output::Output;
 use super::refusals::Begun;
-use super::settled::{CYCLES, MOTIONS};
 use super::source::Texts;
 use super::text;
+use super::words::{Phase, Words};
 
 /// Prints what an interpreter does.
 #[derive(Debug)]

@@ -5,9 +5,9 @@
 
 use gaugeblock_vocabulary::{Fault, FaultKind, Plane, Position};
 
-use super::block::{Phase, Words};
-use super::motion::in_plane;
-use super::settled::{CYCLES, MOTIONS};
+use super::codes::{CYCLES, MOTIONS};
+use super::plane::in_plane;
+use super::words::{Phase, Words};
 
 /// A refused block, as far as a sentence about it needs it.
 #[derive(Debug)]

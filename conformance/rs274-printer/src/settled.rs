@@ -4,12 +4,9 @@ use gaugeblock_vocabulary::{
     Compensation, FeedMode, LengthUnit, Path, Position, SpindleLimit, SpindleMode, Switch,
 };
 
-use super::block::{Printed, system_of};
+use super::block::Printed;
+use super::codes::{INCH, WORK_OFFSETS, system_of};
 use super::modes::{Modes, Spindle};
-use super::motion::INCH;
-
-/// G54 to G59.3.
-pub(super) const WORK_OFFSETS: [u16; 9] = [540, 550, 560, 570, 580, 590, 591, 592, 593];
 
 impl Printed<'_> {
     /// Settings after the block, but for what the end of a program resets after it was set.
@@ -283,12 +280,3 @@ fn scaled(position: Position, scale: f64) -> Position {
 fn differ(one: f64, other: f64) -> bool {
     (one - other).abs() > 1.0e-9
 }
-
-/// Codes of the motion group.
-pub(super) const MOTIONS: [u16; 27] = [
-    0, 10, 20, 30, 50, 51, 52, 53, 330, 331, 382, 383, 384, 385, 730, 740, 760, 800, 810, 820, 830,
-    840, 850, 860, 870, 880, 890,
-];
-
-/// Canned cycles.
-pub(super) const CYCLES: [u16; 11] = [730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890];

@@ -4,6 +4,7 @@
 //! A seed and a number give one motion program ([`motion_program`]); programs can be judged in any order. The laws take
 //! the programmed path from production's outcome: other tests compare how model and production read programs.
 
+use gaugeblock_controllers::drive::{Circumstances, Planned, Stopped, plan_under};
 use gaugeblock_fuzz::generate::Entropy;
 use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_fuzz::motion::{MotionProgram, Step, draw, shrink};
@@ -11,8 +12,6 @@ use gaugeblock_reference::motion::laws::{Law, Verdict, judge};
 use gaugeblock_reference::motion::path::programmed;
 use gaugeblock_vocabulary::motion::{MotionAction, MotionEvent, MotionScript};
 use gaugeblock_vocabulary::{End, Outcome};
-
-use gaugeblock_controllers::drive::{Circumstances, Planned, Stopped, plan_under};
 
 /// How many cycles a program may take more where it should take as many, and which share where more is allowed.
 const CYCLES: f64 = 2.0;

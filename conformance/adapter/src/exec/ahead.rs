@@ -3,23 +3,15 @@
 //! One request is under way at a time, as ever. What comes of such a run is told to whoever asked for it, and to
 //! nobody else. Where something else is run instead, it is let end, and nobody looks at what came of it.
 
-use std::thread::{self, ThreadId};
+use std::thread;
 
 use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use super::Exec;
-use super::running::{Asked, Stopped};
+use super::begun::Begun;
+use super::running::Stopped;
 use super::session::Session;
 use crate::{Adapter as _, Expected, HarnessError};
-
-/// A run that was asked for ahead.
-#[derive(Debug)]
-pub(super) struct Begun {
-    /// Who asked.
-    by: ThreadId,
-    scenario: Scenario,
-    asked: Asked,
-}
 
 impl Exec {
     /// Begins a run in an idle session. Where there is none, or it fails before, nothing is lost: it is begun when it

@@ -7,6 +7,8 @@
 //! judged.
 
 mod ahead;
+mod begun;
+mod limits;
 mod lines;
 mod peer;
 mod process;
@@ -20,7 +22,6 @@ mod trial;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
 
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
@@ -28,35 +29,11 @@ use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use crate::protocol::{Declaration, Offer, needed};
 use crate::{Adapter, ControllerError, Expected, HarnessError, Motion, NotMoved};
+pub use limits::Limits;
 use peer::Door;
 use running::Stopped;
 use session::Session;
 use shown::Shown;
-
-/// What a controller may cost.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// Wall time of an answer.
-    pub time: Duration,
-    /// Wall time until it has started and answered for the first time.
-    pub start: Duration,
-    /// Bytes of an answer.
-    pub bytes: usize,
-    /// Bytes of an outcome that comes in batches, or of an answer that lies in a file.
-    pub whole: usize,
-    /// Bytes of memory of each of its processes.
-    pub memory: u64,
-    /// Bytes of each file that it writes.
-    pub file: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        let (time, start) = (Duration::from_secs(10), Duration::from_secs(10));
-        let (bytes, whole) = (64 << 20, 256 << 20);
-        Self { time, start, bytes, whole, memory: 4 << 30, file: 1 << 30 }
-    }
-}
 
 /// A controller behind the protocol.
 #[derive(Debug)]
@@ -286,5 +263,30 @@ impl Adapter for Exec {
             session.run(scenario, None).map_err(|stopped| stopped.error)
         };
         Some(anew())
+    }
+}
+
+impl Exec {
+    /// What it shows of a scenario: never more than it has declared.
+    fn shown_of(&self, scenario: &Scenario) -> Capabilities {
+        if self.declaration.offers.contains(&Offer::Shows) && self.shown.of(scenario).is_none() {
+            // Where it cannot tell, its whole declaration counts.
+            let _told = self.within(|session| Ok(self.learn_what_is_shown(session, scenario)?));
+        }
+        self.shown.of(scenario).unwrap_or_else(|| self.capabilities().clone())
+    }
+
+    /// Asks what is observed of a scenario, where that is offered, and keeps the answer.
+    fn learn_what_is_shown(
+        &self,
+        session: &mut Session,
+        scenario: &Scenario,
+    ) -> Result<(), HarnessError> {
+        if session.offers(Offer::Shows) {
+            let own = self.capabilities();
+            let told = session.shown(scenario, own)?;
+            self.shown.keep(scenario, own.and(&told));
+        }
+        Ok(())
     }
 }

@@ -6,9 +6,10 @@ use std::net::{TcpStream, ToSocketAddrs};
 use std::os::fd::OwnedFd;
 use std::time::Duration;
 
+use super::limits::Limits;
 use super::lines::Lines;
 use super::process::Process;
-use super::{HarnessError, Limits};
+use crate::HarnessError;
 
 /// How long a controller may take to end once its output has, or once it was told to.
 pub(super) const GRACE: Duration = Duration::from_millis(500);

@@ -11,7 +11,7 @@ use rustix::process::{
     prlimit, waitid,
 };
 
-use super::Limits;
+use super::limits::Limits;
 use crate::clock::now;
 
 /// A variable in the environment of all processes of a session, by which those are found that left its group.

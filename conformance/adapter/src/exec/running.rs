@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::scenario::OperatorEvent;
 use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 
+use super::begun::{Asked, Before};
 use super::peer::GRACE;
 use super::session::{NoReply, RUN, Session, request, shown, unreadable, unsupported};
 use crate::clock::now;
@@ -26,26 +27,6 @@ impl From<HarnessError> for Stopped {
     fn from(error: HarnessError) -> Self {
         Self { error, goes_on: false }
     }
-}
-
-/// A run that was asked for and not answered yet.
-#[derive(Debug)]
-pub(super) struct Asked {
-    /// What of the request is still to be written.
-    unsent: Vec<u8>,
-    /// Whether a digest will do for an answer.
-    by_digest: bool,
-    before: Before,
-}
-
-/// What came before the answer proper.
-#[derive(Debug, Default)]
-struct Before {
-    steps: Vec<Step>,
-    /// Batches that may still come.
-    credit: u32,
-    /// Operator's events that were told by now.
-    told: usize,
 }
 
 impl Session {

@@ -6,12 +6,13 @@ use std::time::Instant;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 use serde::Serialize;
 
-use super::ahead::Begun;
+use super::begun::Begun;
+use super::limits::Limits;
 use super::lines::{Lines, NoLine};
 use super::peer::{Door, GRACE, Peer};
 use super::side::Folder;
 use super::told::Teller;
-use super::{HarnessError, Limits};
+use crate::HarnessError;
 use crate::clock::now;
 use crate::protocol::{
     Alike, Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,

@@ -12,7 +12,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::meant::meant;
-use super::{FEATURES, OFFERS, Offer, VERSION};
+use super::{FEATURES, OFFERS, Offer};
+
+/// The version that is frozen: what stands in it stays, and what comes is optional.
+pub const VERSION: u32 = 1;
 
 /// What a controller is and shows. Everything has to be said but what is marked as optional.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

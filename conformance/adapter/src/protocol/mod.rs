@@ -21,7 +21,7 @@ use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use alike::Alike;
-pub use declaration::{Clock, Declaration, Observables, vocabulary};
+pub use declaration::{Clock, Declaration, Observables, VERSION, vocabulary};
 pub use features::{FEATURES, needed};
 pub(crate) use meant::with_meant;
 pub use offers::{OFFERS, Offer};
@@ -30,9 +30,6 @@ pub use serve::{Served, serve};
 
 /// The page that tells the protocol to whoever writes an adapter.
 pub const PAGE: &str = include_str!("../../PROTOCOL.md");
-
-/// The version that is frozen: what stands in it stays, and what comes is optional.
-pub const VERSION: u32 = 1;
 
 /// What the referee asks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

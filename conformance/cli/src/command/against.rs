@@ -10,7 +10,7 @@ use gaugeblock_runner::expectations::{Expectations, Trouble};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
 
-use super::report;
+use super::stored;
 use crate::refused::Refused;
 
 #[derive(Debug, Args)]
@@ -41,7 +41,7 @@ pub(crate) struct Known {
 impl Against {
     /// Reads the files, before anything runs.
     pub(crate) fn read(&self) -> Result<Known, Refused> {
-        let baseline = self.baseline.as_deref().map(report::stored).transpose()?;
+        let baseline = self.baseline.as_deref().map(stored::stored).transpose()?;
         let today = self.today.unwrap_or_else(today);
         let waivers = self.waivers.as_deref().map(read_waivers).transpose()?;
         Ok(Known {

@@ -4,11 +4,8 @@ use std::path::Path;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::{Adapter, ControllerError};
-use gaugeblock_controllers::Narrowed;
-use gaugeblock_controllers::Production;
-use gaugeblock_controllers::Reference;
-use gaugeblock_linuxcnc::LinuxCnc;
-use gaugeblock_linuxcnc::Rs274;
+use gaugeblock_controllers::{Narrowed, Production, Reference};
+use gaugeblock_linuxcnc::{LinuxCnc, Rs274};
 use gaugeblock_offline::Offline;
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
@@ -168,7 +165,7 @@ fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
 
 /// A control whose answer sheets are in a folder.
 fn offline(folder: &Path) -> Result<Offline, Refused> {
-    Offline::open(folder).map_err(super::offline::not_a_campaign)
+    Offline::open(folder).map_err(not_a_campaign)
 }
 
 /// LinuxCNC's whole controller.
@@ -281,4 +278,9 @@ pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), Re
     controller
         .observed_edition()
         .map_or(Ok(()), |id| crate::documents::edition(suite, id).map(|_| ()))
+}
+
+/// Refuses a folder that holds no campaign.
+pub(crate) fn not_a_campaign(why: String) -> Refused {
+    Refused::wrong(why, "`gaugeblock offline export` writes such a folder")
 }

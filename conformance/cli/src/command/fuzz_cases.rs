@@ -1,13 +1,12 @@
 //! What `gaugeblock fuzz` takes from the suite: cases to make programs of, and outcomes of rules to reach.
 
 use gaugeblock_reference::RuleOutcome as Reached;
-use gaugeblock_suite::{Edition, Rule, RuleOutcome, Suite, scenario_of};
-use gaugeblock_vocabulary::{Options, Scenario};
-
 use gaugeblock_runner::catalogue::editions_of;
 use gaugeblock_runner::fuzz::Plan;
 use gaugeblock_runner::fuzz::shown::NotShown;
 use gaugeblock_runner::fuzz::statistics::Statistics;
+use gaugeblock_suite::{Edition, Rule, RuleOutcome, Suite, scenario_of};
+use gaugeblock_vocabulary::{Options, Scenario};
 
 /// The suite's cases under an edition, as seeds of splices.
 pub(crate) fn seeds(suite: &Suite, edition: &Edition, options: &Options) -> Vec<Scenario> {

@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_report::Header;
-use gaugeblock_report::Report;
 use gaugeblock_report::matrix::{Judged, Matrix};
+use gaugeblock_report::{Header, Report};
 use gaugeblock_runner::certify::{Plan, certify};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;

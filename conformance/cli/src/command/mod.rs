@@ -27,4 +27,5 @@ pub(crate) mod run;
 pub(crate) mod schema;
 pub(crate) mod serve;
 pub(crate) mod shrink;
+pub(crate) mod stored;
 pub(crate) mod suite;

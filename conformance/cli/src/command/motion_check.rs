@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_motion::Summary;
-use gaugeblock_reference::motion::laws::Verdict;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Samples;
@@ -71,20 +70,7 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
         Drawing { title, samples, path, limits, script, told: None }.write(file)?;
     }
     write_out(&plan::told(&summary, &arguments.program));
-    Ok(exit_status(&summary))
-}
-
-/// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
-/// could be checked does not pass.
-pub(crate) fn exit_status(summary: &Summary) -> u8 {
-    let mut laws = summary.judgement.0.iter();
-    if !summary.holds() {
-        1
-    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })) {
-        0
-    } else {
-        3
-    }
+    Ok(plan::exit_status(&summary))
 }
 
 fn read(file: &Path) -> Result<Samples, Refused> {
@@ -109,36 +95,4 @@ fn read(file: &Path) -> Result<Samples, Refused> {
         ));
     }
     Ok(samples)
-}
-
-#[cfg(test)]
-mod tests {
-    use gaugeblock_reference::motion::laws::{Judgement, Law, Violation};
-
-    use super::*;
-
-    #[test]
-    fn a_rule_that_is_not_checked_neither_fails_nor_passes() {
-        let held = Verdict::Satisfied { share: None };
-        let broken = Verdict::Violated(vec![Violation {
-            law: Law::Feed,
-            cycle: 0,
-            cycles: 1,
-            axis: None,
-            measured: 2.0,
-            allowed: 1.0,
-            words: "too fast".to_owned(),
-        }]);
-        let open = Verdict::NotJudged("x moves and is not recorded".to_owned());
-        for (verdicts, status) in [
-            (vec![held.clone(), open.clone()], 0),
-            (vec![held, broken], 1),
-            (vec![open.clone(), Verdict::NotApplicable], 3),
-            (vec![open], 3),
-        ] {
-            let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
-            let summary = Summary { time: 0.0, least: Ok(0.0), kinds: Vec::new(), judgement };
-            assert_eq!(exit_status(&summary), status, "{summary}");
-        }
-    }
 }

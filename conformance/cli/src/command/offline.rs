@@ -13,6 +13,7 @@ use gaugeblock_offline::{
 };
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
+use super::controller::not_a_campaign;
 use super::{certify, controller, place};
 use crate::refused::Refused;
 use crate::streams::{write_error, write_out};
@@ -240,10 +241,6 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, Refused> {
         manifest.programs.len() - open.len()
     ));
     Ok(if failed == 0 { 0 } else { 3 })
-}
-
-pub(crate) fn not_a_campaign(why: String) -> Refused {
-    Refused::wrong(why, "`gaugeblock offline export` writes such a folder")
 }
 
 /// The programs whose sheets are still empty.

@@ -2,21 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Args;
 use gaugeblock_adapter::{Adapter, NotMoved};
-use gaugeblock_controllers::Production;
-use gaugeblock_controllers::Reference;
+use gaugeblock_controllers::drive::{Circumstances, plan_under};
+use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_motion::Summary;
+use gaugeblock_reference::motion::laws::Verdict;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 use gaugeblock_vocabulary::scenario::Program;
 use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 
-use clap::Args;
-use gaugeblock_controllers::drive::{Circumstances, plan_under};
-
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{motion_check, place, run};
+use super::{place, run};
 use crate::refused::Refused;
 use crate::streams::{write_error_in_colours, write_out};
 
@@ -117,7 +116,7 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
     write_out(&told(&summary, &arguments.file));
-    Ok(motion_check::exit_status(&summary))
+    Ok(exit_status(&summary))
 }
 
 /// The files that a call reads.
@@ -261,5 +260,50 @@ fn write_samples(file: &Path, samples: &Samples) -> Result<(), Refused> {
         place::write_whole(file, samples.to_bytes())
     } else {
         place::write_whole(file, samples.to_csv())
+    }
+}
+
+/// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
+/// could be checked does not pass.
+pub(crate) fn exit_status(summary: &Summary) -> u8 {
+    let mut laws = summary.judgement.0.iter();
+    if !summary.holds() {
+        1
+    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })) {
+        0
+    } else {
+        3
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use gaugeblock_reference::motion::laws::{Judgement, Law, Violation};
+
+    use super::*;
+
+    #[test]
+    fn a_rule_that_is_not_checked_neither_fails_nor_passes() {
+        let held = Verdict::Satisfied { share: None };
+        let broken = Verdict::Violated(vec![Violation {
+            law: Law::Feed,
+            cycle: 0,
+            cycles: 1,
+            axis: None,
+            measured: 2.0,
+            allowed: 1.0,
+            words: "too fast".to_owned(),
+        }]);
+        let open = Verdict::NotJudged("x moves and is not recorded".to_owned());
+        for (verdicts, status) in [
+            (vec![held.clone(), open.clone()], 0),
+            (vec![held, broken], 1),
+            (vec![open.clone(), Verdict::NotApplicable], 3),
+            (vec![open], 3),
+        ] {
+            let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
+            let summary = Summary { time: 0.0, least: Ok(0.0), kinds: Vec::new(), judgement };
+            assert_eq!(exit_status(&summary), status, "{summary}");
+        }
     }
 }

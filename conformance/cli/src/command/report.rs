@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use gaugeblock_report::cost::{self, Cost};
-use gaugeblock_report::merge::{Stored, in_order, merged};
+use gaugeblock_report::merge::{in_order, merged};
 use gaugeblock_report::{Report, profiles};
 use gaugeblock_runner::certify::{Plan, Run, cases, void};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
 use super::against::Against;
+use super::stored::stored;
 use super::{certify, place};
 use crate::arguments::Format;
 use crate::refused::Refused;
@@ -103,15 +104,4 @@ fn cost_of(reports: &[PathBuf]) -> Result<Cost, Refused> {
         all = all.and(cost);
     }
     Ok(all)
-}
-
-pub(crate) fn stored(path: &Path) -> Result<(String, Stored), Refused> {
-    let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
-    let name = path.display().to_string();
-    let hint = "`gaugeblock certify --shard I/N --report DIR` writes such a report";
-    let text = std::fs::read_to_string(&path)
-        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
-    let stored =
-        Stored::read(&text).map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
-    Ok((name, stored))
 }

@@ -10,8 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use gaugeblock_adapter::Adapter;
-use gaugeblock_controllers::Production;
-use gaugeblock_controllers::Reference;
+use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_linuxcnc::Rs274;
 use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{End, LengthUnit, Machine, Options, Scenario};

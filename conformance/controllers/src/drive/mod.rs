@@ -5,10 +5,10 @@ mod effects;
 use std::collections::BTreeMap;
 
 use gaugeblock_interpreter::path::{Asked, Resolver};
-use gaugeblock_planner::Hold;
-use gaugeblock_planner::Planner;
-use gaugeblock_planner::{Axes, Dynamics, Feed, InputParameter, NotQueued, OutputParameter};
-use gaugeblock_planner::{OutputSwitch, Path, Phase, Segment};
+use gaugeblock_planner::{
+    Axes, Dynamics, Feed, Hold, InputParameter, NotQueued, OutputParameter, OutputSwitch, Path,
+    Phase, Planner, Segment,
+};
 use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };

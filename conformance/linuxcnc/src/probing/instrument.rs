@@ -6,10 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::source::{Form, Source, form, has_slash, without_number};
-
-/// Highest parameter number that a parameter file may list.
-pub(crate) const LAST_PARAMETER: u32 = 5601;
+use super::source::{Form, LAST_PARAMETER, Source, form, has_slash, without_number};
 
 /// Longest line that the interpreter reads.
 pub(crate) const LONGEST_LINE: usize = 252;

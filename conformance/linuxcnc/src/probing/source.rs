@@ -6,7 +6,8 @@ use std::path::{Component, Path};
 
 use gaugeblock_vocabulary::{BlockLocation, Program};
 
-use super::instrument::LAST_PARAMETER;
+/// Highest parameter number that a parameter file may list.
+pub(crate) const LAST_PARAMETER: u32 = 5601;
 
 /// Switch that silences (DEBUG,…); on from the start.
 pub(crate) const DEBUG_SWITCH: u32 = 5599;

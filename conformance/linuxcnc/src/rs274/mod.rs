@@ -18,6 +18,7 @@ mod output;
 mod process;
 mod python;
 mod session;
+mod started;
 mod streams;
 mod supports;
 mod version;
@@ -34,9 +35,11 @@ use crate::probing::source::Source;
 use assemble::Seen;
 use fork::Servers;
 use hal::Hal;
-use process::{Limits, Started, Stop};
+use process::Limits;
 use python::Home;
 use session::{Session, Unprobed};
+use started::Started;
+use streams::Stop;
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };

@@ -2,9 +2,9 @@
 
 use std::ffi::OsString;
 use std::io;
-use std::os::unix::process::{CommandExt, ExitStatusExt};
+use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, Command, ExitStatus};
+use std::process::{Child, ExitStatus};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -14,16 +14,8 @@ use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, wa
 
 use super::fork::Fork;
 use super::hal;
-use super::streams::Streams;
-
-/// What is started.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Started<'a> {
-    /// The binary.
-    pub(super) binary: &'a Path,
-    /// Home of the Python within; its own if none.
-    pub(super) python: Option<&'a Path>,
-}
+use super::started::Started;
+use super::streams::{Stop, Streams};
 
 /// What a run may cost.
 #[derive(Clone, Copy, Debug)]
@@ -32,17 +24,6 @@ pub(super) struct Limits {
     pub(super) time: Duration,
     /// Bytes on each output stream.
     pub(super) bytes: usize,
-}
-
-/// Why the output ends where it ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stop {
-    /// The program exited with this status.
-    Exited(i32),
-    /// It did not end in time and was ended.
-    TimedOut,
-    /// It wrote too much and was ended.
-    Flooded,
 }
 
 /// What a run left.
@@ -83,15 +64,6 @@ pub(super) enum Process<'a> {
 }
 
 impl Started<'_> {
-    /// The program in `directory`, which is its home as well.
-    pub(super) fn command(&self, arguments: &[OsString], directory: &Path) -> Command {
-        let mut command = Command::new(self.binary);
-        command.args(arguments).current_dir(directory).process_group(0);
-        command.env_clear().env("HOME", directory).env("LC_ALL", "C");
-        command.envs(self.python.map(|home| ("PYTHONHOME", home)));
-        command
-    }
-
     /// Starts the program in `directory`.
     ///
     /// # Errors

@@ -8,7 +8,9 @@ use gaugeblock_vocabulary::{FaultKind, Machine, Program, Scenario};
 
 use super::fork::{Servers, Start};
 use super::output::{self, Line};
-use super::process::{Limits, Output, Started, Stop};
+use super::process::{Limits, Output, Process, Run};
+use super::started::Started;
+use super::streams::Stop;
 use crate::probing::instrument::{Ends, Plan, is_plain};
 use crate::probing::probe::Probe;
 use crate::probing::source::{DEBUG_SWITCH, Source};
@@ -199,7 +201,10 @@ impl Session<'_> {
         }
         let start = self.start(how);
         let forked = match from {
-            From::Fork => self.servers.run(self.program, &start, workspace.path()),
+            From::Fork => {
+                let forked = self.servers.run(self.program, &start, workspace.path());
+                forked.map(|(fork, streams)| Run { process: Process::Forked(fork), streams })
+            }
             From::Start => None,
         };
         let is_forked = forked.is_some();

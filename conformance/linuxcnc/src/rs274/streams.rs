@@ -7,7 +7,16 @@ use gaugeblock_adapter::clock::now;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::ioctl_fionbio;
 
-use super::process::Stop;
+/// Why the output ends where it ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// The program exited with this status.
+    Exited(i32),
+    /// It did not end in time and was ended.
+    TimedOut,
+    /// It wrote too much and was ended.
+    Flooded,
+}
 
 /// How long output may stand in its pipe. A controller that writes word by word would wake us for each.
 const PACE: Timespec = Timespec { tv_sec: 0, tv_nsec: 1_000_000 };

@@ -3,8 +3,7 @@
 use gaugeblock_vocabulary::scenario::{Environment, Start};
 use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
-use crate::probing::instrument::LAST_PARAMETER;
-use crate::probing::source::{Source, is_sub_file};
+use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
 use crate::probing::workspace::{INI, PARAMETERS, TOOLS};
 
 /// The environment that answers as this controller does.

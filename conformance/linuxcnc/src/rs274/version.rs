@@ -5,8 +5,10 @@ use std::{env, fs};
 
 use gaugeblock_adapter::ControllerError;
 
-use super::process::{Limits, Started, Stop};
+use super::process::Limits;
 use super::python::Home;
+use super::started::Started;
+use super::streams::Stop;
 use crate::probing::workspace::Workspace;
 
 /// The versions that this adapter understands.

@@ -4,8 +4,7 @@ use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start}
 use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
-use crate::probing::instrument::LAST_PARAMETER;
-use crate::probing::source::{Source, is_sub_file};
+use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;

@@ -3,6 +3,7 @@
 mod again;
 mod excuse;
 mod moved;
+mod plan;
 mod select;
 mod shrunk;
 mod turn;
@@ -11,7 +12,6 @@ mod verdict;
 use std::cell::LazyCell;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -21,7 +21,7 @@ use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Basis, compare, state};
 use gaugeblock_suite::assertion::Claim;
-use gaugeblock_suite::{Case, Edition, Rule, Suite, applies, options_of, scenario_of};
+use gaugeblock_suite::{Case, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::explain::{Departed, Other};
@@ -29,22 +29,10 @@ use crate::shard::Shard;
 pub use again::Twice;
 use again::{Ran, Runs};
 pub use excuse::{BASELINE, EXPECTATIONS};
+pub use plan::Plan;
 use select::{Selected, Subject, select};
 pub use select::{cases, void};
 pub use verdict::{CaseResult, Cause, Departure, Run, Traces, Unjudged, Verdict};
-
-/// What is run, and how.
-#[derive(Clone, Copy, Debug)]
-pub struct Plan<'a> {
-    /// The suite.
-    pub suite: &'a Suite,
-    /// The edition that the controller is held to.
-    pub edition: &'a Edition,
-    /// Only rules whose id begins with one of these; all when empty.
-    pub only: &'a [String],
-    /// How many cases run at once.
-    pub jobs: NonZero<usize>,
-}
 
 /// What of a plan is run.
 pub struct Course<'a, 'c> {

@@ -2,7 +2,7 @@
 
 use gaugeblock_suite::{Case, MotionCase, Rule};
 
-use super::Plan;
+use super::plan::Plan;
 use crate::shard::Shard;
 
 /// Rule and name of each case that a plan runs, in order, on a controller that has laws of motion, or that moves.

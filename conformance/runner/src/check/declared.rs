@@ -8,7 +8,7 @@ use gaugeblock_adapter::exec::Exec;
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Entry, Event, Outcome, Scenario, Settings, State};
 
-use super::{Came, Check};
+use super::result::{Came, Check};
 
 /// Programs that are run for one word, at most, until one of them shows it.
 const TRIES: usize = 6;

@@ -3,42 +3,21 @@
 
 mod declared;
 mod offered;
-
-use std::collections::BTreeSet;
+mod result;
 
 use gaugeblock_adapter::exec::Exec;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
-/// What a check came to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Came {
-    /// As it should be.
-    Fine(String),
-    /// Not as it should be: the adapter has to be mended before a verdict means anything.
-    Wrong(String),
-    /// It could not be looked at, and why.
-    LeftOut(String),
-}
-
-/// A check and what it came to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Check {
-    /// What is looked at.
-    pub what: &'static str,
-    /// What came of it.
-    pub came: Came,
-}
+use result::{CHANGES, same};
+pub use result::{Came, Check};
 
 /// A program that every control accepts, by language, and the same with one word that no control accepts.
 const PROGRAMS: &[(Language, &str, &str)] = &[
     (Language::Rs274, "g21\ng0 x1\nm2\n", "g21\ng999 x1\nm2\n"),
     (Language::Nct, "O1\nG0 X1\nM30\n", "O1\nG0 X[1/0]\nM30\n"),
 ];
-
-/// A program that changes what a reset has to set back, and one that shows whether it was.
-const CHANGES: &str = "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n";
 
 /// Runs in a row whose time is taken.
 const RUNS: u32 = 50;
@@ -161,14 +140,6 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> Came {
     }
 }
 
-fn same(first: &Outcome, again: &Result<Outcome, HarnessError>, otherwise: &str) -> Came {
-    match again {
-        Ok(again) if again == first => Came::Fine("the same outcome".to_owned()),
-        Ok(again) => Came::Wrong(format!("{otherwise}: {}", difference(first, again))),
-        Err(error) => Came::Wrong(error.to_string()),
-    }
-}
-
 /// Nothing is left of a program that changed much. It may be refused: it has changed something before.
 fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> Came {
     if plain.program.language != Language::Rs274 {
@@ -195,13 +166,4 @@ fn speed(adapter: &Exec, plain: &Scenario, clock: &dyn Fn() -> f64) -> Came {
     }
     let each = (clock() - begun) / f64::from(RUNS);
     Came::Fine(format!("{:.1} ms a run", each * 1000.0))
-}
-
-/// The first line in which the texts of two outcomes differ.
-fn difference(a: &Outcome, b: &Outcome) -> String {
-    let (a, b) = (a.to_text(), b.to_text());
-    let (first, second): (BTreeSet<_>, BTreeSet<_>) = (a.lines().collect(), b.lines().collect());
-    let gone = a.lines().find(|line| !second.contains(line)).unwrap_or("nothing").trim();
-    let new = b.lines().find(|line| !first.contains(line)).unwrap_or("nothing").trim();
-    format!("{gone:?} before, {new:?} now")
 }

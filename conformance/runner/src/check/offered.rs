@@ -1,16 +1,15 @@
 //! What an adapter offers, each looked at once.
 
 use gaugeblock_adapter::exec::Exec;
+use gaugeblock_adapter::protocol::digest::{canonical, digest};
+use gaugeblock_adapter::protocol::{OFFERS, Offer};
 use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, When};
 use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
 
-use gaugeblock_adapter::protocol::digest::{canonical, digest};
-use gaugeblock_adapter::protocol::{OFFERS, Offer};
-
-use super::{CHANGES, Came, Check, same};
+use super::result::{CHANGES, Came, Check, same};
 
 /// A machine that moves a little.
 const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";

@@ -1,8 +1,7 @@
 //! What of two runs of a program that nobody has read can be compared, and how a difference is named.
 
-use gaugeblock_vocabulary::{Bound, End, Event, Fault, Language, Outcome};
-
 use gaugeblock_compare::{Divergence, end_text};
+use gaugeblock_vocabulary::{Bound, End, Event, Fault, Language, Outcome};
 
 /// Both runs as far as they can be compared.
 ///

@@ -7,9 +7,10 @@ use gaugeblock_fuzz::shrink::{shape, shrink};
 use gaugeblock_vocabulary::Scenario;
 use serde::{Deserialize, Serialize};
 
+use super::judge::{Difference, FuzzResult};
+use super::plan::Plan;
 use super::signature::{Signature, rules};
 use super::statistics::Statistics;
-use super::{Difference, FuzzResult, Plan};
 
 /// A program on which two controllers differ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

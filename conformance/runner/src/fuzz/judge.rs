@@ -8,10 +8,11 @@ use gaugeblock_compare::{Divergence, compare, surely_same};
 use gaugeblock_reference::{RuleCoverage, RunCache};
 use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
+use super::comparable::{comparable, named};
 use super::fragile::is_fragile;
+use super::plan::Plan;
 use super::signature::Signature;
 use super::statistics::{Statistics, count};
-use super::{Plan, comparable};
 
 /// A difference between two controllers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -153,7 +154,7 @@ impl Plan<'_> {
         }
         let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
         let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
-        comparison.divergence.map(|divergence| comparable::named(divergence, &expected, &found))
+        comparison.divergence.map(|divergence| named(divergence, &expected, &found))
     }
 
     /// A controller that crashed, hung or flooded is a finding; one that was not understood is not judged.

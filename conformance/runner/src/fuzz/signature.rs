@@ -1,9 +1,8 @@
 //! What a divergence is by, so that thousands of programs with one cause are one group.
 
+use gaugeblock_compare::Divergence;
 use gaugeblock_vocabulary::{Program, Scenario};
 use serde::{Deserialize, Serialize};
-
-use gaugeblock_compare::Divergence;
 
 /// What differs, without what is accidental: lines, numbers, indexes. Kept while a program is shrunk.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

@@ -6,8 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
-use gaugeblock_controllers::Production;
-use gaugeblock_controllers::Reference;
+use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
 use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, Setups};

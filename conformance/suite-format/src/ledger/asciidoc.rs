@@ -1,7 +1,8 @@
 //! Splits Asciidoc source text. Anchors, index terms, references and attributes are markup and
 //! no part of an item.
 
-use super::split::{Collector, Kind, TextSection, folded};
+use super::collector::{Collector, TextSection, folded};
+use super::kind::Kind;
 
 /// Splits the lines of a document.
 pub(super) fn split<'text>(lines: impl Iterator<Item = &'text str>) -> Vec<TextSection> {
@@ -182,7 +183,8 @@ fn resolved(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ledger::split::{Form, TextItem, extract};
+    use crate::ledger::collector::TextItem;
+    use crate::ledger::split::{Form, extract};
 
     fn items(text: &str) -> Vec<(Kind, String)> {
         extract(text, Form::Asciidoc)

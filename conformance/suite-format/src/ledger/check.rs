@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use super::collector::{TextItem, TextSection};
 use super::digest::{digest, file_digest};
-use super::split::{TextItem, TextSection, extract};
+use super::split::extract;
 use super::{Item, Ledger, Section};
 
 /// One place at which a document is not what its ledger says.

@@ -2,7 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
-use super::split::Kind;
+use super::kind::Kind;
 
 /// How many bytes of the hash a digest keeps; twice as many hexadecimal digits.
 const DIGEST_BYTES: usize = 4;

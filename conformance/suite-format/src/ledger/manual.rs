@@ -1,7 +1,8 @@
 //! Splits a printed manual with numbered headings, in the XML that `pdftohtml -xml -i -stdout` writes.
 
+use super::collector::{Collector, TextSection};
+use super::kind::Kind;
 use super::printed_page::{Face, Line, lines};
-use super::split::{Collector, Kind, TextSection};
 
 /// Lines of one paragraph follow each other at most this far. Pixels.
 const LINE_PITCH: i32 = 21;
@@ -262,7 +263,7 @@ mod tests {
     use std::fmt::Write;
 
     use super::*;
-    use crate::ledger::split::TextItem;
+    use crate::ledger::collector::TextItem;
 
     /// Pages of lines: how far down each begins, from the left, its font and its text.
     fn pages(pages: &[&[(i32, i32, char, &str)]]) -> Vec<(Kind, String)> {

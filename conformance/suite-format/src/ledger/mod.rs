@@ -8,7 +8,9 @@
 mod asciidoc;
 mod carriers;
 mod check;
+mod collector;
 mod digest;
+mod kind;
 mod manual;
 mod printed_page;
 mod split;
@@ -24,8 +26,10 @@ use serde::{Deserialize, Serialize};
 
 pub use carriers::absent;
 pub use check::{Mismatch, check};
+pub use collector::{TextItem, TextSection};
 pub use digest::{digest, file_digest, words};
-pub use split::{Form, Kind, TextItem, TextSection, extract};
+pub use kind::Kind;
+pub use split::{Form, extract};
 
 /// The issues that carry what this suite does not carry yet; an item's `later` names one.
 pub const LATER_ISSUES: [&str; 2] =

@@ -1,7 +1,8 @@
 //! Splits the text of a web page: a paragraph per line, `-` on a line of its own before a list
 //! item, `|` between the cells of a table.
 
-use super::split::{Collector, Kind, TextSection};
+use super::collector::{Collector, TextSection};
+use super::kind::Kind;
 
 /// Splits a page. What stands before the first heading is left out.
 pub(super) fn split(text: &str) -> Vec<TextSection> {

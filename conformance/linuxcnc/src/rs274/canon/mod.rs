@@ -6,6 +6,7 @@
 mod effects;
 mod settings;
 mod spindles;
+mod table;
 mod tool_table;
 
 use std::f64::consts::TAU;
@@ -42,7 +43,7 @@ pub(super) struct Canon {
     /// Tool in the spindle.
     pub(super) tool: i32,
     lengths: Lengths,
-    table: tool_table::Table,
+    table: table::Table,
     events: Vec<Event>,
     /// Speed of the next move under inverse time, which the calls show in place of F.
     speed: Option<f64>,
@@ -65,7 +66,7 @@ impl Canon {
             position: Position::default(),
             tool: 0,
             lengths: Lengths::default(),
-            table: tool_table::Table::new(machine),
+            table: table::Table::new(machine),
             events: Vec::new(),
             speed: None,
             block: String::new(),

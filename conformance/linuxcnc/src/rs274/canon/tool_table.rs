@@ -3,32 +3,12 @@
 //! The call shows all of an entry but the diameter, and lengths in the unit of the machine: the diameter is the one
 //! that the table had, or twice the R of the block.
 
-use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, Machine, Position, Tool};
+use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, Position};
 
 use super::{Call, Canon, Done, Mark, whole};
 
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
-
-/// The tools as the calls have left them, and the unit of their lengths.
-#[derive(Clone, Debug)]
-pub(super) struct Table {
-    /// In the order of the table.
-    tools: Vec<Tool>,
-    unit: LengthUnit,
-}
-
-impl Table {
-    pub(super) fn new(machine: &Machine) -> Self {
-        Self { tools: machine.tools.clone(), unit: machine.length_unit }
-    }
-
-    /// The number of the tool at a place of the table.
-    pub(super) fn number_at(&self, place: usize) -> Option<i32> {
-        let tool = self.tools.get(place)?;
-        Some(i32::try_from(tool.number).unwrap_or(i32::MAX))
-    }
-}
 
 impl Canon {
     /// An entry of the tool table was written. Place 0 is the spindle's copy of it.

@@ -7,7 +7,6 @@
 
 mod server;
 
-use std::ffi::OsString;
 use std::io;
 use std::path::Path;
 use std::process::ExitStatus;
@@ -17,9 +16,10 @@ use std::time::Instant;
 use gaugeblock_adapter::clock::now;
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::process::{Process, Run, Started};
+use super::started::Started;
 use super::streams::Streams;
 use crate::probing::workspace::Workspace;
+pub(super) use server::Start;
 use server::{Answer, PATIENCE, Server};
 
 /// The library, as the build script made it; nothing where it could not.
@@ -30,15 +30,6 @@ const NAME: &str = "fork-server.so";
 
 /// How many servers are kept at rest. They differ in what the controller was started with.
 const AT_REST: usize = 12;
-
-/// All that a controller reads before it forks.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Start {
-    /// Arguments.
-    pub(super) arguments: Vec<OsString>,
-    /// The text of the tool table.
-    pub(super) tools: String,
-}
 
 /// Controllers that have started.
 #[derive(Debug)]
@@ -70,7 +61,7 @@ impl Servers {
         program: Started<'_>,
         start: &Start,
         directory: &Path,
-    ) -> Option<Run<'_>> {
+    ) -> Option<(Fork<'_>, Streams)> {
         if lock(&self.failed).iter().any(|(failed, _)| failed == start) {
             return None;
         }
@@ -79,7 +70,7 @@ impl Servers {
         rested.or_else(|| {
             let fresh = self.start(program, start);
             match fresh.and_then(|server| self.fork(server, start, directory)) {
-                Ok(run) => Some(run),
+                Ok(forked) => Some(forked),
                 Err(error) => {
                     lock(&self.failed).push((start.clone(), why(&error)));
                     None
@@ -102,11 +93,16 @@ impl Servers {
         }
     }
 
-    fn fork(&self, mut server: Server, start: &Start, directory: &Path) -> io::Result<Run<'_>> {
+    fn fork(
+        &self,
+        mut server: Server,
+        start: &Start,
+        directory: &Path,
+    ) -> io::Result<(Fork<'_>, Streams)> {
         let (streams, ends) = Streams::new()?;
         let group = server.fork(directory, &ends)?;
         let fork = Fork { servers: self, start: start.clone(), server, group, status: None };
-        Ok(Run { process: Process::Forked(fork), streams })
+        Ok((fork, streams))
     }
 
     /// Takes a server that has started so.

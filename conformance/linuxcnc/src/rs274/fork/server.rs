@@ -1,5 +1,6 @@
 //! A controller that has started, and forks on request.
 
+use std::ffi::OsString;
 use std::io::{self, IoSlice, Read, Write};
 use std::mem::MaybeUninit;
 use std::os::fd::{AsFd, OwnedFd};
@@ -13,10 +14,18 @@ use std::time::Duration;
 use rustix::net::{SendAncillaryBuffer, SendAncillaryMessage, SendFlags, sendmsg};
 use rustix::process::Pid;
 
-use super::Start;
 use crate::probing::workspace::{TOOLS, Workspace};
-use crate::rs274::process::Started;
+use crate::rs274::started::Started;
 use crate::rs274::streams::Ends;
+
+/// All that a controller reads before it forks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::rs274) struct Start {
+    /// Arguments.
+    pub(in crate::rs274) arguments: Vec<OsString>,
+    /// The text of the tool table.
+    pub(in crate::rs274) tools: String,
+}
 
 /// How long the server may take to start, or to answer where the answer depends on nothing but itself.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);

@@ -1,6 +1,7 @@
 //! Against the real binary. Where it is not installed these tests say so and pass.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsString;
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
 use std::thread;
@@ -15,8 +16,9 @@ use sha2::{Digest as _, Sha256};
 use super::*;
 use crate::probing::instrument::{Ends, Plan};
 use crate::probing::source::Source;
-use crate::rs274::process::{Limits, Output, Stop};
+use crate::rs274::process::{Limits, Output, Process, Run};
 use crate::rs274::session::{From, MANUAL_INPUT, Session, Unprobed};
+use crate::rs274::streams::Stop;
 use crate::rs274::{LIMITS, Rs274};
 
 /// Every so many cases of the suite one is run both ways.
@@ -51,8 +53,7 @@ fn begin<'a>(controller: &'a Rs274, folder: &Workspace, program: &str) -> Fork<'
     folder.write("main.ngc", program).unwrap();
     folder.write("tools.tbl", "\n").unwrap();
     let run = controller.servers.run(controller.program(), &start(), folder.path());
-    let Process::Forked(fork) = run.expect("it can be forked").process else { panic!("a start") };
-    fork
+    run.expect("it can be forked").0
 }
 
 /// Runs a program on a fork.
@@ -61,7 +62,8 @@ fn run(controller: &Rs274, program: &str) -> Result<Output, HarnessError> {
     folder.write("main.ngc", program)?;
     folder.write("tools.tbl", "\n")?;
     let run = controller.servers.run(controller.program(), &start(), folder.path());
-    run.expect("it can be forked").watch("", SHORT)
+    let (fork, streams) = run.expect("it can be forked");
+    Run { process: Process::Forked(fork), streams }.watch("", SHORT)
 }
 
 /// Waits until nothing runs in a process group. A zombie does not run: whether anybody waits for one depends on the

@@ -4,30 +4,11 @@
 //! program's end among it.
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_vocabulary::BlockLocation;
 use serde_json::Value;
 
+use super::entering::{Entering, block};
 use super::{Assembly, is_end};
 use crate::probing::probe::Probe;
-
-/// The file that blocks entered besides a program are recorded in.
-const FILE: &str = "mdi";
-
-/// Where the driver is with a block.
-#[derive(Clone, Debug)]
-pub(super) enum Entering {
-    /// The next probe shows what is in force before it.
-    Before { line: u32, text: String },
-    /// The block itself comes.
-    Block { line: u32, text: String },
-    /// The next probe shows what is in force after it.
-    After { line: u32, text: String },
-}
-
-/// The block of this number among those that are entered.
-pub(super) fn block(line: u32) -> BlockLocation {
-    BlockLocation::new(FILE, line)
-}
 
 impl Assembly<'_> {
     /// The driver's word on a block that is entered.

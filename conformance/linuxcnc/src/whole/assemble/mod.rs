@@ -5,6 +5,7 @@
 //! whose mark never came was read, and not executed.
 
 mod ending;
+mod entering;
 mod entries;
 
 use std::collections::{BTreeMap, VecDeque};
@@ -17,7 +18,7 @@ use gaugeblock_vocabulary::{
 };
 use serde_json::Value;
 
-use entries::Entering;
+use entering::Entering;
 
 use super::canon::Canon;
 use super::stream::{Issued, Item};
@@ -335,7 +336,7 @@ impl<'a> Assembly<'a> {
         let stderr = format!("{message}\n{}\n", echo.unwrap_or_default());
         let mut fault = refusal::fault(&stderr, self.source, self.plan, next)?;
         if let Some(Entering::Block { line, .. }) = &self.entering {
-            fault.block = Some(entries::block(*line));
+            fault.block = Some(entering::block(*line));
         }
         self.refused = Some(fault);
         Ok(())
