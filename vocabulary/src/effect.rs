@@ -1,12 +1,16 @@
 //! Effects: what a program does to the world, in order.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize};
+use alloc::string::String;
+use alloc::vec::Vec;
 
-use crate::field::{Argument, Value, words};
+#[cfg(feature = "text")]
+use crate::error::TextError;
+use crate::field::{Argument, Value};
 use crate::modes::ControllerMode;
 use crate::position::Position;
-use crate::text::{Arguments, TextError};
+#[cfg(feature = "text")]
+use crate::text::line::Arguments;
+use crate::words::words;
 
 words! {
     /// Where a message is shown.
@@ -78,20 +82,26 @@ words! {
 macro_rules! effects {
     ($($(#[$about:meta])* $name:literal $variant:ident { $($(#[$what:meta])* $field:ident: $type:ty,)* })*) => {
         /// Something that a program does, with program coordinates in the active length unit.
-        #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-        #[serde(tag = "effect", deny_unknown_fields)]
+        #[derive(Clone, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "effect", deny_unknown_fields))]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         pub enum Effect {
-            $($(#[$about])* #[serde(rename = $name)] $variant { $($(#[$what])* $field: $type,)* },)*
+            $(
+                $(#[$about])*
+                #[cfg_attr(feature = "serde", serde(rename = $name))]
+                $variant { $($(#[$what])* $field: $type,)* },
+            )*
         }
 
-        impl<'de> Deserialize<'de> for Effect {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                #[derive(Deserialize)]
-                #[serde(deny_unknown_fields)]
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for Effect {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                #[derive(serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
                 enum Wire {
                     $(#[serde(rename = $name)] $variant { $($field: $type,)* },)*
                 }
-                Ok(match crate::tagged::read(deserializer, "effect")? {
+                Ok(match crate::json::tagged::read(deserializer, "effect")? {
                     $(Wire::$variant { $($field),* } => Self::$variant { $($field),* },)*
                 })
             }
@@ -113,7 +123,7 @@ macro_rules! effects {
                 match self {
                     $(Self::$variant { $($field),* } => {
                         let arguments: Vec<(&'static str, Option<Value>)> =
-                            vec![$((stringify!($field), Argument::written($field))),*];
+                            alloc::vec![$((stringify!($field), Argument::written($field))),*];
                         arguments.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
                     })*
                 }
@@ -123,10 +133,11 @@ macro_rules! effects {
             ///
             /// # Errors
             /// No such effect, or an argument is missing, unreadable or unknown.
+            #[cfg(feature = "text")]
             pub fn read(name: &str, mut arguments: Arguments) -> Result<Self, TextError> {
                 let effect = match name {
                     $($name => Self::$variant { $($field: arguments.take(stringify!($field))?),* },)*
-                    _ => return Err(TextError::new(format!("there is no effect named {name}"))),
+                    _ => return Err(TextError::new(alloc::format!("there is no effect named {name}"))),
                 };
                 arguments.finish()?;
                 Ok(effect)

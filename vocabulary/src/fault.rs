@@ -1,13 +1,9 @@
 //! Faults: why a controller refuses a block. Kinds are compared; messages are for people.
 
-use std::borrow::Cow;
-use std::fmt;
+use alloc::string::String;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::field::words;
-use crate::scenario::Program;
+use crate::block::{BlockLocation, Span};
+use crate::words::words;
 
 words! {
     /// The kind of a fault.
@@ -133,55 +129,23 @@ words! {
     }
 }
 
-/// A place in a program: a block is one line's worth.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BlockLocation {
-    /// File name; the main program is `main.ngc`.
-    pub file: Cow<'static, str>,
-    /// Line, from 1.
-    pub line: u32,
-}
-
-impl BlockLocation {
-    /// A block by file and line. Most blocks are of the main program, whose name costs no text of its own.
-    pub fn new(file: impl AsRef<str>, line: u32) -> Self {
-        let file = match file.as_ref() {
-            Program::MAIN => Cow::Borrowed(Program::MAIN),
-            other => Cow::Owned(other.to_owned()),
-        };
-        Self { file, line }
-    }
-}
-
-impl fmt::Display for BlockLocation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.file, self.line)
-    }
-}
-
-/// A part of a line, for pointing at it: bytes from `start` up to, not including, `end`, from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Span {
-    /// First byte of the line.
-    pub start: u32,
-    /// One past the last byte.
-    pub end: u32,
-}
-
 /// A block refused.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fault {
     /// Its kind, where the controller tells; compared.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub kind: Option<FaultKind>,
     /// The block, where the controller tells; compared.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub block: Option<BlockLocation>,
     /// The part of the block's text; never compared.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub span: Option<Span>,
     /// For people; never compared.
     pub message: String,

@@ -8,27 +8,43 @@
 //! **Invariant:** this crate interprets nothing. It holds no block parser, no table of codes, no unit conversion and
 //! no arithmetic on positions; reference model and production interpreter share it and nothing else.
 
+#![no_std]
+
+extern crate alloc;
+
+mod block;
 mod effect;
+mod error;
 mod fault;
 mod field;
 mod indexed;
+#[cfg(feature = "serde")]
+mod json;
+mod language;
 mod modes;
 pub mod motion;
 mod outcome;
 mod pin;
 mod position;
 pub mod scenario;
+#[cfg(feature = "schema")]
 pub mod schema;
 mod settings;
 mod shared;
 mod sorted;
-mod tagged;
+#[cfg(feature = "text")]
 pub mod text;
+#[cfg(feature = "toml")]
+mod toml;
+mod words;
 
+pub use block::{BlockLocation, Span};
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
-pub use fault::{BlockLocation, Fault, FaultKind, Span};
-pub use field::{Argument, Entry, Field, Scalar, Value};
+pub use error::TextError;
+pub use fault::{Fault, FaultKind};
+pub use field::{Argument, Entry, Scalar, Value};
 pub use indexed::Indexed;
+pub use language::Language;
 pub use modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
@@ -38,8 +54,8 @@ pub use pin::{Pin, PinChange};
 pub use position::{Axis, Position};
 pub use scenario::{Machine, Options, Program, Scenario, Tool};
 pub use settings::{
-    GppState, Language, MacroValue, NctState, Rs274State, Settings, SpindleLimit, State, Vacancy,
+    GppState, MacroValue, NctState, Rs274State, Settings, SpindleLimit, State, Vacancy,
 };
 pub use shared::Shared;
 pub use sorted::{Entries, Sorted};
-pub use text::TextError;
+pub use words::Word;

@@ -1,6 +1,6 @@
 //! The words for modes: one closed list per modal group, in the field's English, with the code in its doc.
 
-use crate::field::words;
+use crate::words::words;
 
 words! {
     /// Length unit of program coordinates and feeds (group 6).

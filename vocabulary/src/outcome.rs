@@ -1,19 +1,27 @@
 //! Outcome: what can be observed of a run.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize};
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec::Vec;
 
+use crate::block::BlockLocation;
 use crate::effect::Effect;
-use crate::fault::{BlockLocation, Fault};
-use crate::field::words;
+use crate::fault::Fault;
 use crate::indexed::Indexed;
+use crate::language::Language;
 use crate::pin::PinChange;
 use crate::position::Position;
-use crate::settings::{Language, Settings, State};
+use crate::settings::{Settings, State};
+use crate::words::words;
 
 /// What happened within a block, in order.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Event {
     /// Settings that changed here.
     Set(Box<Settings>),
@@ -24,15 +32,20 @@ pub enum Event {
 /// One executed block: what it did and the state after it.
 ///
 /// Settings and state hold what changed since the step before; absent means unchanged.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Step {
     /// The block.
     pub block: BlockLocation,
     /// Settings and effects in order.
     pub events: Vec<Event>,
     /// State after the block; absent for blocks after which none is recorded (O-words, M98, M99).
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub state: Option<State>,
 }
 
@@ -49,8 +62,13 @@ words! {
 }
 
 /// How a run ended.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "end", rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "end", rename_all = "snake_case", deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum End {
     /// M2, M30.
     ProgramEnd,
@@ -85,9 +103,10 @@ pub enum End {
     },
 }
 
-impl<'de> Deserialize<'de> for End {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for End {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
         #[serde(rename_all = "snake_case", deny_unknown_fields)]
         enum Wire {
             ProgramEnd,
@@ -100,7 +119,7 @@ impl<'de> Deserialize<'de> for End {
             Unsupported { block: BlockLocation, what: String },
             Unspecified { block: BlockLocation, why: String },
         }
-        Ok(match crate::tagged::read(deserializer, "end")? {
+        Ok(match crate::json::tagged::read(deserializer, "end")? {
             Wire::ProgramEnd => Self::ProgramEnd,
             Wire::PercentEnd => Self::PercentEnd,
             Wire::Endless => Self::Endless,
@@ -156,8 +175,13 @@ impl End {
 }
 
 /// A sample of the commanded motion, one per servo cycle.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sample {
     /// Virtual time since the start, seconds.
     pub time: f64,
@@ -166,8 +190,13 @@ pub struct Sample {
 }
 
 /// Everything that was observed of one run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Outcome {
     /// The language of the program.
     pub language: Language,
@@ -178,12 +207,12 @@ pub struct Outcome {
     /// How it ended.
     pub end: End,
     /// All numbered parameters that are not zero at the end, where the controller shows them.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub parameters: Option<Indexed<u32, f64>>,
     /// Pins over virtual time.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub pins: Vec<PinChange>,
     /// Commanded motion.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub samples: Vec<Sample>,
 }

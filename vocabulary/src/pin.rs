@@ -1,12 +1,11 @@
 //! Pins: what the electrics of a machine see of a program, and when.
 
-use std::fmt;
-use std::str::FromStr;
+use alloc::format;
+use alloc::string::{String, ToString as _};
+use core::fmt;
+use core::str::FromStr;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
-
-use crate::text::TextError;
+use crate::error::TextError;
 
 macro_rules! pins {
     (
@@ -14,8 +13,12 @@ macro_rules! pins {
         single { $($(#[$about_single:meta])* $single_name:literal $single:ident,)* }
     ) => {
         /// A pin, by the index of its output or spindle where there are several, from 0.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-        #[serde(try_from = "String", into = "String")]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        #[cfg_attr(
+            feature = "serde",
+            derive(serde::Serialize, serde::Deserialize),
+            serde(try_from = "String", into = "String")
+        )]
         pub enum Pin {
             $($(#[$about])* $variant(u16),)*
             $($(#[$about_single])* $single,)*
@@ -135,24 +138,14 @@ impl From<Pin> for String {
     }
 }
 
-impl JsonSchema for Pin {
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Pin".into()
-    }
-
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        let (indexed, single) = (Self::INDEXED_NAMES.join("|"), Self::SINGLE_NAMES.join("|"));
-        json_schema!({
-            "description": "A pin, such as `digital_out[0]` or `coolant_mist`; outputs and spindles are counted from 0.",
-            "type": "string",
-            "pattern": format!("^(({single})|({indexed})\\[(0|[1-9][0-9]{{0,4}})\\])$"),
-        })
-    }
-}
-
 /// A pin of the machine that changed. The value that it has before the run is not recorded.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PinChange {
     /// Virtual time since the start, seconds.
     pub time: f64,

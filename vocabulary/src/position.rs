@@ -1,13 +1,8 @@
 //! Nine coordinates.
 
-use std::collections::BTreeSet;
-use std::fmt;
+use core::fmt;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::field::{Scalar, Value, words};
-use crate::text::TextError;
+use crate::words::words;
 
 words! {
     /// An axis of the machine.
@@ -44,35 +39,40 @@ impl Axis {
 ///
 /// Written as `(x1 y2.5)`; an axis that is not written is at zero.
 /// **Invariant:** this crate performs no arithmetic on positions.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Position {
     /// X.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub x: f64,
     /// Y.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub y: f64,
     /// Z.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub z: f64,
     /// A, degrees.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub a: f64,
     /// B, degrees.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub b: f64,
     /// C, degrees.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub c: f64,
     /// U.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub u: f64,
     /// V.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub v: f64,
     /// W.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub w: f64,
 }
 
@@ -127,37 +127,15 @@ impl From<[f64; 9]> for Position {
 
 impl fmt::Display for Position {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let written: Vec<_> = Axis::ALL
-            .iter()
-            .filter(|axis| !is_zero(&self.get(**axis)))
-            .map(|axis| format!("{axis}{}", self.get(*axis)))
-            .collect();
-        write!(f, "({})", written.join(" "))
-    }
-}
-
-impl Scalar for Position {
-    fn value(&self) -> Value {
-        Value::Position(*self)
-    }
-
-    fn from_text(text: &str) -> Result<Self, TextError> {
-        let wrong =
-            |what: &str| TextError::new(format!("{what} in a position like (x1 y2): {text}"));
-        let inner = text
-            .strip_prefix('(')
-            .and_then(|rest| rest.strip_suffix(')'))
-            .ok_or_else(|| wrong("the parentheses are missing"))?;
-        let mut position = Self::default();
-        let mut axes = BTreeSet::new();
-        for part in inner.split_whitespace() {
-            let letter = part.get(..1).ok_or_else(|| wrong("an axis letter is missing"))?;
-            let axis = Axis::from_text(letter)?;
-            if !axes.insert(axis) {
-                return Err(wrong("an axis stands twice"));
+        f.write_str("(")?;
+        let mut separator = "";
+        for axis in Axis::ALL {
+            let coordinate = self.get(*axis);
+            if !is_zero(&coordinate) {
+                write!(f, "{separator}{axis}{coordinate}")?;
+                separator = " ";
             }
-            *position.get_mut(axis) = f64::from_text(&part[1..])?;
         }
-        Ok(position)
+        f.write_str(")")
     }
 }

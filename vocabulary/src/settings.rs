@@ -1,22 +1,31 @@
 //! What a program sets, and what a controller's state is after a block.
 
-use std::fmt;
+use alloc::borrow::ToOwned as _;
+use alloc::string::String;
+use core::fmt;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize};
-
-use crate::field::{Scalar, Value, record, words};
+#[cfg(feature = "text")]
+use crate::error::TextError;
+use crate::field::{Entry, Scalar, Value, record};
 use crate::indexed::Indexed;
+use crate::language::Language;
 use crate::modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
     Retract, SpindleMode, SpindleTurn, Switch,
 };
 use crate::position::Position;
-use crate::text::TextError;
+#[cfg(feature = "text")]
+use crate::text::value::FromText;
+use crate::words::words;
 
 /// D of G96: the highest speed of the spindle in revolutions per minute, or none.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum SpindleLimit {
     /// No limit was programmed.
     None,
@@ -31,7 +40,10 @@ impl Scalar for SpindleLimit {
             Self::Rpm(limit) => Value::Number(*limit),
         }
     }
+}
 
+#[cfg(feature = "text")]
+impl FromText for SpindleLimit {
     fn from_text(text: &str) -> Result<Self, TextError> {
         match text {
             "none" => Ok(Self::None),
@@ -42,7 +54,10 @@ impl Scalar for SpindleLimit {
 
 impl fmt::Display for SpindleLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.value())
+        match self {
+            Self::None => f.write_str("none"),
+            Self::Rpm(limit) => write!(f, "{limit}"),
+        }
     }
 }
 
@@ -142,8 +157,9 @@ words! {
 }
 
 /// A value of an NCT macro variable: a number, or vacant.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(untagged))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MacroValue {
     /// It holds nothing.
     Vacant(Vacancy),
@@ -158,7 +174,10 @@ impl Scalar for MacroValue {
             Self::Number(number) => Value::Number(*number),
         }
     }
+}
 
+#[cfg(feature = "text")]
+impl FromText for MacroValue {
     fn from_text(text: &str) -> Result<Self, TextError> {
         match text {
             "vacant" => Ok(Self::Vacant(Vacancy::Vacant)),
@@ -200,8 +219,13 @@ record! {
 }
 
 /// State after a block, in the language of the program.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "language", rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "language", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum State {
     /// LinuxCNC's dialect of RS-274.
     Rs274(Rs274State),
@@ -211,32 +235,21 @@ pub enum State {
     Gpp(GppState),
 }
 
-impl<'de> Deserialize<'de> for State {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for State {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(serde::Deserialize)]
         #[serde(rename_all = "snake_case")]
         enum Wire {
             Rs274(Rs274State),
             Nct(NctState),
             Gpp(GppState),
         }
-        Ok(match crate::tagged::read(deserializer, "language")? {
+        Ok(match crate::json::tagged::read(deserializer, "language")? {
             Wire::Rs274(state) => Self::Rs274(state),
             Wire::Nct(state) => Self::Nct(state),
             Wire::Gpp(state) => Self::Gpp(state),
         })
-    }
-}
-
-words! {
-    /// A programming language under test.
-    pub enum Language {
-        /// LinuxCNC's dialect of RS-274.
-        Rs274 = "rs274",
-        /// NCT custom macros.
-        Nct = "nct",
-        /// GPP post-processor variables.
-        Gpp = "gpp",
     }
 }
 
@@ -260,7 +273,7 @@ impl State {
     }
 
     /// Everything that is recorded.
-    pub fn entries(&self) -> Vec<crate::field::Entry> {
+    pub fn entries(&self) -> alloc::vec::Vec<Entry> {
         match self {
             Self::Rs274(state) => state.entries(),
             Self::Nct(state) => state.entries(),
@@ -283,10 +296,11 @@ impl State {
         }
     }
 
-    /// Reads one value by the field's name.
+    /// Reads one value by the field's name, in the form that `Display` of [`Value`] writes.
     ///
     /// # Errors
     /// There is no such field in this language, or its value is unreadable.
+    #[cfg(feature = "text")]
     pub fn read(&mut self, field: &str, index: Option<&str>, text: &str) -> Result<(), TextError> {
         match self {
             Self::Rs274(state) => state.read(field, index, text),

@@ -1,11 +1,8 @@
 //! A value that many hold: to hand it on costs nothing, and who changes it has a copy of its own.
 
-use std::collections::BTreeMap;
-use std::ops::{Deref, DerefMut};
-use std::sync::Arc;
-
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use alloc::collections::BTreeMap;
+use alloc::sync::Arc;
+use core::ops::{Deref, DerefMut};
 
 /// A value that is copied when it is changed, not when it is cloned. In text and JSON it is the value alone.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -56,33 +53,17 @@ where
     }
 }
 
-impl<T: Serialize> Serialize for Shared<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+#[cfg(feature = "serde")]
+impl<T: serde::Serialize> serde::Serialize for Shared<T> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.0.serialize(serializer)
     }
 }
 
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Shared<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+#[cfg(feature = "serde")]
+impl<'de, T: serde::Deserialize<'de>> serde::Deserialize<'de> for Shared<T> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         T::deserialize(deserializer).map(Self::from)
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Shared<T> {
-    fn inline_schema() -> bool {
-        T::inline_schema()
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        T::schema_name()
-    }
-
-    fn schema_id() -> std::borrow::Cow<'static, str> {
-        T::schema_id()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        T::json_schema(generator)
     }
 }
 
@@ -94,7 +75,7 @@ mod tests {
     fn who_changes_it_has_a_copy_of_its_own() {
         let one: Shared<BTreeMap<u32, u32>> = [(1, 2)].into();
         let mut other = one.clone();
-        assert!(std::ptr::eq(&*one, &*other));
+        assert!(core::ptr::eq(&*one, &*other));
         other.insert(1, 3);
         assert_eq!((one.get(&1), other.get(&1)), (Some(&2), Some(&3)));
     }

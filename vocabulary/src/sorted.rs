@@ -1,7 +1,8 @@
 //! Values by key in one piece of memory: what a record holds are a few, and records come by the thousand.
 
-use std::collections::BTreeMap;
-use std::fmt;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+use core::fmt;
 
 /// Values by key, in the order of keys; a map for few values, or for keys that come in order.
 #[derive(Clone, PartialEq, Eq)]
@@ -9,7 +10,7 @@ pub struct Sorted<K, V>(Vec<(K, V)>);
 
 /// The entries of a [`Sorted`], in the order of keys.
 pub type Entries<'a, K, V> =
-    std::iter::Map<std::slice::Iter<'a, (K, V)>, fn(&'a (K, V)) -> (&'a K, &'a V)>;
+    core::iter::Map<core::slice::Iter<'a, (K, V)>, fn(&'a (K, V)) -> (&'a K, &'a V)>;
 
 impl<K: Ord, V> Sorted<K, V> {
     /// The value of a key.
@@ -26,7 +27,7 @@ impl<K: Ord, V> Sorted<K, V> {
     /// Gives a key a value; the one that it had.
     pub fn insert(&mut self, key: K, value: V) -> Option<V> {
         match self.place(&key) {
-            Ok(place) => Some(std::mem::replace(&mut self.0[place].1, value)),
+            Ok(place) => Some(core::mem::replace(&mut self.0[place].1, value)),
             Err(place) => {
                 self.0.insert(place, (key, value));
                 None
@@ -125,7 +126,7 @@ impl<K: Ord, V> FromIterator<(K, V)> for Sorted<K, V> {
             all.dedup_by(|later, earlier| {
                 let same = later.0 == earlier.0;
                 if same {
-                    std::mem::swap(later, earlier);
+                    core::mem::swap(later, earlier);
                 }
                 same
             });
@@ -148,7 +149,7 @@ impl<K: Ord, V> From<BTreeMap<K, V>> for Sorted<K, V> {
 
 impl<K, V> IntoIterator for Sorted<K, V> {
     type Item = (K, V);
-    type IntoIter = std::vec::IntoIter<(K, V)>;
+    type IntoIter = alloc::vec::IntoIter<(K, V)>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.0.into_iter()
@@ -166,6 +167,8 @@ impl<'a, K, V> IntoIterator for &'a Sorted<K, V> {
 
 #[cfg(test)]
 mod tests {
+    use alloc::format;
+
     use super::*;
 
     #[test]

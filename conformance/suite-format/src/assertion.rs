@@ -4,8 +4,9 @@ use std::fmt;
 use std::str::FromStr;
 
 use gaugeblock_vocabulary::{
-    Effect, End, FaultKind, GppState, Language, NctState, Pin, Rs274State, Scalar, Settings, State,
-    TextError, text::Arguments,
+    Effect, End, FaultKind, GppState, Language, NctState, Pin, Rs274State, Settings, State,
+    TextError,
+    text::{Arguments, FromText},
 };
 
 /// A block of a program, and perhaps one of its executions.

@@ -5,6 +5,10 @@
 //! and column a value, f64; a check, u64: FNV-1a with 64 bits over all bytes before it.
 
 use super::samples::{Column, Samples, SamplesError};
+use alloc::format;
+use alloc::string::{String, ToString as _};
+use alloc::vec;
+use alloc::vec::Vec;
 
 const MAGIC: &[u8; 8] = b"GBSAMPLE";
 const VERSION: u16 = 0;
@@ -111,7 +115,7 @@ impl Reader<'_> {
         let end = self.place + usize::from(length);
         let name =
             self.bytes.get(self.place..end).ok_or_else(|| self.wrong("the file ends here"))?;
-        let column = std::str::from_utf8(name).ok().and_then(Column::from_name);
+        let column = core::str::from_utf8(name).ok().and_then(Column::from_name);
         let column = column.ok_or_else(|| self.wrong("this names no column"))?;
         self.place = end;
         Ok(column)

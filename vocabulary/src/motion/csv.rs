@@ -10,7 +10,10 @@
 //! The first line says form, version, seconds between samples, and how far a written position may be from the
 //! commanded one. The second names the columns. Numbers are written so that they come back bit by bit.
 
-use std::fmt::Write as _;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt::Write as _;
 
 use super::samples::{Column, Samples, SamplesError, can_be};
 
@@ -21,7 +24,7 @@ impl Samples {
     /// The table.
     pub fn to_csv(&self) -> String {
         let mut text = format!("{HEAD}period={} resolution={}\n", self.period(), self.resolution());
-        let names: Vec<_> = self.columns().iter().map(Column::to_string).collect();
+        let names: Vec<_> = self.columns().iter().map(ToString::to_string).collect();
         text.push_str(&names.join(","));
         text.push('\n');
         for row in self.rows() {

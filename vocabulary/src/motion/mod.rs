@@ -8,6 +8,7 @@
 //! **Invariant:** data and its forms only. Nothing here knows where an arc goes or how long a line is.
 
 mod binary;
+#[cfg(feature = "text")]
 mod csv;
 mod limits;
 mod path;

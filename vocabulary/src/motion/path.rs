@@ -1,16 +1,20 @@
 //! The path that a program asks for.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use alloc::string::String;
+use alloc::vec::Vec;
 
-use crate::fault::BlockLocation;
+use crate::block::BlockLocation;
 use crate::pin::Pin;
 use crate::position::Position;
-use crate::text::TextError;
 
 /// How fast an element is to be passed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Feed {
     /// As fast as the axes can: G0.
     Rapid,
@@ -28,8 +32,13 @@ pub enum Feed {
 }
 
 /// What an element promises of the path (G61, G61.1, G64).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum PathMode {
     /// G61.1: the path itself, and rest at the end of the element.
     ExactStop,
@@ -47,8 +56,13 @@ pub enum PathMode {
 }
 
 /// Which controls act on an element (M48 to M53).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Controls {
     /// M50: feed and rapid override.
     pub feed_override: bool,
@@ -66,8 +80,13 @@ impl Default for Controls {
 }
 
 /// An output and its new value, 0 or 1 for a digital one.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Switching {
     /// Which output.
     pub pin: Pin,
@@ -76,8 +95,13 @@ pub struct Switching {
 }
 
 /// What an element is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case", deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Shape {
     /// A straight line; all nine axes move evenly.
     Straight {
@@ -123,8 +147,13 @@ pub enum Shape {
 }
 
 /// One element of a path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Element {
     /// The block that asks for it.
     pub block: BlockLocation,
@@ -135,10 +164,10 @@ pub struct Element {
     /// What it promises of the path.
     pub mode: PathMode,
     /// Which controls act on it.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub controls: Controls,
     /// Outputs that switch where it starts (M62, M63, M67), one setting for each.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub switches: Vec<Switching>,
 }
 
@@ -154,32 +183,19 @@ impl Element {
 }
 
 /// What a program asks of the axes, in order, from rest to rest.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProgrammedPath {
     /// Where the machine stands before.
     pub start: Position,
     /// What it does.
     pub elements: Vec<Element>,
     /// Outputs for which no motion came: they never switch.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub never: Vec<Switching>,
-}
-
-impl ProgrammedPath {
-    /// The text form, which is TOML.
-    ///
-    /// # Errors
-    /// A value that TOML cannot hold.
-    pub fn to_text(&self) -> Result<String, TextError> {
-        toml::to_string_pretty(self).map_err(|error| TextError::new(error.to_string()))
-    }
-
-    /// Reads the text form.
-    ///
-    /// # Errors
-    /// Not TOML, an unknown key, a value of the wrong kind, or a number that is not finite, with its line.
-    pub fn from_text(text: &str) -> Result<Self, TextError> {
-        crate::text::from_toml(text)
-    }
 }

@@ -1,8 +1,11 @@
 //! Servo samples: a table of numbers, a row per sample.
 
-use std::fmt;
+use alloc::borrow::ToOwned as _;
+use alloc::format;
+use alloc::string::{String, ToString as _};
+use alloc::vec::Vec;
+use core::fmt;
 
-use crate::field::Scalar;
 use crate::pin::Pin;
 use crate::position::{Axis, Position};
 
@@ -45,7 +48,7 @@ impl Column {
             "queued" => return Some(Self::Queued),
             _ => (),
         }
-        if let Ok(axis) = Axis::from_text(name) {
+        if let Some(axis) = Axis::from_word(name) {
             return Some(Self::Position(axis));
         }
         let spindle = name.strip_prefix("spindle_turns[").and_then(|rest| rest.strip_suffix(']'));
@@ -83,7 +86,7 @@ impl fmt::Display for SamplesError {
     }
 }
 
-impl std::error::Error for SamplesError {}
+impl core::error::Error for SamplesError {}
 
 /// Refuses a period that is not above zero, and a resolution below it.
 pub(super) fn can_be(period: f64, resolution: f64) -> Result<(), SamplesError> {
@@ -143,7 +146,7 @@ impl Samples {
             if !value.is_finite() {
                 return wrong(format!("{column} is {value}"));
             }
-            if column.counts() && (*value < 0.0 || value.fract() != 0.0) {
+            if column.counts() && (*value < 0.0 || *value % 1.0 != 0.0) {
                 return wrong(format!("{column} is {value}, which is no count"));
             }
         }

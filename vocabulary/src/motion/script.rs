@@ -1,13 +1,15 @@
 //! What an operator and the inputs of a machine do while it moves.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::text::TextError;
+use alloc::vec::Vec;
 
 /// What happens at a servo cycle. It counts for that cycle's sample and those after it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MotionAction {
     /// The feed override; 1 is 100 %.
     FeedOverride(f64),
@@ -31,8 +33,13 @@ pub enum MotionAction {
 }
 
 /// An action and its servo cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MotionEvent {
     /// The servo cycle, from 0 for the first sample.
     pub cycle: u32,
@@ -42,47 +49,14 @@ pub struct MotionEvent {
 
 /// Actions in the order of their cycles. Before the first one overrides are at 1, nothing is held and no spindle's
 /// speed is known.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MotionScript {
     /// What happens.
     pub events: Vec<MotionEvent>,
-}
-
-impl MotionScript {
-    /// The text form, which is TOML.
-    ///
-    /// # Errors
-    /// A value that TOML cannot hold.
-    pub fn to_text(&self) -> Result<String, TextError> {
-        toml::to_string_pretty(self).map_err(|error| TextError::new(error.to_string()))
-    }
-
-    /// Reads the text form.
-    ///
-    /// # Errors
-    /// Not TOML, an unknown key, a value of the wrong kind, a number that is not finite, events out of order, or an
-    /// override below zero.
-    pub fn from_text(text: &str) -> Result<Self, TextError> {
-        let script: Self = crate::text::from_toml(text)?;
-        let places = script.events.windows(2).enumerate();
-        for (place, pair) in places {
-            if pair[1].cycle < pair[0].cycle {
-                let message = format!("event {} comes before the one above it", place + 2);
-                return Err(TextError::new(message));
-            }
-        }
-        for (place, event) in script.events.iter().enumerate() {
-            let (MotionAction::FeedOverride(factor) | MotionAction::RapidOverride(factor)) =
-                event.action
-            else {
-                continue;
-            };
-            if factor < 0.0 {
-                let message = format!("event {}: an override of {factor}, below zero", place + 1);
-                return Err(TextError::new(message));
-            }
-        }
-        Ok(script)
-    }
 }

@@ -1,19 +1,23 @@
 //! The environment: how the outside answers.
 
-use std::collections::BTreeMap;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 use crate::position::Position;
 
 /// How the outside of a controller answers.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Environment {
     /// A named environment. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole
     /// controller` answers as said below, and stands where an edition would else name its own.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
     /// Digital outputs wired to digital inputs, output number to input number; what comes in there is what goes out.
     pub wires: BTreeMap<String, u16>,
@@ -23,7 +27,7 @@ pub struct Environment {
     /// What an encoder answers to an orientation, by spindle from 0; a spindle not listed answers at once.
     pub orient: Vec<OrientAnswer>,
     /// Where the probe touches.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub probe: Option<ProbeContact>,
     /// Seconds that a tool change takes.
     pub tool_change_time: f64,
@@ -34,8 +38,13 @@ pub struct Environment {
 }
 
 /// An input that changes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InputChange {
     /// Virtual time, seconds.
     pub time: f64,
@@ -46,8 +55,13 @@ pub struct InputChange {
 }
 
 /// What an encoder answers to an orientation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum OrientAnswer {
     /// It stands at its angle after so many seconds.
     After(f64),
@@ -58,8 +72,13 @@ pub enum OrientAnswer {
 }
 
 /// Where the probe touches.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ProbeContact {
     /// At the end of every probing move.
     AtTarget,
@@ -70,10 +89,13 @@ pub enum ProbeContact {
 }
 
 /// Where a file is that may be the program of a user-defined M code.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
 )]
-#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Folder {
     /// The folder of programs, `PROGRAM_PREFIX`.
     #[default]
@@ -85,8 +107,13 @@ pub enum Folder {
 }
 
 /// A file that may be the program of a user-defined M code, as data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UserProgram {
     /// File name, such as `M101`.
     pub file: String,

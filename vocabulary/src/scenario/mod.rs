@@ -4,23 +4,26 @@ mod environment;
 mod machine;
 mod operator;
 
-use std::collections::BTreeMap;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 pub use environment::{Environment, Folder, InputChange, OrientAnswer, ProbeContact, UserProgram};
 pub use machine::{AxisLimits, Machine, Tool, ToolChange};
 pub use operator::{Action, OperatorEvent, When};
 
-use crate::fault::BlockLocation;
-use crate::settings::Language;
+use crate::block::{BlockLocation, MAIN_FILE};
+use crate::language::Language;
 use crate::shared::Shared;
-use crate::text::TextError;
 
 /// All that a run depends on.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Scenario {
     /// What is run.
     pub program: Program,
@@ -41,27 +44,16 @@ impl Scenario {
     pub fn of(program: impl Into<String>) -> Self {
         Self { program: Program { main: program.into(), ..Program::default() }, ..Self::default() }
     }
-
-    /// The text form, which is TOML.
-    ///
-    /// # Errors
-    /// A value that TOML cannot hold.
-    pub fn to_text(&self) -> Result<String, TextError> {
-        toml::to_string_pretty(self).map_err(|error| TextError::new(error.to_string()))
-    }
-
-    /// Reads the text form.
-    ///
-    /// # Errors
-    /// Not TOML, an unknown key, a value of the wrong kind, or a number that is not finite, with its line.
-    pub fn from_text(text: &str) -> Result<Self, TextError> {
-        crate::text::from_toml(text)
-    }
 }
 
 /// What starts a run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Start {
     /// The file is run as a program.
     #[default]
@@ -71,8 +63,13 @@ pub enum Start {
 }
 
 /// What is run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Program {
     /// Language of the program.
     pub language: Language,
@@ -89,33 +86,13 @@ pub struct Program {
 
 impl Program {
     /// File name of the main program.
-    pub const MAIN: &'static str = "main.ngc";
+    pub const MAIN: &'static str = MAIN_FILE;
 
     /// The line at which a block stands, without its end; none where the program has no such file or line.
     pub fn line(&self, block: &BlockLocation) -> Option<&str> {
         let text =
             if block.file == Self::MAIN { &self.main } else { self.files.get(&*block.file)? };
         self.language.lines(text).nth(usize::try_from(block.line).ok()?.checked_sub(1)?)
-    }
-}
-
-impl Language {
-    /// The lines of a program's text, as blocks are numbered, without their ends: a line feed, a carriage return
-    /// before it too, and in RS-274 also a carriage return alone.
-    pub fn lines(self, text: &str) -> impl Iterator<Item = &str> {
-        let ends: &[char] = match self {
-            Self::Rs274 => &['\r', '\n'],
-            Self::Gpp | Self::Nct => &['\n'],
-        };
-        let mut rest = text;
-        std::iter::from_fn(move || {
-            if rest.is_empty() {
-                return None;
-            }
-            let (line, end) = rest.split_at(rest.find(ends).unwrap_or(rest.len()));
-            rest = end.strip_prefix("\r\n").or_else(|| end.get(1..)).unwrap_or_default();
-            Some(line.strip_suffix('\r').unwrap_or(line))
-        })
     }
 }
 
@@ -135,8 +112,9 @@ impl Default for Program {
 ///
 /// What is not listed has its default. This crate knows none of them: the register is data of the suite, and each
 /// interpreter says which ones it reads. Many scenarios share them.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(transparent)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Options(pub Shared<BTreeMap<String, String>>);
 
 impl Options {
@@ -152,8 +130,13 @@ impl Options {
 }
 
 /// When to stop a run that does not end.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Budget {
     /// Executed blocks. A loop that is tested at its head executes it each time; one that is not goes on behind it.
     pub steps: u32,
@@ -171,15 +154,9 @@ impl Default for Budget {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use alloc::borrow::ToOwned as _;
 
-    #[test]
-    fn lines_end_as_those_of_their_language() {
-        let lines = |language: Language| language.lines("a\rb\r\n\nc\r").collect::<Vec<_>>();
-        assert_eq!(lines(Language::Rs274), ["a", "b", "", "c"]);
-        assert_eq!(lines(Language::Nct), ["a\rb", "", "c"]);
-        assert_eq!(Language::Rs274.lines("").next(), None);
-    }
+    use super::*;
 
     #[test]
     fn the_line_of_a_block_stands_in_its_file() {

@@ -26,15 +26,19 @@
 //! by an abort. Other blocks by hand end nothing. A program whose lines are entered by hand ends as its last line
 //! does, paused if that ends nothing.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use alloc::string::String;
 
-use crate::fault::BlockLocation;
+use crate::block::BlockLocation;
 use crate::modes::ControllerMode;
 
 /// An action of the operator at a point of the run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OperatorEvent {
     /// When.
     pub when: When,
@@ -45,26 +49,37 @@ pub struct OperatorEvent {
 /// A point of the run: an execution of a block, plus an offset on the interpreter's clock, which only dwells, waits and
 /// pauses move, and the idle controller. At an offset of zero it comes before the block does anything. In the dynamics
 /// layer the clock is the servo cycle.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct When {
     /// The block.
     pub block: BlockLocation,
     /// Its k-th execution, from 1.
-    #[serde(default = "first")]
+    #[cfg_attr(feature = "serde", serde(default = "first"))]
     pub execution: u32,
     /// Seconds after that execution began.
-    #[serde(default)]
+    #[cfg_attr(feature = "serde", serde(default))]
     pub offset: f64,
 }
 
+#[cfg(feature = "serde")]
 fn first() -> u32 {
     1
 }
 
 /// What the operator does.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Action {
     /// Start the program, or start it again.
     CycleStart,

@@ -1,29 +1,13 @@
 //! One line of the text form: words and `name=value` pairs.
 
-use std::collections::BTreeSet;
+use alloc::borrow::ToOwned as _;
+use alloc::collections::BTreeSet;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
-use super::TextError;
-use crate::field::Argument;
-
-/// A text in double quotes, with the escapes of JSON.
-pub(crate) fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
-}
-
-/// An index as it stands between brackets: plain where it can be, else quoted.
-pub(crate) fn index_text(index: &str) -> String {
-    plain_or_quoted(index, |c| matches!(c, '(' | ')'))
-}
-
-/// The name of a file: plain where it can be, else quoted.
-pub(super) fn name_text(name: &str) -> String {
-    plain_or_quoted(name, |c| matches!(c, '[' | ']' | '/'))
-}
-
-fn plain_or_quoted(text: &str, besides: impl Fn(char) -> bool) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-') || besides(c);
-    if !text.is_empty() && text.chars().all(plain) { text.to_owned() } else { quoted(text) }
-}
+use super::value::{FromText as _, ReadArgument};
+use crate::error::TextError;
 
 /// The arguments of a line: `name=value` pairs that have not been taken yet.
 #[derive(Clone, Debug, Default)]
@@ -72,7 +56,7 @@ impl Arguments {
     ///
     /// # Errors
     /// It is missing though required, or unreadable.
-    pub fn take<T: Argument>(&mut self, name: &str) -> Result<T, TextError> {
+    pub fn take<T: ReadArgument>(&mut self, name: &str) -> Result<T, TextError> {
         let found = self.pairs.iter().position(|(pair, index, _)| pair == name && index.is_none());
         let text = found.map(|place| self.pairs.remove(place).2);
         T::read(text.as_deref())
@@ -103,7 +87,7 @@ fn no_pair(rest: &str) -> TextError {
 }
 
 fn unquoted(text: &str) -> Result<String, TextError> {
-    if text.starts_with('"') { crate::field::Scalar::from_text(text) } else { Ok(text.to_owned()) }
+    if text.starts_with('"') { String::from_text(text) } else { Ok(text.to_owned()) }
 }
 
 /// A name at the beginning of a line, quoted or up to where `end` finds its end, and what follows it.

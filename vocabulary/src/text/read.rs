@@ -1,16 +1,32 @@
 //! Reading the text form.
 
-use super::line::name_and_rest;
-use super::{Arguments, TextError};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::line::{Arguments, name_and_rest};
+use super::value::{FromText as _, ReadField as _};
+use crate::block::{BlockLocation, Span};
 use crate::effect::Effect;
-use crate::fault::{BlockLocation, Fault, Span};
-use crate::field::{Field, Scalar};
+use crate::error::TextError;
+use crate::fault::Fault;
 use crate::indexed::Indexed;
+use crate::language::Language;
 use crate::outcome::{End, Event, Outcome, Sample, Step};
 use crate::pin::PinChange;
-use crate::settings::{Language, Settings, State};
+use crate::settings::{Settings, State};
 
-pub(super) fn outcome(text: &str) -> Result<Outcome, TextError> {
+impl Outcome {
+    /// Reads the text form; what [`Outcome::to_text`] wrote comes back equal.
+    ///
+    /// # Errors
+    /// The first line that is not in the form, with its number.
+    pub fn from_text(text: &str) -> Result<Self, TextError> {
+        read(text)
+    }
+}
+
+fn read(text: &str) -> Result<Outcome, TextError> {
     let mut reader = Reader::default();
     let mut last = 1;
     for (place, line) in text.lines().enumerate() {

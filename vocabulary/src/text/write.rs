@@ -1,15 +1,25 @@
 //! Writing the text form.
 
-use std::fmt::Write as _;
+use alloc::borrow::ToOwned as _;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt::Write as _;
 
-use super::line::name_text;
-use super::quoted;
+use super::value::{name_text, quoted};
 use crate::fault::Fault;
 use crate::field::Entry;
 use crate::outcome::{End, Event, Outcome};
 use crate::pin::PinChange;
 
-pub(super) fn outcome(outcome: &Outcome) -> String {
+impl Outcome {
+    /// The text form. It ends with a line break.
+    pub fn to_text(&self) -> String {
+        text_of(self)
+    }
+}
+
+fn text_of(outcome: &Outcome) -> String {
     let mut text = format!("gaugeblock outcome 0\nlanguage {}\n", outcome.language);
     record(&mut text, "start", &outcome.start.entries());
     for step in &outcome.steps {

@@ -2,9 +2,11 @@
 //!
 //! What serde derives for such objects sets all members aside before it looks at any. A trace consists of them.
 
-use std::borrow::Cow;
-use std::fmt;
-use std::marker::PhantomData;
+use alloc::borrow::Cow;
+use alloc::borrow::ToOwned as _;
+use alloc::vec::Vec;
+use core::fmt;
+use core::marker::PhantomData;
 
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, MapDeserializer, StrDeserializer};

@@ -1,0 +1,4 @@
+//! The JSON form, where what serde derives is not enough.
+
+mod indexed;
+pub(crate) mod tagged;
