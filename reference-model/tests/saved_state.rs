@@ -2,7 +2,8 @@
 
 use gaugeblock_reference::run;
 use gaugeblock_vocabulary::{
-    End, Event, Machine, Motion, Options, Outcome, Path, Scenario, Settings, State, Value,
+    End, Event, Machine, Motion, Options, Outcome, PathControlMode, Scenario, Settings, State,
+    Value,
 };
 use proptest::prelude::{Just, ProptestConfig, Strategy, any, proptest};
 use proptest::{collection, prop_oneof};
@@ -36,7 +37,7 @@ fn settings_after(outcome: &Outcome, line: u32) -> Settings {
 /// back make no difference.
 fn shown(settings: &Settings) -> Vec<String> {
     let entries = settings.entries();
-    let continuous = settings.path == Some(Path::Continuous);
+    let continuous = settings.path == Some(PathControlMode::Continuous);
     entries
         .iter()
         .filter(|entry| continuous || !entry.field.ends_with("tolerance"))

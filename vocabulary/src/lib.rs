@@ -46,8 +46,8 @@ pub use field::{Argument, Entry, Scalar, Value};
 pub use indexed::Indexed;
 pub use language::Language;
 pub use modes::{
-    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
-    Retract, SpindleMode, SpindleTurn, Switch,
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, PathControlMode,
+    Plane, ReturnMode, SpindleMode, SpindleTurn, Switch,
 };
 pub use outcome::{Bound, End, Event, Outcome, Sample, Step, Undetermined};
 pub use pin::{Pin, PinChange};

@@ -131,7 +131,7 @@ words! {
 }
 words! {
     /// Where a canned cycle returns to (group 10).
-    pub enum Retract {
+    pub enum ReturnMode {
         /// G98: to where the axis was.
         OldZ = "old_z",
         /// G99: to the R plane.
@@ -140,7 +140,7 @@ words! {
 }
 words! {
     /// Path control mode (group 13).
-    pub enum Path {
+    pub enum PathControlMode {
         /// G61.
         ExactPath = "exact_path",
         /// G61.1.

@@ -139,7 +139,7 @@ pub enum Undetermined<'a> {
     /// This interpreter does not do it.
     Unsupported(&'a str),
     /// The documents leave it open.
-    LeftOpen(&'a str),
+    Unspecified(&'a str),
 }
 
 impl End {
@@ -147,7 +147,7 @@ impl End {
     pub fn undetermined(&self) -> Option<Undetermined<'_>> {
         match self {
             Self::Unsupported { what, .. } => Some(Undetermined::Unsupported(what)),
-            Self::Unspecified { why, .. } => Some(Undetermined::LeftOpen(why)),
+            Self::Unspecified { why, .. } => Some(Undetermined::Unspecified(why)),
             Self::ProgramEnd
             | Self::PercentEnd
             | Self::Endless

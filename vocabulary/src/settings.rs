@@ -10,8 +10,8 @@ use crate::field::{Entry, Scalar, Value, record};
 use crate::indexed::Indexed;
 use crate::language::Language;
 use crate::modes::{
-    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, Path, Plane,
-    Retract, SpindleMode, SpindleTurn, Switch,
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, PathControlMode,
+    Plane, ReturnMode, SpindleMode, SpindleTurn, Switch,
 };
 use crate::position::Position;
 #[cfg(feature = "text")]
@@ -80,7 +80,7 @@ record! {
         /// F in the active length unit per minute or per revolution, or in 1/min under inverse time; zero until set.
         feed_rate: f64,
         /// Return mode of canned cycles.
-        retract: Retract,
+        retract: ReturnMode,
         /// Cutter compensation.
         compensation: Compensation,
         /// Whether a tool length offset applies.
@@ -96,7 +96,7 @@ record! {
         /// Rotation of the work coordinate system about Z, degrees.
         rotation: f64,
         /// Path control mode.
-        path: Path,
+        path: PathControlMode,
         /// P of G64, active length unit; zero when not given.
         blend_tolerance: f64,
         /// Q of G64, active length unit; zero when not given.

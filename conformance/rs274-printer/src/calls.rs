@@ -1,8 +1,8 @@
 //! The canonical calls, each in the form in which it is printed.
 
 use gaugeblock_vocabulary::{
-    Channel, Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract,
-    SpindleLimit, SpindleMode, SpindleTurn, Switch,
+    Channel, Compensation, Distance, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, Position,
+    ReturnMode, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::modes::{Modes, Spindle};
@@ -103,10 +103,10 @@ impl Output {
         });
     }
 
-    pub(super) fn retract(&mut self, retract: Retract) {
+    pub(super) fn retract(&mut self, retract: ReturnMode) {
         self.note(match retract {
-            Retract::OldZ => "retract mode set to old_z",
-            Retract::RPlane => "retract mode set to r_plane",
+            ReturnMode::OldZ => "retract mode set to old_z",
+            ReturnMode::RPlane => "retract mode set to r_plane",
         });
     }
 
@@ -126,9 +126,9 @@ impl Output {
 
     pub(super) fn path_mode(&mut self, modes: &Modes) {
         match modes.path {
-            Path::ExactPath => self.begin("SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)"),
-            Path::ExactStop => self.begin("SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP)"),
-            Path::Continuous => {
+            PathControlMode::ExactPath => self.begin("SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)"),
+            PathControlMode::ExactStop => self.begin("SET_MOTION_CONTROL_MODE(CANON_EXACT_STOP)"),
+            PathControlMode::Continuous => {
                 let begun = self.begin("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, ");
                 begun.six(modes.blend_tolerance).text(")")
             }

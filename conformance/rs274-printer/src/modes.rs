@@ -1,8 +1,8 @@
 //! The settings in force as the printer keeps them: small enough to be copied for each block.
 
 use gaugeblock_vocabulary::{
-    Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
-    SpindleLimit, SpindleMode, SpindleTurn, Switch,
+    Compensation, Distance, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, Position,
+    ReturnMode, Settings, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::words::Words;
@@ -85,12 +85,12 @@ impl Modes {
                 910 => self.distance = Distance::Incremental,
                 901 => self.arc_distance = Distance::Absolute,
                 911 => self.arc_distance = Distance::Incremental,
-                980 => self.retract = Retract::OldZ,
-                990 => self.retract = Retract::RPlane,
-                610 => self.path = Path::ExactPath,
-                611 => self.path = Path::ExactStop,
+                980 => self.retract = ReturnMode::OldZ,
+                990 => self.retract = ReturnMode::RPlane,
+                610 => self.path = PathControlMode::ExactPath,
+                611 => self.path = PathControlMode::ExactStop,
                 640 => {
-                    self.path = Path::Continuous;
+                    self.path = PathControlMode::Continuous;
                     self.blend_tolerance = words.get(b'P').unwrap_or(0.0);
                     self.naive_cam_tolerance = words.get(b'Q').unwrap_or(self.blend_tolerance);
                 }
@@ -107,14 +107,14 @@ modes! {
     arc_distance: Distance = Distance::Incremental,
     feed_mode: FeedMode = FeedMode::PerMinute,
     feed_rate: f64 = 0.0,
-    retract: Retract = Retract::RPlane,
+    retract: ReturnMode = ReturnMode::RPlane,
     compensation: Compensation = Compensation::Off,
     tool_offset: Position = Position::default(),
     work_offset: u32 = 1,
     g5x_offset: Position = Position::default(),
     g92_offset: Position = Position::default(),
     rotation: f64 = 0.0,
-    path: Path = Path::Continuous,
+    path: PathControlMode = PathControlMode::Continuous,
     blend_tolerance: f64 = 0.0,
     naive_cam_tolerance: f64 = 0.0,
     lathe: Lathe = Lathe::Radius,

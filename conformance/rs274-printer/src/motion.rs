@@ -1,7 +1,7 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_vocabulary::{
-    Distance, Effect, Event, FeedMode, LengthUnit, Path, Plane, Position, SpindleTurn,
+    Distance, Effect, Event, FeedMode, LengthUnit, PathControlMode, Plane, Position, SpindleTurn,
 };
 
 use super::block::Printed;
@@ -20,7 +20,7 @@ impl Printed<'_> {
             self.out.note("motion mode set to none");
         }
         self.by_way_of();
-        let exact = self.after.path == Path::ExactPath;
+        let exact = self.after.path == PathControlMode::ExactPath;
         let mut stage = self.before;
         let mut moved =
             self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
@@ -98,7 +98,7 @@ impl Printed<'_> {
             Plane::Yz => (hole.y, hole.z) = (first, second),
             Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => (hole.x, hole.y) = (first, second),
         }
-        let exact = self.after.path == Path::ExactPath;
+        let exact = self.after.path == PathControlMode::ExactPath;
         match begun {
             Begun::Above => {
                 self.above(&hole, exact);

@@ -1,7 +1,8 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
 use gaugeblock_vocabulary::{
-    Compensation, FeedMode, LengthUnit, Path, Position, SpindleLimit, SpindleMode, Switch,
+    Compensation, FeedMode, LengthUnit, PathControlMode, Position, SpindleLimit, SpindleMode,
+    Switch,
 };
 
 use super::block::Printed;
@@ -151,7 +152,7 @@ impl Printed<'_> {
             || differ(before.naive_cam_tolerance * scale, after.naive_cam_tolerance);
         if before.path != after.path || tolerances {
             self.out.path_mode(&after);
-            if after.path == Path::Continuous {
+            if after.path == PathControlMode::Continuous {
                 self.out.naive_cam_tolerance(&after);
             }
         }

@@ -121,7 +121,7 @@ pub fn undetermined(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let edition = editions_of(suite, rule, case).into_iter().next()?;
     let end = model_run(suite, case, edition).0.end;
     end.undetermined().map(|undetermined| match undetermined {
-        Undetermined::Unsupported(why) | Undetermined::LeftOpen(why) => why.to_owned(),
+        Undetermined::Unsupported(why) | Undetermined::Unspecified(why) => why.to_owned(),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::scenario::{
     Action, Environment, Folder, InputChange, Machine, OperatorEvent, OrientAnswer, ProbeContact,
-    Scenario, Tool, ToolChange, UserProgram, When,
+    RunPoint, Scenario, Tool, ToolChange, UserProgram,
 };
 use gaugeblock_vocabulary::{Axis, BlockLocation, ControllerMode, LengthUnit, Program};
 
@@ -219,7 +219,7 @@ fn operator(entropy: &mut Entropy<'_>) -> Vec<OperatorEvent> {
         .map(|_| {
             let block = BlockLocation::new(Program::MAIN, entropy.range(1, 20));
             let execution = if entropy.chance(8) { 2 } else { 1 };
-            let when = When { block, execution, offset: quarter(entropy) };
+            let when = RunPoint { block, execution, offset: quarter(entropy) };
             OperatorEvent { when, action: entropy.pick(&actions).clone() }
         })
         .collect();
@@ -227,7 +227,7 @@ fn operator(entropy: &mut Entropy<'_>) -> Vec<OperatorEvent> {
         // A spindle that stands at an override of zero turns once that is turned up.
         for factor in [0.0, 1.0] {
             let block = BlockLocation::new(Program::MAIN, entropy.range(1, 20));
-            let when = When { block, execution: 1, offset: 0.0 };
+            let when = RunPoint { block, execution: 1, offset: 0.0 };
             let action = Action::SpindleOverride { spindle: 0, factor };
             events.push(OperatorEvent { when, action });
         }

@@ -3,7 +3,9 @@
 //! Elements that lead nowhere are no legs; what they ask for belongs to the corner where they stand.
 
 use gaugeblock_vocabulary::Position;
-use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+use gaugeblock_vocabulary::motion::{
+    Feed, OutputChange, PathElement, PathMode, ProgrammedPath, Shape,
+};
 
 use super::curve::Curve;
 use super::vector::{AxisVector, direction, dot, from_segment};
@@ -15,7 +17,7 @@ pub(super) struct Leg<'a> {
     /// Its place among the elements of the path.
     pub(super) place: usize,
     /// What the program says of it.
-    pub(super) element: &'a Element,
+    pub(super) element: &'a PathElement,
     /// Where it leads.
     pub(super) curve: Curve,
     /// How far a commanded point may be from it, millimetres; zero where it is exact.
@@ -43,11 +45,11 @@ pub(super) enum Task {
     /// Rest until something is done.
     Wait(String),
     /// An output at once.
-    AtOnce(Switching),
+    AtOnce(OutputChange),
     /// Outputs with the start of a motion.
-    WithMotion(Vec<Switching>),
+    WithMotion(Vec<OutputChange>),
     /// Outputs with a motion that leads nowhere.
-    InPlace(Vec<Switching>),
+    InPlace(Vec<OutputChange>),
 }
 
 /// The point where a leg ends or the first one starts.
@@ -111,7 +113,7 @@ impl<'a> Route<'a> {
     fn add(
         &mut self,
         place: usize,
-        element: &'a Element,
+        element: &'a PathElement,
         here: Position,
     ) -> Result<Position, String> {
         let corner = self.last_corner();

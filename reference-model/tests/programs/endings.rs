@@ -1,7 +1,7 @@
 //! How runs end.
 
 use gaugeblock_reference::run;
-use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, Start, When};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, RunPoint, Start};
 use gaugeblock_vocabulary::{BlockLocation, ControllerMode, Program, Scenario};
 
 use super::{ending, gives, outcome, outcome_under, parameter, refuses};
@@ -79,7 +79,7 @@ fn a_refused_block_has_done_nothing() {
     let last = "f100 g90 g0 x7\nt1 m6 g55 g2 x1 i9\nm2\n";
     let probe = "f100 g90 g0 x1\ng38.2 x5\nm2\n";
     let event = OperatorEvent {
-        when: When { block: BlockLocation::new(Program::MAIN, 1), execution: 1, offset: 0.0 },
+        when: RunPoint { block: BlockLocation::new(Program::MAIN, 1), execution: 1, offset: 0.0 },
         action: Action::Mode(ControllerMode::Auto),
     };
     for operator in [vec![], vec![event]] {
@@ -154,7 +154,8 @@ fn whether_the_subs_of_an_ended_program_can_be_called_by_hand_is_left_open() {
         let files = &mut scenario.program.files;
         files.insert("cave.ngc".to_owned(), file("#31=7"));
         files.insert("den.ngc".to_owned(), file("o9 call").replace("cave", "den"));
-        let when = When { block: BlockLocation::new(Program::MAIN, 5), execution: 1, offset: 1.0 };
+        let when =
+            RunPoint { block: BlockLocation::new(Program::MAIN, 5), execution: 1, offset: 1.0 };
         let action = Action::Mdi(by_hand.to_owned());
         scenario.operator.push(OperatorEvent { when, action });
         ending(&run(&scenario).0)
@@ -189,7 +190,7 @@ fn a_block_without_a_word_that_it_needs_waits_for_nothing() {
 fn what_the_operator_may_not_ask_for_now_is_left_open() {
     let ending = |start, asked: &[(f64, Action)]| {
         let event = |(offset, action): &(f64, Action)| OperatorEvent {
-            when: When {
+            when: RunPoint {
                 block: BlockLocation::new(Program::MAIN, 1),
                 execution: 1,
                 offset: *offset,
@@ -217,7 +218,7 @@ fn what_the_operator_may_not_ask_for_now_is_left_open() {
 fn a_percent_sign_that_the_operator_enters_is_left_open() {
     let mut scenario = Scenario::of("m2\n");
     scenario.operator = vec![OperatorEvent {
-        when: When { block: BlockLocation::new(Program::MAIN, 1), execution: 1, offset: 0.1 },
+        when: RunPoint { block: BlockLocation::new(Program::MAIN, 1), execution: 1, offset: 0.1 },
         action: Action::Mdi("%".to_owned()),
     }];
     let ending = ending(&run(&scenario).0);

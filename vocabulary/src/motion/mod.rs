@@ -16,6 +16,6 @@ mod samples;
 mod script;
 
 pub use limits::MotionLimits;
-pub use path::{Controls, Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+pub use path::{Controls, Feed, OutputChange, PathElement, PathMode, ProgrammedPath, Shape};
 pub use samples::{Column, Samples, SamplesError};
 pub use script::{MotionAction, MotionEvent, MotionScript};

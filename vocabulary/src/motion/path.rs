@@ -87,7 +87,7 @@ impl Default for Controls {
     serde(deny_unknown_fields)
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Switching {
+pub struct OutputChange {
     /// Which output.
     pub pin: Pin,
     /// Its value from here on.
@@ -143,7 +143,7 @@ pub enum Shape {
         for_what: String,
     },
     /// An output that switches at once, at rest: M64, M65, M68.
-    AtOnce(Switching),
+    AtOnce(OutputChange),
 }
 
 /// One element of a path.
@@ -154,7 +154,7 @@ pub enum Shape {
     serde(deny_unknown_fields)
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Element {
+pub struct PathElement {
     /// The block that asks for it.
     pub block: BlockLocation,
     /// What it is.
@@ -168,10 +168,10 @@ pub struct Element {
     pub controls: Controls,
     /// Outputs that switch where it starts (M62, M63, M67), one setting for each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub switches: Vec<Switching>,
+    pub switches: Vec<OutputChange>,
 }
 
-impl Element {
+impl PathElement {
     /// Where it ends; `None` for what does not move.
     pub fn end(&self) -> Option<Position> {
         match &self.shape {
@@ -194,8 +194,8 @@ pub struct ProgrammedPath {
     /// Where the machine stands before.
     pub start: Position,
     /// What it does.
-    pub elements: Vec<Element>,
+    pub elements: Vec<PathElement>,
     /// Outputs for which no motion came: they never switch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub never: Vec<Switching>,
+    pub never: Vec<OutputChange>,
 }

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 
 pub use environment::{Environment, Folder, InputChange, OrientAnswer, ProbeContact, UserProgram};
 pub use machine::{AxisLimits, Machine, Tool, ToolChange};
-pub use operator::{Action, OperatorEvent, When};
+pub use operator::{Action, OperatorEvent, RunPoint};
 
 use crate::block::{BlockLocation, MAIN_FILE};
 use crate::language::Language;

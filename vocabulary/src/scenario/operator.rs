@@ -41,7 +41,7 @@ use crate::modes::ControllerMode;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OperatorEvent {
     /// When.
-    pub when: When,
+    pub when: RunPoint,
     /// What.
     pub action: Action,
 }
@@ -56,7 +56,7 @@ pub struct OperatorEvent {
     serde(deny_unknown_fields)
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct When {
+pub struct RunPoint {
     /// The block.
     pub block: BlockLocation,
     /// Its k-th execution, from 1.

@@ -1,21 +1,21 @@
 //! The forms of a path, of limits, of a script, and of samples.
 
 use gaugeblock_vocabulary::motion::{
-    Column, Controls, Element, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript,
-    PathMode, ProgrammedPath, Samples, Shape, Switching,
+    Column, Controls, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript, OutputChange,
+    PathElement, PathMode, ProgrammedPath, Samples, Shape,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, BlockLocation, Pin, Position};
 use proptest::prelude::*;
 
-fn element(shape: Shape, feed: Feed, mode: PathMode) -> Element {
+fn element(shape: Shape, feed: Feed, mode: PathMode) -> PathElement {
     let block = BlockLocation::new("main.ngc", 3);
-    Element { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
+    PathElement { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
 }
 
 fn path() -> ProgrammedPath {
     let end = Position { x: 1.0, c: 90.0, ..Position::default() };
-    let output = Switching { pin: Pin::DigitalOut(2), value: 1.0 };
+    let output = OutputChange { pin: Pin::DigitalOut(2), value: 1.0 };
     let within = PathMode::Within { tolerance: 0.01, merge: 0.0 };
     let arc = Shape::Arc { end, centre: [0.5, 0.0, 0.0], normal: [0.0, 0.0, 1.0], angle: -180.0 };
     let turn = Feed::PerTurn { spindle: 0, length: 0.1 };

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::ops::Not;
 
 use gaugeblock_vocabulary::scenario::{
-    Budget, Environment, InputChange, OperatorEvent, OrientAnswer, ProbeContact, Start,
-    UserProgram, When,
+    Budget, Environment, InputChange, OperatorEvent, OrientAnswer, ProbeContact, RunPoint, Start,
+    UserProgram,
 };
 use gaugeblock_vocabulary::{Language, Machine, Options, Program, Scenario};
 use serde::Serialize;
@@ -87,7 +87,7 @@ struct Line<'a> {
     #[serde(skip_serializing_if = "Not::not")]
     digest: bool,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    live: &'a [When],
+    live: &'a [RunPoint],
 }
 
 #[derive(Serialize)]

@@ -1,7 +1,7 @@
 //! Requests and answers as they stand in a line: read in one pass, and what is wrong is told with its place.
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
-use gaugeblock_vocabulary::scenario::{OperatorEvent, When};
+use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 use serde::Deserialize;
 
@@ -20,7 +20,7 @@ pub(super) struct Request {
     #[serde(default)]
     digest: bool,
     #[serde(default)]
-    live: Vec<When>,
+    live: Vec<RunPoint>,
     limits: Option<MotionLimits>,
     script: Option<MotionScript>,
     every: Option<u32>,

@@ -15,7 +15,7 @@ mod patience;
 mod serve;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
-use gaugeblock_vocabulary::scenario::{OperatorEvent, When};
+use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{Indexed, Outcome, Scenario, Settings, State, Step};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
@@ -138,7 +138,7 @@ pub struct Ways {
     /// [`Offer::LiveOperator`]: the places of the operator's events, which are not in the scenario then.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
-    pub live: Vec<When>,
+    pub live: Vec<RunPoint>,
 }
 
 /// What may be streamed.

@@ -124,7 +124,7 @@ fn both(
             Some(Undetermined::Unsupported(what)) => {
                 Err(format!("{name} does not support this: {what}"))
             }
-            Some(Undetermined::LeftOpen(why)) => Err(format!("{name}: not specified: {why}")),
+            Some(Undetermined::Unspecified(why)) => Err(format!("{name}: not specified: {why}")),
             None => Ok(outcome),
         }
     };

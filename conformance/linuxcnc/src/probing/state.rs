@@ -3,7 +3,7 @@
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Compensation, Distance, Event, FeedMode, Indexed, Lathe, LengthUnit, Motion, Plane, Position,
-    Retract, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
+    ReturnMode, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::instrument::Plan;
@@ -42,7 +42,11 @@ pub(crate) fn modes(probe: &Probe, was: &Settings, block: &str) -> Result<Settin
         distance: Some(absolute(probe.is("_absolute"))),
         arc_distance: Some(absolute(probe.is("_ijk_absolute_mode"))),
         feed_mode: Some(feed_mode(probe)),
-        retract: Some(if probe.is("_retract_old_z") { Retract::OldZ } else { Retract::RPlane }),
+        retract: Some(if probe.is("_retract_old_z") {
+            ReturnMode::OldZ
+        } else {
+            ReturnMode::RPlane
+        }),
         lathe: Some(if probe.is("_lathe_diameter_mode") { Lathe::Diameter } else { Lathe::Radius }),
         compensation: Some(compensation),
         ..Settings::default()

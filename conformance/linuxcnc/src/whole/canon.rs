@@ -6,7 +6,7 @@
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
     Axis, Channel, Effect, Event, Indexed, LengthUnit, Machine, OrientDirection, OutputTiming,
-    Path, Position, Settings, SpindleTurn, Switch, WaitMode,
+    PathControlMode, Position, Settings, SpindleTurn, Switch, WaitMode,
 };
 
 use super::stream::Issued;
@@ -239,15 +239,15 @@ impl Canon {
             }
             "TRAJ_SET_TERM_COND" => {
                 let path = match issued.whole(0)? {
-                    0 => Path::ExactStop,
-                    1 => Path::ExactPath,
-                    2 => Path::Continuous,
+                    0 => PathControlMode::ExactStop,
+                    1 => PathControlMode::ExactPath,
+                    2 => PathControlMode::Continuous,
                     _ => return Err(issued.unreadable()),
                 };
                 let tolerance = self.length(issued.number(1)?);
                 let blend = match path {
-                    Path::Continuous => self.lengths.blend(tolerance),
-                    Path::ExactPath | Path::ExactStop => none,
+                    PathControlMode::Continuous => self.lengths.blend(tolerance),
+                    PathControlMode::ExactPath | PathControlMode::ExactStop => none,
                 };
                 Settings { path: Some(path), ..blend }
             }

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::sync::OnceLock;
 
-use gaugeblock_vocabulary::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, When};
+use gaugeblock_vocabulary::scenario::{Action, InputChange, OperatorEvent, OrientAnswer, RunPoint};
 use gaugeblock_vocabulary::{BlockLocation, ControllerMode, End, Event, Machine, State};
 
 use super::*;
@@ -43,7 +43,7 @@ fn pins(outcome: &Outcome, name: &str) -> Vec<f64> {
 }
 
 fn event(line: u32, action: Action) -> OperatorEvent {
-    let when = When { block: BlockLocation::new("main.ngc", line), execution: 1, offset: 0.0 };
+    let when = RunPoint { block: BlockLocation::new("main.ngc", line), execution: 1, offset: 0.0 };
     OperatorEvent { when, action }
 }
 

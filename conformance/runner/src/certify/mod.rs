@@ -196,7 +196,7 @@ impl Held<'_> {
 fn left_open(end: &End) -> Option<String> {
     end.undetermined().map(|undetermined| match undetermined {
         Undetermined::Unsupported(what) => format!("the model does not specify it yet: {what}"),
-        Undetermined::LeftOpen(why) => format!("the documents leave it open: {why}"),
+        Undetermined::Unspecified(why) => format!("the documents leave it open: {why}"),
     })
 }
 

@@ -6,7 +6,7 @@ use gaugeblock_adapter::protocol::{OFFERS, Offer};
 use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
-use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, When};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
 
 use super::result::{CHANGES, Came, Check, same};
@@ -95,7 +95,7 @@ fn live(adapter: &Exec, plain: &Scenario) -> Came {
     }
     let mut operated = plain.clone();
     let block = BlockLocation::new(Program::MAIN, 2);
-    let when = When { block, execution: 1, offset: 0.0 };
+    let when = RunPoint { block, execution: 1, offset: 0.0 };
     operated.operator.push(OperatorEvent { when, action: Action::Abort });
     told_by(adapter, Offer::LiveOperator, &operated)
 }

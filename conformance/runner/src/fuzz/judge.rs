@@ -228,7 +228,7 @@ fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> O
             count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
             FuzzResult::Unsupported
         }
-        Undetermined::LeftOpen(why) => {
+        Undetermined::Unspecified(why) => {
             count(&mut statistics.unspecified, why);
             FuzzResult::Unspecified
         }

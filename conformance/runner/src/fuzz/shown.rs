@@ -55,7 +55,7 @@ impl Plan<'_> {
         }
         outcome.end.undetermined().map(|undetermined| match undetermined {
             Undetermined::Unsupported(what) => format!("reference: {what}"),
-            Undetermined::LeftOpen(why) => format!("left open: {why}"),
+            Undetermined::Unspecified(why) => format!("left open: {why}"),
         })
     }
 }

@@ -17,7 +17,7 @@ use gaugeblock_fuzz::generate::{self, BUDGET, GeneratorConfig};
 use gaugeblock_fuzz_targets::{Agreement, agree, agree_with};
 use gaugeblock_linuxcnc::Rs274;
 use gaugeblock_suite::{Choice, ChoiceKind, Suite};
-use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, When};
+use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{BlockLocation, Language, Options, Program, Scenario};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -77,7 +77,7 @@ fn elsewhere(number: u32, program: Program, picked: &Picked) -> Scenario {
 /// Lines entered one behind the other, long after the program has begun.
 fn entered(lines: &[String]) -> Vec<OperatorEvent> {
     let enter = |(line, second): (&String, u32)| OperatorEvent {
-        when: When {
+        when: RunPoint {
             block: BlockLocation::new(Program::MAIN, 1),
             execution: 1,
             offset: f64::from(1000 + second),

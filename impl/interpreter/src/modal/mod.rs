@@ -53,7 +53,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::scenario::ToolChange;
 use gaugeblock_vocabulary::{
-    Axis, ControllerMode, LengthUnit, Machine, Motion, Retract, Rs274State, Settings, Tool,
+    Axis, ControllerMode, LengthUnit, Machine, Motion, ReturnMode, Rs274State, Settings, Tool,
 };
 
 use crate::error::Error;
@@ -272,7 +272,7 @@ fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) 
         work_offset: system,
         g5x_offset: offsets::origin(numbered, system).converted(conversion),
         rotation: offsets::rotation(numbered, system),
-        retract: if choices.initial_old_z { Retract::OldZ } else { Retract::RPlane },
+        retract: if choices.initial_old_z { ReturnMode::OldZ } else { ReturnMode::RPlane },
         ..Modes::default()
     };
     if numbered.get(offsets::G92_APPLIED).abs() > 0.0 {

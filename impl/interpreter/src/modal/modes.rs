@@ -1,8 +1,8 @@
 //! The settings in force, and which of them the sink has not heard of yet.
 
 use gaugeblock_vocabulary::{
-    Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Retract, Settings,
-    SpindleLimit, SpindleMode, SpindleTurn, Switch,
+    Compensation, Distance, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
+    Settings, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use crate::canon::Sink;
@@ -44,7 +44,7 @@ pub(crate) struct Modes {
     pub(crate) feed_mode: FeedMode,
     /// Zero until set.
     pub(crate) feed_rate: f64,
-    pub(crate) retract: Retract,
+    pub(crate) retract: ReturnMode,
     pub(crate) compensation: Compensation,
     pub(crate) tool_length: Switch,
     pub(crate) tool_offset: Coordinates,
@@ -54,7 +54,7 @@ pub(crate) struct Modes {
     pub(crate) g92_offset: Coordinates,
     /// Degrees.
     pub(crate) rotation: f64,
-    pub(crate) path: Path,
+    pub(crate) path: PathControlMode,
     pub(crate) blend_tolerance: f64,
     pub(crate) naive_cam_tolerance: f64,
     pub(crate) lathe: Lathe,
@@ -83,7 +83,7 @@ impl Default for Modes {
             arc_distance: Distance::Incremental,
             feed_mode: FeedMode::PerMinute,
             feed_rate: 0.0,
-            retract: Retract::RPlane,
+            retract: ReturnMode::RPlane,
             compensation: Compensation::Off,
             tool_length: Switch::Off,
             tool_offset: Coordinates::default(),
@@ -91,7 +91,7 @@ impl Default for Modes {
             g5x_offset: Coordinates::default(),
             g92_offset: Coordinates::default(),
             rotation: 0.0,
-            path: Path::Continuous,
+            path: PathControlMode::Continuous,
             blend_tolerance: 0.0,
             naive_cam_tolerance: 0.0,
             lathe: Lathe::Radius,

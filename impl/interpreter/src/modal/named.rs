@@ -1,8 +1,8 @@
 //! The predefined named parameters that tell modes (11.4.3.4, 11.4.3.5).
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, Retract, SpindleMode,
-    SpindleTurn, Switch,
+    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, ReturnMode,
+    SpindleMode, SpindleTurn, Switch,
 };
 
 use crate::faults::{Fault, planted};
@@ -152,7 +152,7 @@ impl Modal {
 
     /// Whether the name of the old Z is 1: the table gives it the code of the R plane, or it is called after it.
     fn names_old_z(&self) -> bool {
-        (self.in_force.now().retract == Retract::OldZ) != self.choices.retract_names_as_written
+        (self.in_force.now().retract == ReturnMode::OldZ) != self.choices.retract_names_as_written
     }
 
     /// Whether a name of the lathe modes is 1.

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_vocabulary::{FaultKind, Motion, Path, SpindleTurn};
+use gaugeblock_vocabulary::{FaultKind, Motion, PathControlMode, SpindleTurn};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -210,7 +210,7 @@ impl Modal {
         };
         let now = self.in_force.set();
         // G61 and G61.1 have no tolerances of their own; what they do not use stays.
-        let own = if modes.path == Path::Continuous { modes } else { &*now };
+        let own = if modes.path == PathControlMode::Continuous { modes } else { &*now };
         let tolerances = (own.blend_tolerance, own.naive_cam_tolerance);
         let mut spindles = modes.spindles;
         for (saved, now) in spindles.iter_mut().zip(&now.spindles) {

@@ -1,7 +1,7 @@
 //! Selecting: planes, units, distance modes, feed modes, return modes, path control, diameter mode.
 
 use gaugeblock_vocabulary::{
-    Distance, FaultKind, FeedMode, Lathe, LengthUnit, Path, Plane, Retract,
+    Distance, FaultKind, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
 };
 
 use crate::faults::{Fault, planted};
@@ -107,7 +107,7 @@ impl Modal {
         if self.imitates {
             self.refuse_under_compensation("a return mode is selected")?;
         }
-        let retract = if code == 980 { Retract::OldZ } else { Retract::RPlane };
+        let retract = if code == 980 { ReturnMode::OldZ } else { ReturnMode::RPlane };
         self.in_force.put(|modes| &mut modes.retract, retract);
         Ok(())
     }
@@ -118,7 +118,8 @@ impl Modal {
             self.refuse_under_compensation("a path control mode is selected")?;
         }
         if code != 640 {
-            let path = if code == 610 { Path::ExactPath } else { Path::ExactStop };
+            let path =
+                if code == 610 { PathControlMode::ExactPath } else { PathControlMode::ExactStop };
             self.in_force.put(|modes| &mut modes.path, path);
             return Ok(());
         }
@@ -135,7 +136,7 @@ impl Modal {
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
         let modes = self.in_force.set();
-        modes.path = Path::Continuous;
+        modes.path = PathControlMode::Continuous;
         modes.blend_tolerance = blend;
         modes.naive_cam_tolerance = naive;
         Ok(())

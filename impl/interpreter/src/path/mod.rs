@@ -17,10 +17,10 @@ mod frame;
 mod tests;
 
 use gaugeblock_vocabulary::{
-    Effect, FeedMode, LengthUnit, OutputTiming, Path as PathMode, Plane, Settings,
+    Effect, FeedMode, LengthUnit, OutputTiming, PathControlMode as PathMode, Plane, Settings,
 };
 
-use gaugeblock_planner::{Axes, Feed, OutputSwitch, Path, PathControl, Segment};
+use gaugeblock_planner::{Axes, Feed, OutputSwitch, PathControl, PathControlMode, Segment};
 
 use frame::Frame;
 
@@ -150,7 +150,7 @@ impl Resolver {
                 self.segment(line, path, end, feed, false)
             }
             Effect::Dwell { seconds } => {
-                let path = Path::Dwell { seconds: *seconds };
+                let path = PathControlMode::Dwell { seconds: *seconds };
                 self.segment(line, path, self.at, Feed::Rapid, false)
             }
             Effect::SetDigitalOutput { output, on, timing } => {
@@ -183,10 +183,17 @@ impl Resolver {
     }
 
     fn straight(&mut self, line: u32, end: Axes, feed: Feed, probing: bool) -> Asked {
-        self.segment(line, Path::Straight { end }, end, feed, probing)
+        self.segment(line, PathControlMode::Straight { end }, end, feed, probing)
     }
 
-    fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
+    fn segment(
+        &mut self,
+        line: u32,
+        path: PathControlMode,
+        end: Axes,
+        feed: Feed,
+        probing: bool,
+    ) -> Asked {
         self.at = end;
         let path_control = self.path_control();
         Asked::Move(Segment { number: line.into(), path, feed, path_control, probing })

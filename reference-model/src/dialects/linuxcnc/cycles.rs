@@ -1,6 +1,6 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_vocabulary::Path;
+use gaugeblock_vocabulary::PathControlMode;
 
 use super::path::tolerances_as_numbers;
 use super::{LinuxCnc, Shows};
@@ -23,9 +23,9 @@ impl CycleRules for LinuxCnc {
         if !state.shows(quirk::rs274::CYCLE_EXACT_PATH) {
             return Documented.perform_repeats(cycle, places, state, record);
         }
-        let path = std::mem::replace(&mut state.modes.path, Path::ExactPath);
+        let path = std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath);
         Documented.perform_repeats(cycle, places, state, record)?;
-        if path == Path::Continuous {
+        if path == PathControlMode::Continuous {
             tolerances_as_numbers(state);
         }
         state.modes.path = path;

@@ -1,6 +1,6 @@
 //! Quirks of the path control mode.
 
-use gaugeblock_vocabulary::{Compensation, FaultKind, Path};
+use gaugeblock_vocabulary::{Compensation, FaultKind, PathControlMode};
 
 use super::{LinuxCnc, Shows};
 use crate::ids::quirk;
@@ -16,7 +16,7 @@ impl PathRules for LinuxCnc {
     fn select_path(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         path_under(state.modes.compensation, state)?;
         Documented.select_path(words, state)?;
-        if state.modes.path == Path::Continuous {
+        if state.modes.path == PathControlMode::Continuous {
             let modes = &mut state.modes;
             modes.memory.get_mut().tolerance_unit = modes.units;
         }

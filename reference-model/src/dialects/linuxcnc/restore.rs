@@ -3,7 +3,7 @@
 //! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
 
 use gaugeblock_vocabulary::{
-    Compensation, FaultKind, FeedMode, Path, Plane, Position, SpindleLimit, SpindleMode,
+    Compensation, FaultKind, FeedMode, PathControlMode, Plane, Position, SpindleLimit, SpindleMode,
     SpindleTurn, Switch,
 };
 
@@ -84,13 +84,13 @@ impl RestoreRules for LinuxCnc {
         }
         let unit = saved.memory.get().tolerance_unit;
         if !state.shows(quirk::rs274::TOLERANCE_UNIT) {
-            if saved.path == Path::Continuous {
+            if saved.path == PathControlMode::Continuous {
                 state.modes.memory.get_mut().tolerance_unit = unit;
             }
             return Documented.restore_path(saved, state);
         }
         let modes = &mut state.modes;
-        if programs && saved.path == Path::Continuous {
+        if programs && saved.path == PathControlMode::Continuous {
             let factor = unit_size(saved.units) / unit_size(unit);
             modes.blend_tolerance = saved.blend_tolerance * factor;
             modes.naive_cam_tolerance = saved.naive_cam_tolerance * factor;
@@ -340,7 +340,7 @@ enum Control {
 /// Quirk rs274.shared-p. The first M code that a restore programs stands in a block with the G codes, and takes the P
 /// of G64 as its own: the control that P0 disables in that way, if there is one.
 fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
-    let has_p = saved.path == Path::Continuous && programs_path(saved, now);
+    let has_p = saved.path == PathControlMode::Continuous && programs_path(saved, now);
     let is_zero = same(saved.blend_tolerance, 0.0);
     if !(has_p && is_zero && state.shows(quirk::rs274::SHARED_P)) {
         return None;

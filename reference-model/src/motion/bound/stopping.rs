@@ -335,7 +335,7 @@ impl Blend {
 #[cfg(test)]
 mod tests {
     use gaugeblock_vocabulary::motion::{
-        Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
+        Controls, Feed, MotionLimits, PathElement, PathMode, ProgrammedPath, Shape,
     };
     use gaugeblock_vocabulary::scenario::AxisLimits;
     use gaugeblock_vocabulary::{Axis, BlockLocation, Position};
@@ -343,7 +343,7 @@ mod tests {
     use super::*;
 
     fn path(mode: PathMode, shapes: Vec<Shape>) -> ProgrammedPath {
-        let element = |shape| Element {
+        let element = |shape| PathElement {
             block: BlockLocation::new("main.ngc", 1),
             shape,
             feed: Feed::PerSecond(200.0),

@@ -1,7 +1,7 @@
 //! Bounds of the programs that were measured on LinuxCNC: XYZ 250 mm/s and 2000 mm/s², F6000.
 
 use gaugeblock_vocabulary::motion::{
-    Controls, Element, Feed, MotionLimits, PathMode, ProgrammedPath, Shape,
+    Controls, Feed, MotionLimits, PathElement, PathMode, ProgrammedPath, Shape,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, BlockLocation, Position};
@@ -20,7 +20,7 @@ fn limits() -> MotionLimits {
 }
 
 fn path(mode: PathMode, shapes: Vec<Shape>) -> ProgrammedPath {
-    let element = |(line, shape): (u32, Shape)| Element {
+    let element = |(line, shape): (u32, Shape)| PathElement {
         block: BlockLocation::new("main.ngc", line),
         shape,
         feed: Feed::PerSecond(100.0),

@@ -9,11 +9,11 @@ mod frame;
 mod same;
 
 use gaugeblock_vocabulary::motion::{
-    Controls, Element, Feed, PathMode, ProgrammedPath, Shape, Switching,
+    Controls, Feed, OutputChange, PathElement, PathMode, ProgrammedPath, Shape,
 };
 use gaugeblock_vocabulary::{
-    BlockLocation, Effect, Event, FeedMode, Outcome, OutputTiming, Path, Pin, Position, Settings,
-    Switch,
+    BlockLocation, Effect, Event, FeedMode, Outcome, OutputTiming, PathControlMode, Pin, Position,
+    Settings, Switch,
 };
 
 use crate::motion::curve::{Counted, Curve};
@@ -53,7 +53,7 @@ struct Walk {
     /// Spindle and millimetres per turn while feed is synchronised with it.
     pitch: Option<(u8, f64)>,
     /// Outputs that wait for the next motion, one setting for each.
-    waiting: Vec<Switching>,
+    waiting: Vec<OutputChange>,
     /// What was asked for so far.
     path: ProgrammedPath,
 }
@@ -133,7 +133,7 @@ impl Walk {
         block: &BlockLocation,
     ) {
         let Ok(number) = u16::try_from(number) else { return };
-        let switching = Switching { pin: pin(number), value };
+        let switching = OutputChange { pin: pin(number), value };
         match timing {
             OutputTiming::AtOnce => self.stands(Shape::AtOnce(switching), block),
             OutputTiming::WithMotion => {
@@ -169,16 +169,16 @@ impl Walk {
         &self,
         shape: Shape,
         feed: Feed,
-        switches: Vec<Switching>,
+        switches: Vec<OutputChange>,
         block: &BlockLocation,
-    ) -> Element {
+    ) -> PathElement {
         let on = |switch: Option<Switch>| switch == Some(Switch::On);
         let controls = Controls {
             feed_override: on(self.settings.feed_override),
             adaptive_feed: on(self.settings.adaptive_feed),
             feed_stop: on(self.settings.feed_stop),
         };
-        Element { block: block.clone(), shape, feed, mode: self.mode(), controls, switches }
+        PathElement { block: block.clone(), shape, feed, mode: self.mode(), controls, switches }
     }
 
     /// Rules feed.per-minute, feed.inverse-time and feed.per-revolution. G94 counts lengths or degrees a minute, G93
@@ -204,14 +204,14 @@ impl Walk {
     fn mode(&self) -> PathMode {
         let size = frame::unit(&self.settings);
         let tolerance = self.settings.blend_tolerance.unwrap_or(0.0) * size;
-        match self.settings.path.unwrap_or(Path::Continuous) {
-            Path::ExactStop => PathMode::ExactStop,
-            Path::ExactPath => PathMode::ExactPath,
-            Path::Continuous if tolerance > 0.0 => {
+        match self.settings.path.unwrap_or(PathControlMode::Continuous) {
+            PathControlMode::ExactStop => PathMode::ExactStop,
+            PathControlMode::ExactPath => PathMode::ExactPath,
+            PathControlMode::Continuous if tolerance > 0.0 => {
                 let merge = self.settings.naive_cam_tolerance.unwrap_or(0.0) * size;
                 PathMode::Within { tolerance, merge: merge.max(0.0) }
             }
-            Path::Continuous => PathMode::BetweenMidpoints,
+            PathControlMode::Continuous => PathMode::BetweenMidpoints,
         }
     }
 }

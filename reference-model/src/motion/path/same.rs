@@ -1,6 +1,6 @@
 //! When two paths are the same.
 
-use gaugeblock_vocabulary::motion::{Element, PathMode, ProgrammedPath, Shape};
+use gaugeblock_vocabulary::motion::{PathElement, PathMode, ProgrammedPath, Shape};
 
 use crate::math;
 use crate::motion::curve::Curve;
@@ -50,9 +50,9 @@ pub fn differ(
 #[derive(Clone, Debug)]
 enum Stretch<'a> {
     /// Moves that are alike in all but where they lead.
-    Moves { like: &'a Element, curves: Vec<Curve> },
+    Moves { like: &'a PathElement, curves: Vec<Curve> },
     /// Anything else.
-    Other(&'a Element),
+    Other(&'a PathElement),
 }
 
 impl Stretch<'_> {
@@ -88,7 +88,7 @@ impl Stretch<'_> {
 }
 
 /// What is different between two moves besides where they lead.
-fn unlike(one: &Element, other: &Element, tolerance: f64) -> Option<String> {
+fn unlike(one: &PathElement, other: &PathElement, tolerance: f64) -> Option<String> {
     let close = |a: f64, b: f64| (a - b).abs() <= tolerance.max(1e-9 * a.abs());
     let feed = {
         use gaugeblock_vocabulary::motion::Feed;
@@ -143,7 +143,7 @@ impl<'a> Stretches<'a> {
         Self { path, here: path.start, next: 0, begun: 0 }
     }
 
-    fn curve(&self, element: &Element) -> Option<Curve> {
+    fn curve(&self, element: &PathElement) -> Option<Curve> {
         Curve::of(self.here, &element.shape)
     }
 
@@ -179,8 +179,8 @@ impl<'a> Stretches<'a> {
 }
 
 /// Whether a move and the next one are one motion to the controller.
-fn goes_on(one: &Element, next: &Element) -> bool {
-    let plain = |element: &Element| !matches!(element.shape, Shape::Probe { .. });
+fn goes_on(one: &PathElement, next: &PathElement) -> bool {
+    let plain = |element: &PathElement| !matches!(element.shape, Shape::Probe { .. });
     one.mode != PathMode::ExactStop
         && one.feed == next.feed
         && one.mode == next.mode

@@ -1,6 +1,8 @@
 //! Paths of whole programs, run by the model.
 
-use gaugeblock_vocabulary::motion::{Element, Feed, PathMode, ProgrammedPath, Shape, Switching};
+use gaugeblock_vocabulary::motion::{
+    Feed, OutputChange, PathElement, PathMode, ProgrammedPath, Shape,
+};
 use gaugeblock_vocabulary::{Axis, Pin, Position, Scenario};
 
 use super::{differ, programmed};
@@ -15,7 +17,7 @@ fn path_of(program: &str) -> ProgrammedPath {
 }
 
 fn ends(path: &ProgrammedPath) -> Vec<Position> {
-    path.elements.iter().filter_map(Element::end).collect()
+    path.elements.iter().filter_map(PathElement::end).collect()
 }
 
 #[track_caller]
@@ -138,7 +140,7 @@ fn turns_and_full_circles_count() {
 #[test]
 fn outputs_wait_for_motion_and_the_latest_setting_counts() {
     let path = path_of("g21 g1 f60 x1\nm62 p0\nm63 p0\nm67 e1 q5\nx2\nm64 p2\nx3\nm62 p0\nm2\n");
-    let pin = |pin, value| Switching { pin, value };
+    let pin = |pin, value| OutputChange { pin, value };
     assert_eq!(
         path.elements[1].switches,
         [pin(Pin::DigitalOut(0), 0.0), pin(Pin::AnalogOut(1), 5.0)]

@@ -1,6 +1,6 @@
 //! G61, G61.1, G64.
 
-use gaugeblock_vocabulary::{FaultKind, Path};
+use gaugeblock_vocabulary::{FaultKind, PathControlMode};
 
 use super::word;
 use crate::ids::{choice, rule};
@@ -17,18 +17,18 @@ pub(crate) trait PathRules {
     fn select_path(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         let before = state.modes.path;
         let (path, rule) = if words.g.contains(&610) {
-            (Path::ExactPath, rule::path_control::EXACT_PATH)
+            (PathControlMode::ExactPath, rule::path_control::EXACT_PATH)
         } else if words.g.contains(&611) {
-            (Path::ExactStop, rule::path_control::EXACT_STOP)
+            (PathControlMode::ExactStop, rule::path_control::EXACT_STOP)
         } else {
-            (Path::Continuous, rule::path_control::CONTINUOUS)
+            (PathControlMode::Continuous, rule::path_control::CONTINUOUS)
         };
         state.coverage.accepted(rule);
         if path == before {
             state.coverage.accepted(rule::path_control::REPEATED);
         }
         state.modes.path = path;
-        if path == Path::Continuous {
+        if path == PathControlMode::Continuous {
             tolerances(words, state)?;
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! What a restore brings back, item by item.
 
-use gaugeblock_vocabulary::{Motion, Path, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Motion, PathControlMode, SpindleTurn, Switch};
 
 use super::offsets::use_system;
 use super::orient;
@@ -69,7 +69,7 @@ pub(crate) trait RestoreRules {
     /// Rule saved-state.path-tolerances. G64 comes back with both tolerances; the other modes have none.
     fn restore_path(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
         state.modes.path = saved.path;
-        if saved.path == Path::Continuous {
+        if saved.path == PathControlMode::Continuous {
             state.modes.blend_tolerance = saved.blend_tolerance;
             state.modes.naive_cam_tolerance = saved.naive_cam_tolerance;
         }

@@ -1,6 +1,6 @@
 //! Planes, length units, distance modes, lathe modes and the return mode of canned cycles.
 
-use gaugeblock_vocabulary::{Distance, FeedMode, Lathe, LengthUnit, Plane, Retract};
+use gaugeblock_vocabulary::{Distance, FeedMode, Lathe, LengthUnit, Plane, ReturnMode};
 
 use super::not_under_compensation;
 use crate::ids::{choice, rule};
@@ -143,7 +143,7 @@ pub(crate) trait UnitsAndPlanesRules {
     /// G98 and G99: where canned cycles return to.
     fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         let r_plane = words.g.contains(&990);
-        state.modes.retract = if r_plane { Retract::RPlane } else { Retract::OldZ };
+        state.modes.retract = if r_plane { ReturnMode::RPlane } else { ReturnMode::OldZ };
         Ok(())
     }
 }

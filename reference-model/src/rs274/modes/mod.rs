@@ -15,8 +15,8 @@ pub use motions::{motion_code, motion_mode};
 pub use saved_state::SavedState;
 
 use gaugeblock_vocabulary::{
-    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion, Path,
-    Plane, Position, Retract, SpindleLimit, SpindleMode, SpindleTurn, Switch,
+    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion,
+    PathControlMode, Plane, Position, ReturnMode, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use super::dialect::ModalMemory;
@@ -48,7 +48,7 @@ pub struct Modes {
     /// Whether F is awaited since a switch to G94 or G95.
     pub feed_awaited: bool,
     /// Return mode of canned cycles.
-    pub retract: Retract,
+    pub retract: ReturnMode,
     /// Cutter compensation.
     pub compensation: Compensation,
     /// Radius of the cutter while it is compensated, active length unit.
@@ -68,7 +68,7 @@ pub struct Modes {
     /// Rotation of the work coordinate system about Z, degrees.
     pub rotation: f64,
     /// Path control mode.
-    pub path: Path,
+    pub path: PathControlMode,
     /// P of G64, active length unit; zero when not given.
     pub blend_tolerance: f64,
     /// Q of G64, active length unit; zero when not given.
@@ -162,8 +162,8 @@ impl Modes {
             feed_rate: 0.0,
             feed_awaited: false,
             retract: match choices.get::<InitialRetract>() {
-                InitialRetract::OldZ => Retract::OldZ,
-                InitialRetract::RPlane => Retract::RPlane,
+                InitialRetract::OldZ => ReturnMode::OldZ,
+                InitialRetract::RPlane => ReturnMode::RPlane,
             },
             compensation: Compensation::Off,
             compensation_radius: 0.0,
@@ -174,7 +174,7 @@ impl Modes {
             g92_offset: Position::default(),
             local_applies: false,
             rotation: 0.0,
-            path: Path::Continuous,
+            path: PathControlMode::Continuous,
             blend_tolerance: initial_tolerance(choices) / unit_size(initial_unit),
             naive_cam_tolerance: 0.0,
             lathe: Lathe::Radius,

@@ -1,8 +1,8 @@
 //! Predefined named parameters: what the state of machine and interpreter is.
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, Retract, SpindleMode,
-    SpindleTurn, Switch,
+    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Motion, Plane, ReturnMode,
+    SpindleMode, SpindleTurn, Switch,
 };
 
 use super::State;
@@ -48,9 +48,11 @@ const PREDEFINED: &[Predefined] = &[
     }),
     Predefined("_tool_offset", rule::parameters::TOOL_OFFSET, tool_offset),
     Predefined("_retract_r_plane", rule::parameters::RETRACT, |state| {
-        retract(state, Retract::RPlane)
+        retract(state, ReturnMode::RPlane)
     }),
-    Predefined("_retract_old_z", rule::parameters::RETRACT, |state| retract(state, Retract::OldZ)),
+    Predefined("_retract_old_z", rule::parameters::RETRACT, |state| {
+        retract(state, ReturnMode::OldZ)
+    }),
     Predefined("_spindle_rpm_mode", rule::parameters::SPINDLE_MODE, |state| {
         flag(spindle(state).mode == SpindleMode::Rpm)
     }),
@@ -232,7 +234,7 @@ fn tool_offset(state: &State) -> f64 {
 
 /// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
 /// Choice parameters.retract-names: each as it is named, or each under the other one's code.
-fn retract(state: &State, named: Retract) -> f64 {
+fn retract(state: &State, named: ReturnMode) -> f64 {
     let by_name = state.choices.is(choice::parameters::RetractNames::ByName);
     flag((state.modes.retract == named) == by_name)
 }

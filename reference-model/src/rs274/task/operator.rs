@@ -89,13 +89,13 @@ impl<'a> Operator<'a> {
 
 #[cfg(test)]
 mod tests {
-    use gaugeblock_vocabulary::scenario::When;
+    use gaugeblock_vocabulary::scenario::RunPoint;
 
     use super::*;
 
     fn event(line: u32, execution: u32, offset: f64, action: Action) -> OperatorEvent {
         let block = BlockLocation::new("main.ngc", line);
-        OperatorEvent { when: When { block, execution, offset }, action }
+        OperatorEvent { when: RunPoint { block, execution, offset }, action }
     }
 
     #[test]

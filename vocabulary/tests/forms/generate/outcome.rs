@@ -3,8 +3,9 @@
 use gaugeblock_vocabulary::{
     Bound, Channel, Compensation, ControllerMode, Distance, Effect, End, Event, Fault, FaultKind,
     FeedMode, GppState, Language, Lathe, LengthUnit, MacroValue, Motion, NctState, OrientDirection,
-    Outcome, OutputTiming, Path, Pin, PinChange, Plane, Request, Retract, Rs274State, Sample,
-    Settings, SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy, WaitMode,
+    Outcome, OutputTiming, PathControlMode, Pin, PinChange, Plane, Request, ReturnMode, Rs274State,
+    Sample, Settings, SpindleLimit, SpindleMode, SpindleTurn, State, Step, Switch, Vacancy,
+    WaitMode,
 };
 use proptest::collection::vec;
 use proptest::option;
@@ -48,7 +49,7 @@ pub(crate) fn settings() -> BoxedStrategy<Settings> {
         arc_distance: word(Distance::ALL),
         feed_mode: word(FeedMode::ALL),
         feed_rate: number(),
-        retract: word(Retract::ALL),
+        retract: word(ReturnMode::ALL),
         compensation: word(Compensation::ALL),
         tool_length: word(Switch::ALL),
         tool_offset: position(),
@@ -56,7 +57,7 @@ pub(crate) fn settings() -> BoxedStrategy<Settings> {
         g5x_offset: position(),
         g92_offset: position(),
         rotation: number(),
-        path: word(Path::ALL),
+        path: word(PathControlMode::ALL),
         blend_tolerance: number(),
         naive_cam_tolerance: number(),
         lathe: word(Lathe::ALL),

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::scenario::{
     Action, AxisLimits, Budget, Environment, Folder, InputChange, OperatorEvent, OrientAnswer,
-    ProbeContact, Start, ToolChange, UserProgram, When,
+    ProbeContact, RunPoint, Start, ToolChange, UserProgram,
 };
 use gaugeblock_vocabulary::{
     Axis, ControllerMode, Language, LengthUnit, Machine, Options, Program, Scenario, Tool,
@@ -175,7 +175,7 @@ fn user_program() -> BoxedStrategy<UserProgram> {
 }
 
 fn operator_event() -> BoxedStrategy<OperatorEvent> {
-    let when = whole!(When { block: block(), execution: any::<u32>(), offset: number() });
+    let when = whole!(RunPoint { block: block(), execution: any::<u32>(), offset: number() });
     whole!(OperatorEvent { when: when, action: action() })
 }
 

@@ -2,7 +2,8 @@
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
-    Compensation, Distance, FeedMode, Lathe, LengthUnit, Path, Plane, Position, Retract, Settings,
+    Compensation, Distance, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, Position,
+    ReturnMode, Settings,
 };
 
 use super::{Call, Canon, Done, Mark, whole};
@@ -68,8 +69,8 @@ impl Canon {
             "feed mode set to units per revolution" => {
                 Settings { feed_mode: Some(FeedMode::PerRevolution), ..none }
             }
-            "retract mode set to old_z" => Settings { retract: Some(Retract::OldZ), ..none },
-            "retract mode set to r_plane" => Settings { retract: Some(Retract::RPlane), ..none },
+            "retract mode set to old_z" => Settings { retract: Some(ReturnMode::OldZ), ..none },
+            "retract mode set to r_plane" => Settings { retract: Some(ReturnMode::RPlane), ..none },
             "Lathe diameter mode changed to diameter" => {
                 Settings { lathe: Some(Lathe::Diameter), ..none }
             }
@@ -108,11 +109,14 @@ impl Canon {
     fn path(&mut self, call: &Call) -> Result<Settings, HarnessError> {
         let path = |path| Settings { path: Some(path), ..Settings::default() };
         match call.arguments.split(',').next().unwrap_or_default() {
-            "CANON_EXACT_PATH" => Ok(path(Path::ExactPath)),
-            "CANON_EXACT_STOP" => Ok(path(Path::ExactStop)),
+            "CANON_EXACT_PATH" => Ok(path(PathControlMode::ExactPath)),
+            "CANON_EXACT_STOP" => Ok(path(PathControlMode::ExactStop)),
             "CANON_CONTINUOUS" => {
                 let tolerance = call.numbers().first().copied().unwrap_or(0.0);
-                Ok(Settings { path: Some(Path::Continuous), ..self.lengths.blend(tolerance) })
+                Ok(Settings {
+                    path: Some(PathControlMode::Continuous),
+                    ..self.lengths.blend(tolerance)
+                })
             }
             _ => Err(call.unreadable("path control mode")),
         }

@@ -19,7 +19,7 @@ pub(super) use series::Series;
 pub(super) use unfinished::Unfinished;
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, Retract, SpindleTurn,
+    Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, ReturnMode, SpindleTurn,
 };
 
 use crate::faults::{Fault, planted};
@@ -200,7 +200,7 @@ impl Modal {
             (numbers.retract, numbers.bottom)
         };
         let initial = start.of_axis(normal);
-        let clear = if now.retract == Retract::OldZ && !planted(Fault::BackToR) {
+        let clear = if now.retract == ReturnMode::OldZ && !planted(Fault::BackToR) {
             initial.max(retract)
         } else {
             retract

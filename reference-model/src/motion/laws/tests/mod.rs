@@ -10,8 +10,8 @@ mod rest;
 mod robust;
 
 use gaugeblock_vocabulary::motion::{
-    Column, Controls, Element, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript,
-    PathMode, ProgrammedPath, Samples, Shape, Switching,
+    Column, Controls, Feed, MotionAction, MotionEvent, MotionLimits, MotionScript, OutputChange,
+    PathElement, PathMode, ProgrammedPath, Samples, Shape,
 };
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, BlockLocation, Pin, Position};
@@ -42,7 +42,14 @@ fn within(tolerance: f64) -> PathMode {
 fn path(mode: PathMode, feed: Feed, shapes: Vec<Shape>) -> ProgrammedPath {
     let element = |(line, shape): (u32, Shape)| {
         let block = BlockLocation::new("main.ngc", line);
-        Element { block, shape, feed, mode, controls: Controls::default(), switches: Vec::new() }
+        PathElement {
+            block,
+            shape,
+            feed,
+            mode,
+            controls: Controls::default(),
+            switches: Vec::new(),
+        }
     };
     let elements = (1..).zip(shapes).map(element).collect();
     ProgrammedPath { elements, ..ProgrammedPath::default() }
@@ -52,8 +59,8 @@ fn line(x: f64, y: f64) -> Shape {
     Shape::Straight { end: xy(x, y) }
 }
 
-fn digital(value: f64) -> Switching {
-    Switching { pin: Pin::DigitalOut(0), value }
+fn digital(value: f64) -> OutputChange {
+    OutputChange { pin: Pin::DigitalOut(0), value }
 }
 
 /// A motion as pieces of constant acceleration, from which samples are taken.

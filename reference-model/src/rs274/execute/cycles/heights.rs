@@ -1,7 +1,7 @@
 //! The numbers of a cycle: which its block programs, which stick, and the heights that they mean.
 
 use gaugeblock_vocabulary::{
-    Axis, Distance, FaultKind, Lathe, LengthUnit, Motion, Plane, Position, Retract,
+    Axis, Distance, FaultKind, Lathe, LengthUnit, Motion, Plane, Position, ReturnMode,
 };
 
 use super::{Cycle, Kind, axes_of};
@@ -116,8 +116,8 @@ pub(super) fn find(
 /// R. Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles.
 fn clear(initial: f64, retract: f64, state: &State) -> f64 {
     match state.modes.retract {
-        Retract::OldZ => initial.max(retract),
-        Retract::RPlane => retract,
+        ReturnMode::OldZ => initial.max(retract),
+        ReturnMode::RPlane => retract,
     }
 }
 
@@ -151,7 +151,7 @@ fn unchanged(
     let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
     let has = |letter: char| word(words, letter).is_some();
     let all_programmed = has('r') && has(crate::rs274::execute::letter(normal));
-    let to_initial = state.modes.retract == Retract::OldZ;
+    let to_initial = state.modes.retract == ReturnMode::OldZ;
     if told_anew && !all_programmed || before.first != now && to_initial {
         let what = "a row of cycles over a change of plane, length unit or offset";
         return Err(StepError::Unspecified(what.to_owned()));

@@ -1,0 +1,369 @@
+//! Quirks of saving and restoring.
+//!
+//! `rs274` restores by programming codes again, for what it takes to be different: what such codes cannot say is lost.
+
+use gaugeblock_vocabulary::{
+    Compensation, FaultKind, FeedMode, PathControlMode, Plane, Position, SpindleLimit, SpindleMode,
+    SpindleTurn, Switch,
+};
+
+use crate::rs274::execute::restore::{restored_turn, same};
+use crate::rs274::execute::tool_length::{apply, table_offset};
+use crate::rs274::modes::{Modes, Spindle, unit_size};
+use crate::rs274::quirks::settings::choose;
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+
+/// Quirk rs274.tool-offset-restore. G43 is programmed again when the offset is off, with the tool in the spindle; an
+/// offset that is on stays as it is. One of zero counts as off.
+pub(crate) fn tool_offset(saved: &Modes, state: &mut State) -> Result<(), StepError> {
+    let is_on = |modes: &Modes| modes.tool_offset != Position::default();
+    match (is_on(&state.modes), is_on(saved)) {
+        (_, false) => apply(None, state),
+        (true, true) => {}
+        (false, true) => {
+            let offset = table_offset(state.known_tool, "rs274.tool-offset-restore", state)?;
+            apply(Some(offset), state);
+        }
+    }
+    Ok(())
+}
+
+/// Quirk rs274.rest-of-restore-block. Whether something is programmed again that can leave all as it was: a tool
+/// offset where none is known, a feed or speed that is rounded to the one in force, overrides.
+pub(crate) fn programs(saved: &Modes, now: &Modes) -> bool {
+    let is_on = |modes: &Modes| modes.tool_offset != Position::default();
+    let timed = saved.feed_mode == FeedMode::InverseTime;
+    is_on(saved) != is_on(now)
+        || !timed && !same(saved.feed_number, now.feed_number)
+        || !same(saved.spindles[0].speed, now.spindles[0].speed)
+        || saved.feed_override != now.feed_override
+}
+
+/// Quirk rs274.plane-restore. G17, G18 or G19 is programmed before G40, and refused where the cutter is compensated.
+pub(crate) fn plane(saved: &Modes, state: &State) -> Result<(), StepError> {
+    let rule = "rs274.plane-restore";
+    let compensated = state.modes.compensation != Compensation::Off;
+    let three = matches!(saved.plane, Plane::Xy | Plane::Zx | Plane::Yz);
+    if compensated && three && saved.plane != state.modes.plane && state.choices.quirk(rule) {
+        let message = "a restore of the plane while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.system-restore. G54 to G59.3 is programmed behind G41 or G42, and refused then.
+pub(crate) fn system(saved: &Modes, state: &State) -> Result<(), StepError> {
+    let rule = "rs274.system-restore";
+    let selected = saved.work_offset != state.modes.work_offset;
+    if selected && saved.compensation != Compensation::Off && state.choices.quirk(rule) {
+        let message = "a restore of the coordinate system beside that of the compensation";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.retract-under-compensation. G98 or G99 is programmed, behind a G40 where that was in force at the save.
+pub(crate) fn retract(saved: &Modes, state: &State) -> Result<(), StepError> {
+    if saved.retract == state.modes.retract || saved.compensation == Compensation::Off {
+        return Ok(());
+    }
+    retract_under_compensation(state)
+}
+
+/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
+/// compensated.
+pub(crate) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
+    let rule = "rs274.retract-under-compensation";
+    if state.modes.compensation != Compensation::Off && state.choices.quirk(rule) {
+        let message = "a return mode is selected while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.path-under-compensation. G61, G61.1 or G64 is programmed, behind G41 or G42 where that was in force at
+/// the save.
+pub(crate) fn path_refused(saved: &Modes, state: &State) -> Result<(), StepError> {
+    if programs_path(saved, &state.modes) {
+        return path_under(saved.compensation, state);
+    }
+    Ok(())
+}
+
+/// Quirk rs274.path-under-compensation. The path control mode stays as it is while the cutter is compensated.
+pub(crate) fn path_under_compensation(state: &State) -> Result<(), StepError> {
+    path_under(state.modes.compensation, state)
+}
+
+fn path_under(compensation: Compensation, state: &State) -> Result<(), StepError> {
+    let rule = "rs274.path-under-compensation";
+    if compensation != Compensation::Off && state.choices.quirk(rule) {
+        let message = "a path control mode is selected while the cutter is compensated";
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.local-offset-restore. A local offset that did not apply at the save is suspended, and one that did
+/// apply resumed: by its parameters, as they are now.
+pub(crate) fn local_offset(saved: &Modes, state: &mut State) {
+    if state.modes.local_applies == saved.local_applies {
+        return;
+    }
+    let machine = state.modes.machine_point(state.position);
+    state.parameters.store(5210, if saved.local_applies { 1.0 } else { 0.0 });
+    let parameters = &state.parameters;
+    state.modes.load_local_offset(|number| parameters.stored(number), state.machine.length_unit);
+    state.position = state.modes.program_point(machine);
+}
+
+/// Quirk rs274.dynamic-compensation-restore. G41.1 comes back as G41 and G42.1 as G42, by the tool in the spindle.
+pub(crate) fn compensation(saved: &Modes, state: &mut State) {
+    let by_tool = |compensation| match compensation {
+        Compensation::Left | Compensation::DynamicLeft => Compensation::Left,
+        Compensation::Right | Compensation::DynamicRight => Compensation::Right,
+        Compensation::Off => Compensation::Off,
+    };
+    if by_tool(saved.compensation) != by_tool(state.modes.compensation) {
+        state.modes.compensation = by_tool(saved.compensation);
+        state.modes.compensation_radius = saved.compensation_radius;
+    }
+}
+
+/// The quirks that concern the feed.
+pub(crate) const FEED: &[&str] =
+    &["rs274.feed-mode-feed", "rs274.feed-speed-rounded", "rs274.feed-unit"];
+
+/// Quirk rs274.feed-speed-rounded. A feed that changed comes back with one decimal. Quirk rs274.feed-mode-feed. With
+/// another mode it does not come back: F is ignored under inverse time, and G94 and G95 leave no feed when F is not
+/// programmed again, because it is the same. Quirk rs274.feed-unit. F comes back as the number that was programmed,
+/// whatever the length unit was.
+pub(crate) fn feed(saved: &Modes, state: &mut State) {
+    let by_number = state.choices.quirk("rs274.feed-unit");
+    let number = |modes: &Modes| if by_number { modes.feed_number } else { modes.feed_rate };
+    let is_same = same(number(&state.modes), number(saved));
+    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
+    let programmed = if rounded { decimals(number(saved), 1) } else { number(saved) };
+    let mode_changed = saved.feed_mode != state.modes.feed_mode;
+    let lost = state.choices.quirk("rs274.feed-mode-feed");
+    let ignored = lost && saved.feed_mode == FeedMode::InverseTime;
+    if !ignored && (!is_same || lost && mode_changed) {
+        let number = if is_same { 0.0 } else { programmed };
+        state.modes.feed_rate = number;
+        state.modes.feed_number = number;
+    }
+    if mode_changed {
+        choose(0, state);
+    }
+    state.modes.feed_mode = saved.feed_mode;
+    state.modes.feed_awaited = saved.feed_awaited;
+}
+
+/// The quirks that concern spindles.
+pub(crate) const SPINDLES: &[&str] = &[
+    "rs274.feed-speed-rounded",
+    "rs274.surface-speed-restore",
+    "rs274.first-spindle-saved",
+    "rs274.oriented-as-stopped",
+];
+
+/// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
+pub(crate) fn spindles(saved: &Modes, state: &mut State) -> Result<(), StepError> {
+    let first_only = state.choices.quirk("rs274.first-spindle-saved");
+    let count = if first_only { 1 } else { saved.spindles.len() };
+    if saved.spindles[0].mode != state.modes.spindles[0].mode {
+        choose(0, state);
+    }
+    for (place, saved) in saved.spindles.iter().enumerate().take(count) {
+        state.modes.spindles[place] = spindle(saved, &state.modes.spindles[place], state)?;
+    }
+    Ok(())
+}
+
+/// Quirk rs274.feed-speed-rounded. A speed that changed comes back as an integer. Quirk rs274.surface-speed-restore.
+/// G96 comes back without D, and is refused when S is not programmed again, because it is the same.
+fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, StepError> {
+    let is_same = same(saved.speed, now.speed);
+    let rounded = state.choices.quirk("rs274.feed-speed-rounded");
+    let speed = match (is_same, rounded) {
+        (true, _) => now.speed,
+        (false, true) => decimals(saved.speed, 0),
+        (false, false) => saved.speed,
+    };
+    let mut limit = saved.limit;
+    if state.choices.quirk("rs274.surface-speed-restore") {
+        let to_surface = saved.mode == SpindleMode::SurfaceSpeed;
+        limit = if saved.mode == now.mode { now.limit } else { SpindleLimit::None };
+        if to_surface && saved.mode != now.mode && is_same {
+            let message = "G96 is programmed again without S";
+            return Err(refuse("rs274.surface-speed-restore", FaultKind::MissingWord, message));
+        }
+    }
+    let (turn, taken_for_stopped) = restored(saved, now, state);
+    Ok(Spindle {
+        speed,
+        mode: saved.mode,
+        limit,
+        turn,
+        speed_override: now.speed_override,
+        brake_released: now.brake_released,
+        taken_for_stopped,
+    })
+}
+
+/// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was
+/// at the save. Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how
+/// it turns, and whether it is taken for stopped.
+fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
+    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
+    let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
+    let oriented = now.turn == SpindleTurn::Oriented;
+    if was_stopped && (oriented && as_stopped || now.taken_for_stopped) {
+        return (now.turn, now.taken_for_stopped);
+    }
+    (restored_turn(saved.known_turn(), now.turn), false)
+}
+
+/// Quirk rs274.oriented-as-stopped. How a spindle is taken to turn.
+fn taken_turn(spindle: &Spindle, state: &State) -> SpindleTurn {
+    let as_stopped = state.choices.quirk("rs274.oriented-as-stopped");
+    let turn = spindle.known_turn();
+    if turn == SpindleTurn::Oriented && as_stopped { SpindleTurn::Stopped } else { turn }
+}
+
+/// A number as it is written with so many decimals.
+fn decimals(number: f64, count: usize) -> f64 {
+    format!("{number:.count$}").parse().unwrap_or(number)
+}
+
+/// Quirk rs274.tolerance-unit. The tolerances of G64 come back as the numbers that were programmed, in whatever unit.
+pub(crate) fn path(saved: &Modes, state: &mut State) {
+    if programs_path(saved, &state.modes) && saved.path == PathControlMode::Continuous {
+        let factor = unit_size(saved.units) / unit_size(saved.tolerance_unit);
+        state.modes.blend_tolerance = saved.blend_tolerance * factor;
+        state.modes.naive_cam_tolerance = saved.naive_cam_tolerance * factor;
+        state.modes.tolerance_unit = saved.units;
+    }
+    state.modes.path = saved.path;
+}
+
+/// Quirk rs274.tolerance-unit. G64 is programmed again with the numbers of its tolerances, in whatever unit.
+pub(crate) fn tolerances_as_numbers(state: &mut State) {
+    let modes = &mut state.modes;
+    if state.choices.quirk("rs274.tolerance-unit") {
+        let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
+        modes.blend_tolerance *= factor;
+        modes.naive_cam_tolerance *= factor;
+        modes.tolerance_unit = modes.units;
+    }
+}
+
+/// Whether a restore programs the path control mode again.
+fn programs_path(saved: &Modes, now: &Modes) -> bool {
+    let programmed = |modes: &Modes| {
+        let factor = unit_size(modes.units) / unit_size(modes.tolerance_unit);
+        (modes.blend_tolerance * factor, modes.naive_cam_tolerance * factor)
+    };
+    let ((blend, naive_cam), (blend_now, naive_cam_now)) = (programmed(saved), programmed(now));
+    saved.path != now.path || !same(blend, blend_now) || !same(naive_cam, naive_cam_now)
+}
+
+/// A control that a restore can only enable, by an M code without P.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Control {
+    /// M51.
+    SpeedOverride,
+    /// M52.
+    AdaptiveFeed,
+    /// M53.
+    FeedStop,
+}
+
+/// Quirk rs274.shared-p. The first M code that a restore programs stands in a block with the G codes, and takes the P
+/// of G64 as its own: the control that P0 disables in that way, if there is one.
+pub(crate) fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control> {
+    let has_p = saved.path == PathControlMode::Continuous && programs_path(saved, now);
+    let is_zero = same(saved.blend_tolerance, 0.0);
+    if !(has_p && is_zero && state.choices.quirk("rs274.shared-p")) {
+        return None;
+    }
+    let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;
+    let none = |modes: &Modes| modes.mist == Switch::Off && modes.flood == Switch::Off;
+    let turn = |modes: &Modes| taken_turn(&modes.spindles[0], state);
+    let earlier = turn(saved) != turn(now)
+        || comes_on(saved.mist, now.mist)
+        || comes_on(saved.flood, now.flood)
+        || none(saved) && !none(now);
+    if earlier {
+        None
+    } else if saved.feed_override != now.feed_override {
+        (saved.feed_override == Switch::Off).then_some(Control::SpeedOverride)
+    } else if comes_on(saved.adaptive_feed, now.adaptive_feed) {
+        Some(Control::AdaptiveFeed)
+    } else {
+        comes_on(saved.feed_stop, now.feed_stop).then_some(Control::FeedStop)
+    }
+}
+
+/// Quirk rs274.shared-p. That control is disabled.
+pub(crate) fn disable(control: Control, state: &mut State) {
+    let modes = &mut state.modes;
+    match control {
+        Control::SpeedOverride => {
+            for spindle in &mut modes.spindles {
+                spindle.speed_override = Switch::Off;
+            }
+        }
+        Control::AdaptiveFeed => modes.adaptive_feed = Switch::Off,
+        Control::FeedStop => modes.feed_stop = Switch::Off,
+    }
+}
+
+/// Quirk rs274.off-not-restored. What was on is switched on; nothing is switched off, but both coolants by M9.
+pub(crate) fn switches(saved: &Modes, state: &mut State) {
+    let modes = &mut state.modes;
+    let no_coolant = saved.mist == Switch::Off && saved.flood == Switch::Off;
+    for (now, saved) in [
+        (&mut modes.mist, saved.mist),
+        (&mut modes.flood, saved.flood),
+        (&mut modes.adaptive_feed, saved.adaptive_feed),
+        (&mut modes.feed_stop, saved.feed_stop),
+    ] {
+        if saved == Switch::On {
+            *now = Switch::On;
+        }
+    }
+    if no_coolant {
+        modes.mist = Switch::Off;
+        modes.flood = Switch::Off;
+    }
+}
+
+/// Quirk rs274.override-restore. The speed overrides are taken as enabled whenever the feed override has changed: M48
+/// when that was saved as enabled, M51 when it was not.
+pub(crate) fn overrides(saved: &Modes, state: &mut State) {
+    if saved.feed_override == state.modes.feed_override {
+        return;
+    }
+    if saved.feed_override == Switch::On {
+        state.modes.feed_override = Switch::On;
+    }
+    for spindle in &mut state.modes.spindles {
+        spindle.speed_override = Switch::On;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_rounded_as_they_are_written() {
+        for (number, count, expected) in
+            [(12.3456, 1, 12.3), (0.04, 1, 0.0), (1234.56, 0, 1235.0), (1.04, 1, 1.0)]
+        {
+            assert!((decimals(number, count) - expected).abs() < 1e-12, "{number}");
+        }
+    }
+}
