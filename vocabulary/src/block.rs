@@ -1,4 +1,4 @@
-//! Where a block stands in a program, and a part of its text.
+//! Where a block is in a program, and a part of its text.
 
 use alloc::borrow::{Cow, ToOwned as _};
 use core::fmt;

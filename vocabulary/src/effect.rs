@@ -1,4 +1,4 @@
-//! Effects: what a program does to the world, in order.
+//! Effects: what a program does to the world, in order. Positions are program coordinates in the active length unit.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -13,7 +13,7 @@ use crate::text::line::Arguments;
 use crate::words::words;
 
 words! {
-    /// Where a message is shown.
+    /// Where a message is displayed.
     pub enum Channel {
         /// The operator's display: (MSG,…) and (DEBUG,…).
         Display = "display",
@@ -62,7 +62,7 @@ words! {
 }
 
 words! {
-    /// What an operator asks of a controller.
+    /// A request of an operator to a controller.
     pub enum Request {
         /// Start the program, or start it again.
         CycleStart = "cycle_start",
@@ -206,7 +206,7 @@ effects! {
         /// Tool number.
         tool: i32,
     }
-    /// M6 where tools are changed by hand: ask for a tool.
+    /// M6 where tools are changed by hand: prompt for a tool.
     "prompt_tool" PromptTool {
         /// Tool number; 0 for none.
         tool: i32,
@@ -242,10 +242,10 @@ effects! {
         spindle: u32,
         /// Degrees.
         angle: f64,
-        /// Which way.
+        /// Direction of rotation.
         direction: OrientDirection,
     }
-    /// M19 with Q: wait until a spindle stands at its angle.
+    /// M19 with Q: wait until a spindle is at its angle.
     "wait_orient" WaitOrient {
         /// Spindle number.
         spindle: u32,
@@ -265,7 +265,7 @@ effects! {
     "set_analog_output" SetAnalogOutput {
         /// Output number.
         output: i32,
-        /// Value.
+        /// Value of the output, in units of the output.
         to: f64,
         /// With the next motion or at once.
         timing: OutputTiming,
@@ -276,7 +276,7 @@ effects! {
         digital: Option<i32>,
         /// Analog input number.
         analog: Option<i32>,
-        /// What for.
+        /// The condition that ends the wait.
         mode: WaitMode,
         /// Longest wait, seconds.
         timeout: Option<f64>,
@@ -301,7 +301,7 @@ effects! {
     "pallet_shuttle" PalletShuttle {}
     /// A text for a person.
     "message" Message {
-        /// Where it is shown.
+        /// Where the text is displayed.
         channel: Channel,
         /// The text, parameters expanded.
         text: String,
@@ -327,9 +327,9 @@ effects! {
         /// The new mode.
         mode: ControllerMode,
     }
-    /// The controller does not do what the operator asks for.
+    /// The controller refuses a request of the operator.
     "request_refused" RequestRefused {
-        /// What was asked for.
+        /// The refused request.
         request: Request,
     }
     /// M2, M30: the program is over.

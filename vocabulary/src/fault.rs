@@ -12,7 +12,7 @@ words! {
         BadCharacter = "bad_character",
         /// More characters in a line than are allowed.
         LineTooLong = "line_too_long",
-        /// A number that is none.
+        /// A malformed number.
         BadNumber = "bad_number",
         /// An expression that is not closed, or not one.
         BadExpression = "bad_expression",
@@ -24,7 +24,7 @@ words! {
         MissingEnd = "missing_end",
         /// Division by zero.
         DivideByZero = "divide_by_zero",
-        /// An argument outside of a function's domain, or a result that is no number.
+        /// An argument outside of a function's domain, or a result that is not a number.
         OutOfDomain = "out_of_domain",
         /// A parameter number outside of the range.
         ParameterOutOfRange = "parameter_out_of_range",
@@ -84,7 +84,7 @@ words! {
         SpindleOutOfRange = "spindle_out_of_range",
         /// A code that is not allowed while cutter compensation is on.
         CompensationActive = "compensation_active",
-        /// The program itself asked for the error: (ABORT,…).
+        /// The program itself raised the error: (ABORT,…).
         AbortedByProgram = "aborted_by_program",
         /// An axis that the machine does not have.
         NoSuchAxis = "no_such_axis",
@@ -129,7 +129,7 @@ words! {
     }
 }
 
-/// A block refused.
+/// Why a block was refused, and where.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -138,15 +138,15 @@ words! {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fault {
-    /// Its kind, where the controller tells; compared.
+    /// Its kind, if the controller reports it; compared.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub kind: Option<FaultKind>,
-    /// The block, where the controller tells; compared.
+    /// The refused block, if the controller reports it; compared.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub block: Option<BlockLocation>,
-    /// The part of the block's text; never compared.
+    /// The part of the block's text that is at fault; never compared.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub span: Option<Span>,
-    /// For people; never compared.
+    /// A text for people; never compared.
     pub message: String,
 }

@@ -14,8 +14,8 @@ use crate::text::value::{FromText, ReadField};
 
 /// Several values of one field, by index (spindle number, parameter name).
 ///
-/// In JSON and TOML an object whose names are the indices. A record's field in which nothing stands is the same as an
-/// absent one, and is written as absent.
+/// In JSON and TOML an object whose names are the indices. A record's field without values is the same as an absent
+/// one, and is written as absent.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "schema",
@@ -50,7 +50,7 @@ impl<K: fmt::Display + FromStr, T> Indexed<K, T> {
         let index: Option<K> = text.parse().ok();
         index
             .filter(|index| index.to_string() == text)
-            .ok_or_else(|| TextError::new(format!("this is no index of the field: {text}")))
+            .ok_or_else(|| TextError::new(format!("not an index of this field: {text}")))
     }
 }
 

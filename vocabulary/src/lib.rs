@@ -1,12 +1,21 @@
 //! The vocabulary of Gaugeblock: what goes into a run and what can be observed of it.
 //!
 //! Read it in this order: [`Scenario`] (all that a run depends on), [`Outcome`] (what can be observed), [`Effect`],
-//! [`Settings`] and [`State`], [`Fault`]. Every type has a JSON form, whose schema is generated from it ([`schema`]);
-//! a scenario also has a TOML form and an outcome a line form that a person reads ([`text`]). What is commanded of
-//! the axes, cycle by cycle, has words of its own: [`motion`].
+//! [`Settings`] and [`State`], [`Fault`]. The path, limits and servo samples of a motion are in [`motion`].
+//!
+//! The crate is `no_std` and needs an allocator. Its forms are features, all of them on by default:
+//!
+//! | feature | form |
+//! | --- | --- |
+//! | `text` | the line form of outcomes, the table form of samples |
+//! | `serde` | JSON, by `Serialize` and `Deserialize` |
+//! | `toml` | TOML files of scenarios, paths, limits and scripts |
+//! | `schema` | JSON schemas, generated from the types |
+//!
+//! In source, read `words`, `position` and `field` first; everything else is declared with them.
 //!
 //! **Invariant:** this crate interprets nothing. It holds no block parser, no table of codes, no unit conversion and
-//! no arithmetic on positions; reference model and production interpreter share it and nothing else.
+//! no arithmetic on positions. The reference model and the interpreter share this crate and no other of the workspace.
 
 #![no_std]
 

@@ -168,7 +168,7 @@ words! {
     }
 }
 words! {
-    /// What a spindle was told to do (group 7 of the M codes).
+    /// What a spindle was commanded to do (group 7 of the M codes).
     pub enum SpindleTurn {
         /// M5.
         Stopped = "stopped",

@@ -70,33 +70,33 @@ words! {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum End {
-    /// M2, M30.
+    /// The program ended by M2 or M30.
     ProgramEnd,
     /// The second percent sign of a file.
     PercentEnd,
-    /// M99 in the main program: it would begin again, for ever.
+    /// M99 in the main program would repeat it for ever.
     Endless,
     /// Waiting for the operator, and no operator event is left.
     Paused,
-    /// Ended by the operator.
+    /// The operator aborted the run.
     Aborted,
     /// A block was refused.
     Fault(Fault),
-    /// The budget ran out: a prefix of a longer run.
+    /// A bound of the budget was reached: the outcome is a prefix of a longer one.
     BudgetExhausted {
-        /// Which bound.
+        /// The bound that was reached.
         bound: Bound,
     },
-    /// Something that this interpreter does not do; everything before it counts.
+    /// A feature that the interpreter does not support; everything before it counts.
     Unsupported {
-        /// Where.
+        /// The block with the feature.
         block: BlockLocation,
-        /// What.
+        /// The feature.
         what: String,
     },
     /// The documents leave this open and no choice covers it; nothing is compared from here on.
     Unspecified {
-        /// Where.
+        /// The block that is open.
         block: BlockLocation,
         /// What is open, and in which sentence.
         why: String,
@@ -133,17 +133,17 @@ impl<'de> serde::Deserialize<'de> for End {
     }
 }
 
-/// Why a run says nothing of what comes behind its end.
+/// Why the end of a run leaves open what would follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undetermined<'a> {
-    /// This interpreter does not do it.
+    /// The interpreter does not support it.
     Unsupported(&'a str),
-    /// The documents leave it open.
+    /// The documents leave it open, and no choice covers it.
     Unspecified(&'a str),
 }
 
 impl End {
-    /// Why nothing can be said of what comes behind; none where the run has an end of its own.
+    /// Why it is open what would follow; `None` if the run itself ended here.
     pub fn undetermined(&self) -> Option<Undetermined<'_>> {
         match self {
             Self::Unsupported { what, .. } => Some(Undetermined::Unsupported(what)),
@@ -190,6 +190,29 @@ pub struct Sample {
 }
 
 /// Everything that was observed of one run.
+///
+/// ```
+/// use gaugeblock_vocabulary::{
+///     BlockLocation, Effect, End, Event, Language, Outcome, Position, Settings, Step,
+/// };
+///
+/// let end = Position { x: 1.0, ..Position::default() };
+/// let outcome = Outcome {
+///     language: Language::Rs274,
+///     start: Settings::default(),
+///     steps: vec![Step {
+///         block: BlockLocation::new("main.ngc", 1),
+///         events: vec![Event::Do(Effect::StraightTraverse { end })],
+///         state: None,
+///     }],
+///     end: End::ProgramEnd,
+///     parameters: None,
+///     pins: Vec::new(),
+///     samples: Vec::new(),
+/// };
+/// assert_eq!(outcome.end.name(), "program_end");
+/// assert_eq!(outcome.steps[0].block.to_string(), "main.ngc:1");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -206,7 +229,7 @@ pub struct Outcome {
     pub steps: Vec<Step>,
     /// How it ended.
     pub end: End,
-    /// All numbered parameters that are not zero at the end, where the controller shows them.
+    /// All numbered parameters that are not zero at the end, if the controller reports them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub parameters: Option<Indexed<u32, f64>>,
     /// Pins over virtual time.

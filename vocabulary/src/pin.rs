@@ -1,4 +1,4 @@
-//! Pins: what the electrics of a machine see of a program, and when.
+//! Pins: the electrical signals between a controller and its machine, and when they change.
 
 use alloc::format;
 use alloc::string::{String, ToString as _};
@@ -25,10 +25,10 @@ macro_rules! pins {
         }
 
         impl Pin {
-            /// Names of the pins that there are once per output or spindle.
+            /// Names of the pins that exist once per output or spindle.
             pub const INDEXED_NAMES: &'static [&'static str] = &[$($name),*];
 
-            /// Names of the pins that there are once.
+            /// Names of the pins that exist once.
             pub const SINGLE_NAMES: &'static [&'static str] = &[$($single_name),*];
 
             /// The name without index, such as `digital_out`.
@@ -39,7 +39,7 @@ macro_rules! pins {
                 }
             }
 
-            /// Which of the outputs or spindles.
+            /// Number of the output or spindle, from 0.
             pub fn index(self) -> Option<u16> {
                 match self {
                     $(Self::$variant(index) => Some(index),)*
@@ -64,23 +64,23 @@ pins! {
         "digital_out" DigitalOut,
         /// An analog output.
         "analog_out" AnalogOut,
-        /// Whether a spindle is asked to turn.
+        /// Whether a spindle is commanded to turn.
         "spindle_on" SpindleOn,
-        /// Whether it is asked to turn clockwise.
+        /// Whether a spindle is commanded to turn clockwise.
         "spindle_forward" SpindleForward,
-        /// Whether it is asked to turn counterclockwise.
+        /// Whether a spindle is commanded to turn counterclockwise.
         "spindle_reverse" SpindleReverse,
-        /// The speed that it is asked for, revolutions per minute, negative counterclockwise.
+        /// The commanded speed of a spindle, revolutions per minute, negative counterclockwise.
         "spindle_speed" SpindleSpeed,
-        /// Whether its brake is applied.
+        /// Whether the brake of a spindle is applied.
         "spindle_brake" SpindleBrake,
-        /// Whether it stands at its angle and is held there.
+        /// Whether a spindle is at its angle and locked.
         "spindle_locked" SpindleLocked,
-        /// Whether it is asked to turn to an angle.
+        /// Whether a spindle is commanded to turn to an angle.
         "spindle_orient" SpindleOrient,
-        /// That angle, degrees.
+        /// The commanded angle of a spindle, degrees.
         "spindle_orient_angle" SpindleOrientAngle,
-        /// Which way it shall turn there: 0 the shortest, 1 clockwise, 2 counterclockwise.
+        /// Direction in which a spindle turns to its angle: 0 the shortest, 1 clockwise, 2 counterclockwise.
         "spindle_orient_mode" SpindleOrientMode,
     }
     single {

@@ -1,7 +1,7 @@
 //! The JSON schemas of the vocabulary, generated from its types.
 //!
-//! They are published as `schema/scenario.json` and `schema/outcome.json`, for whoever writes an adapter in another
-//! language; a test holds these files to the types.
+//! They are published as `schema/scenario.json` and `schema/outcome.json`, for authors of adapters in other
+//! languages; a test compares these files with the types.
 
 use alloc::borrow::{Cow, ToOwned as _};
 use alloc::format;

@@ -65,7 +65,7 @@ record! {
     /// What a program sets and what then stays in force until it is set again.
     ///
     /// Compared as the settings in force at each effect and after each block: a setting repeated, or reordered
-    /// between two effects, is no difference.
+    /// between two effects, is not a difference.
     pub struct Settings {
         /// Length unit of program coordinates and feeds.
         units: LengthUnit,
@@ -109,7 +109,7 @@ record! {
         spindle_mode: Indexed<u8, SpindleMode>,
         /// D of G96, by spindle.
         spindle_limit: Indexed<u8, SpindleLimit>,
-        /// What each spindle was told to do.
+        /// What each spindle was commanded to do.
         spindle: Indexed<u8, SpindleTurn>,
         /// Mist coolant.
         mist: Switch,
@@ -139,8 +139,8 @@ record! {
         prepared_tool: i32,
         /// Mode of the controller.
         controller_mode: ControllerMode,
-        /// Depth of calls; 0 in the main program. In the first record after a call or return it stands even when it
-        /// is the same: local named parameters that stand in no record since then do not exist.
+        /// Depth of calls; 0 in the main program. The first record after a call or return has it even when it is
+        /// the same: local named parameters that no record since then has do not exist.
         call_level: u32,
         /// Parameters that changed: `31` for `#31`, `x` for `#<x>`, `_x` for `#<_x>`. In a record with a call level all
         /// local named parameters that exist.

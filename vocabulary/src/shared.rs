@@ -1,4 +1,6 @@
-//! A value that many hold: to hand it on costs nothing, and who changes it has a copy of its own.
+//! A shared value that is copied when it is changed.
+//!
+//! It is an `Arc` that copies on write by itself: the reference model clones its whole state for each block.
 
 use alloc::collections::BTreeMap;
 use alloc::sync::Arc;

@@ -25,6 +25,14 @@ impl Scenario {
 
     /// Reads the TOML form.
     ///
+    /// ```
+    /// use gaugeblock_vocabulary::Scenario;
+    ///
+    /// let scenario = Scenario::from_text("[program]\nmain = 'm2'\n")?;
+    /// assert_eq!(scenario, Scenario::of("m2"));
+    /// # Ok::<(), gaugeblock_vocabulary::TextError>(())
+    /// ```
+    ///
     /// # Errors
     /// Not TOML, an unknown key, a value of the wrong kind, or a number that is not finite, with its line.
     pub fn from_text(text: &str) -> Result<Self, TextError> {

@@ -38,7 +38,7 @@ where
     }
 }
 
-/// Reads what stands by index.
+/// Reads the members of the object.
 struct Members<K, T>(PhantomData<(K, T)>);
 
 impl<'de, K, T> Visitor<'de> for Members<K, T>

@@ -1,6 +1,7 @@
-//! Objects that name their variant in one of their members, read in one pass where that member comes first.
+//! Objects that name their variant in one of their members, such as `{"effect": "dwell", "seconds": 1}`.
 //!
-//! What serde derives for such objects sets all members aside before it looks at any. A trace consists of them.
+//! They are read in one pass if that member is the first. The code that serde derives for them buffers all members
+//! before it reads any, and outcomes consist of such objects.
 
 use alloc::borrow::Cow;
 use alloc::borrow::ToOwned as _;

@@ -50,11 +50,11 @@ impl Samples {
     ///
     /// # Errors
     /// Not this form or version, cut short, too long, a check that does not fit, or a value that samples cannot have,
-    /// with the byte or row where it stands. Memory is taken only for bytes that are there.
+    /// with its byte or row. Memory is allocated only for bytes that exist.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, SamplesError> {
         let mut reader = Reader { bytes, place: 0 };
         if reader.take::<8>()? != *MAGIC {
-            return Err(SamplesError::at("byte 0", "this is no file of samples"));
+            return Err(SamplesError::at("byte 0", "not a file of samples"));
         }
         let version = u16::from_le_bytes(reader.take()?);
         if version != VERSION {
@@ -83,7 +83,7 @@ impl Samples {
         let sum = check(&bytes[..reader.place]);
         let place = reader.place;
         if u64::from_le_bytes(reader.take()?) != sum {
-            let message = "the check does not fit what stands before it";
+            let message = "the checksum does not match the bytes before it";
             return Err(SamplesError::at(format!("byte {place}"), message));
         }
         Ok(samples)
@@ -116,7 +116,7 @@ impl Reader<'_> {
         let name =
             self.bytes.get(self.place..end).ok_or_else(|| self.wrong("the file ends here"))?;
         let column = core::str::from_utf8(name).ok().and_then(Column::from_name);
-        let column = column.ok_or_else(|| self.wrong("this names no column"))?;
+        let column = column.ok_or_else(|| self.wrong("not the name of a column"))?;
         self.place = end;
         Ok(column)
     }

@@ -1,4 +1,4 @@
-//! The path that a program asks for.
+//! The programmed path.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -7,7 +7,7 @@ use crate::block::BlockLocation;
 use crate::pin::Pin;
 use crate::position::Position;
 
-/// How fast an element is to be passed.
+/// The feed of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -31,7 +31,7 @@ pub enum Feed {
     },
 }
 
-/// What an element promises of the path (G61, G61.1, G64).
+/// How exactly an element is followed (G61, G61.1, G64).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -88,13 +88,13 @@ impl Default for Controls {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OutputChange {
-    /// Which output.
+    /// The output.
     pub pin: Pin,
     /// Its value from here on.
     pub value: f64,
 }
 
-/// What an element is.
+/// The geometry of an element, or what happens at rest.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -155,13 +155,13 @@ pub enum Shape {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PathElement {
-    /// The block that asks for it.
+    /// The block that commands it.
     pub block: BlockLocation,
-    /// What it is.
+    /// Its geometry.
     pub shape: Shape,
     /// How fast.
     pub feed: Feed,
-    /// What it promises of the path.
+    /// How exactly it is followed.
     pub mode: PathMode,
     /// Which controls act on it.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -172,7 +172,7 @@ pub struct PathElement {
 }
 
 impl PathElement {
-    /// Where it ends; `None` for what does not move.
+    /// End point; `None` for an element without motion.
     pub fn end(&self) -> Option<Position> {
         match &self.shape {
             Shape::Straight { end } | Shape::Arc { end, .. } | Shape::Curve { end } => Some(*end),
@@ -182,7 +182,7 @@ impl PathElement {
     }
 }
 
-/// What a program asks of the axes, in order, from rest to rest.
+/// What a program commands of the axes, in order, from rest to rest.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -191,11 +191,11 @@ impl PathElement {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProgrammedPath {
-    /// Where the machine stands before.
+    /// Where the machine is before it.
     pub start: Position,
-    /// What it does.
+    /// The elements, in order.
     pub elements: Vec<PathElement>,
-    /// Outputs for which no motion came: they never switch.
+    /// Outputs that wait for a motion which never follows: they never switch.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub never: Vec<OutputChange>,
 }

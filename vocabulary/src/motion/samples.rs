@@ -14,9 +14,9 @@ use crate::position::{Axis, Position};
 pub enum Column {
     /// The commanded machine position of an axis, millimetres or degrees.
     Position(Axis),
-    /// The element of the path that the controller says it executes, from 0.
+    /// The element of the path that the controller reports as executing, from 0.
     Element,
-    /// The line of the program that it says it executes, from 1.
+    /// The line of the program that the controller reports as executing, from 1.
     Line,
     /// How many elements of the path it had been given when it computed the sample.
     Queued,
@@ -102,7 +102,7 @@ pub(super) fn can_be(period: f64, resolution: f64) -> Result<(), SamplesError> {
 
 /// What a controller commanded, sample by sample, evenly in time.
 ///
-/// **Invariant:** every number is finite, every row has a value for each column, no column stands twice.
+/// **Invariant:** every number is finite, every row has a value for each column, no column occurs twice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     period: f64,
@@ -118,7 +118,7 @@ impl Samples {
     /// millimetres and degrees: half of the last digit that is written; zero where positions are written in full.
     ///
     /// # Errors
-    /// A period that is not above zero, a resolution below it, no column at all, or one that stands twice.
+    /// A period that is not above zero, a resolution below it, no column at all, or one that occurs twice.
     pub fn new(period: f64, resolution: f64, columns: Vec<Column>) -> Result<Self, SamplesError> {
         let wrong = |message: String| Err(SamplesError::at("header", message));
         can_be(period, resolution)?;
@@ -127,7 +127,7 @@ impl Samples {
         }
         for (place, column) in columns.iter().enumerate() {
             if columns[..place].contains(column) {
-                return wrong(format!("the column {column} stands twice"));
+                return wrong(format!("the column {column} occurs twice"));
             }
         }
         Ok(Self { period, resolution, columns, values: Vec::new() })
@@ -136,7 +136,7 @@ impl Samples {
     /// Appends a sample: a value for each column, in their order.
     ///
     /// # Errors
-    /// Too few or too many values, one that is not finite, or a count that is no whole number from zero.
+    /// Too few or too many values, one that is not finite, or a count that is not a whole number from zero.
     pub fn push(&mut self, row: &[f64]) -> Result<(), SamplesError> {
         let wrong = |message: String| Err(SamplesError::at(format!("row {}", self.len()), message));
         if row.len() != self.columns.len() {
@@ -147,7 +147,7 @@ impl Samples {
                 return wrong(format!("{column} is {value}"));
             }
             if column.counts() && (*value < 0.0 || *value % 1.0 != 0.0) {
-                return wrong(format!("{column} is {value}, which is no count"));
+                return wrong(format!("{column} is {value}, not a count"));
             }
         }
         self.values.extend_from_slice(row);
@@ -195,7 +195,7 @@ impl Samples {
         Some(self.rows().map(|row| row[place]).collect())
     }
 
-    /// The positions; an axis that is not recorded stands where `elsewhere` has it.
+    /// The positions; an axis that is not recorded has its coordinate in `elsewhere`.
     pub fn positions(&self, elsewhere: Position) -> Vec<Position> {
         let axes: Vec<(usize, Axis)> = self.columns.iter().enumerate().filter_map(axis).collect();
         let position = |row: &[f64]| {

@@ -1,4 +1,4 @@
-//! The environment: how the outside answers.
+//! The environment: how everything outside of the controller answers it.
 
 use alloc::collections::BTreeMap;
 use alloc::string::String;
@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use crate::position::Position;
 
-/// How the outside of a controller answers.
+/// How everything outside of a controller answers it: wires, inputs, encoders, probe, tool changer, user programs.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -15,11 +15,11 @@ use crate::position::Position;
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Environment {
-    /// A named environment. `stand-alone rs274` answers as that program's stubs do, whatever is said below; `whole
-    /// controller` answers as said below, and stands where an edition would else name its own.
+    /// A named environment. `stand-alone rs274` answers as that program's stubs do, whatever the other fields say;
+    /// `whole controller` answers as the other fields say, and replaces the environment that an edition names.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
-    /// Digital outputs wired to digital inputs, output number to input number; what comes in there is what goes out.
+    /// Digital outputs that are wired to digital inputs: output number to input number.
     pub wires: BTreeMap<String, u16>,
     /// Inputs over virtual time, in order; an input that is not listed and not wired is zero, and adaptive feed
     /// is 1: full speed.
@@ -31,7 +31,7 @@ pub struct Environment {
     pub probe: Option<ProbeContact>,
     /// Seconds that a tool change takes.
     pub tool_change_time: f64,
-    /// Whether a person changes the tools, asked by a prompt.
+    /// Whether a person changes the tools, after a prompt.
     pub manual_tool_change: bool,
     /// Files that may be programs of user-defined M codes, as data: nothing runs.
     pub user_programs: Vec<UserProgram>,
@@ -63,11 +63,11 @@ pub struct InputChange {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum OrientAnswer {
-    /// It stands at its angle after so many seconds.
+    /// The spindle is at its angle after this time, seconds.
     After(f64),
-    /// It never does.
+    /// The spindle never reaches its angle.
     Never,
-    /// It reports a fault of this number.
+    /// The encoder reports a fault of this number.
     Fault(i32),
 }
 
@@ -102,7 +102,7 @@ pub enum Folder {
     ProgramPrefix,
     /// A folder of the search path, `USER_M_PATH`.
     SearchPath,
-    /// Neither.
+    /// Neither of the two.
     Elsewhere,
 }
 
@@ -117,15 +117,15 @@ pub enum Folder {
 pub struct UserProgram {
     /// File name, such as `M101`.
     pub file: String,
-    /// Where it is.
+    /// The folder that holds the file.
     pub folder: Folder,
-    /// Whether it is executable.
+    /// Whether the file is executable.
     pub executable: bool,
-    /// Seconds that it takes.
+    /// Duration of a run, seconds.
     pub duration: f64,
-    /// Its exit status.
+    /// Exit status of the program.
     pub exit_status: i32,
-    /// Whether it was there when the controller started.
+    /// Whether the file existed when the controller started.
     pub at_start: bool,
 }
 

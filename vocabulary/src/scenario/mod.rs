@@ -17,6 +17,18 @@ use crate::language::Language;
 use crate::shared::Shared;
 
 /// All that a run depends on.
+///
+/// ```
+/// use gaugeblock_vocabulary::Scenario;
+/// use gaugeblock_vocabulary::scenario::Budget;
+///
+/// let scenario = Scenario {
+///     budget: Budget { steps: 1_000, ..Budget::default() },
+///     ..Scenario::of("g21 g0 x1\nm2\n")
+/// };
+/// assert_eq!(scenario.machine.spindles, 1);
+/// assert_eq!(scenario.budget.effects, 100_000);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -25,13 +37,13 @@ use crate::shared::Shared;
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Scenario {
-    /// What is run.
+    /// The program, and how it is started.
     pub program: Program,
     /// Which reading of the documents applies.
     pub options: Options,
     /// The machine that runs it.
     pub machine: Machine,
-    /// How the outside answers.
+    /// How everything outside of the controller answers it.
     pub environment: Environment,
     /// What a person does, and when.
     pub operator: Vec<OperatorEvent>,
@@ -40,13 +52,13 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// A program under the defaults of everything else.
+    /// A scenario with this main program and the defaults of everything else.
     pub fn of(program: impl Into<String>) -> Self {
         Self { program: Program { main: program.into(), ..Program::default() }, ..Self::default() }
     }
 }
 
-/// What starts a run.
+/// How a program is started.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -58,11 +70,11 @@ pub enum Start {
     /// The file is run as a program.
     #[default]
     Program,
-    /// Each line is entered by hand (manual data input).
+    /// The operator enters each line (manual data input).
     Mdi,
 }
 
-/// What is run.
+/// The program of a run: its language, its text, and how it is started.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -73,14 +85,14 @@ pub enum Start {
 pub struct Program {
     /// Language of the program.
     pub language: Language,
-    /// Text of the main program, whose file name is `main.ngc`. Bytes that are not UTF-8 are out of a scenario's
-    /// reach, and so is a NUL, which is no text: controllers need not agree on it, and the command refuses it.
+    /// Text of the main program, whose file name is `main.ngc`. A scenario
+    /// cannot hold bytes that are not UTF-8. The command refuses a NUL, since controllers need not agree on it.
     pub main: String,
-    /// Text of subroutine files, by file name. One in the folder `elsewhere/` is where no controller looks.
+    /// Text of subroutine files, by file name. No controller searches the folder `elsewhere/`.
     pub files: BTreeMap<String, String>,
     /// Whether blocks that begin with a slash are skipped.
     pub block_delete: bool,
-    /// As a program or by hand.
+    /// Whether it is started as a program or block by block.
     pub start: Start,
 }
 
@@ -88,7 +100,7 @@ impl Program {
     /// File name of the main program.
     pub const MAIN: &'static str = MAIN_FILE;
 
-    /// The line at which a block stands, without its end; none where the program has no such file or line.
+    /// The text of a block, without its line end; `None` if the program has no such file or line.
     pub fn line(&self, block: &BlockLocation) -> Option<&str> {
         let text =
             if block.file == Self::MAIN { &self.main } else { self.files.get(&*block.file)? };
@@ -110,8 +122,8 @@ impl Default for Program {
 
 /// Options of choices and quirks, by id: `"saved-state.motion-mode" = "restored"`.
 ///
-/// What is not listed has its default. This crate knows none of them: the register is data of the suite, and each
-/// interpreter says which ones it reads. Many scenarios share them.
+/// A choice that is not listed has its default. This crate knows none of the ids: they are pages of the suite, and each
+/// interpreter declares the ids that it reads. Scenarios share one set of options, so that cloning one is cheap.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -138,7 +150,7 @@ impl Options {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Budget {
-    /// Executed blocks. A loop that is tested at its head executes it each time; one that is not goes on behind it.
+    /// Executed blocks. A `while` executes its first block in each pass, a `do` only in the first pass.
     pub steps: u32,
     /// Effects.
     pub effects: u32,

@@ -1,30 +1,29 @@
 //! What a person or a panel does, and when.
 //!
-//! **When a block begins.** Each line that a run comes to is a block that begins, also where nothing of it is done:
-//! an `endif` to which a condition that is false leads, the end of a sub, a comment, a slash alone. Blank lines,
-//! those that block delete skips, percent signs and what is jumped over are none. A block begins when the one before
-//! is over, also where the program has been paused by then: it stands before it does anything.
+//! **When a block begins.** Each line that a run reaches is a block that begins, also if it does nothing: an `endif`
+//! after a false condition, the end of a sub, a comment, a slash alone. Blank lines, lines that block delete skips,
+//! percent signs and lines that are jumped over do not begin. A block begins when the one before it is over, also if
+//! the program has been paused by then: it waits before it does anything.
 //!
-//! **In which order.** Events happen in the order of their times, those at one time as they are listed. All that is
-//! due when a block begins, or where the text ends, happens before anything else does; what is due when a dwell or a
-//! wait ends comes before its end. What the environment does at the same time comes after it: an encoder at whose
-//! answer somebody aborts has not answered.
+//! **In which order.** Events happen in the order of their times, events of one time as they are listed. Events that
+//! are due when a block begins, or where the text ends, happen before anything else does; events that are due when a
+//! dwell or a wait ends happen before it ends. What the environment does at the same time happens after them: an
+//! encoder has not answered if its answer is due at the time of an abort.
 //!
-//! **A pause** holds what has not begun: the next move, the next block. What waits for something outside goes on
-//! waiting.
+//! **A pause** delays what has not begun: the next move, the next block. What waits for a signal goes on waiting.
 //!
-//! **A block is done move by move**, also where it is a canned cycle. Before a move that is held everything has been
-//! done that comes before it in its block, the start of synchronisation with a spindle too, and is recorded although
-//! the block is not over; nothing that comes after it has, not even that outputs switch which wait for a motion. An
-//! abort leaves the controlled point where the last move has led. M19 waits for one spindle after the other, each
-//! wait being told of where it begins.
+//! **A block is executed move by move**, also if it is a canned cycle. Before a delayed move everything has been done
+//! that precedes it in its block, the start of synchronisation with a spindle included, and is recorded although the
+//! block is not over; nothing that follows it has been done, not even outputs that switch with a motion. An abort
+//! leaves the controlled point where the last move ended. M19 waits for one spindle after the other, and each wait is
+//! recorded when it begins.
 //!
-//! **Blocks by hand** are lines of the file `mdi`, the line being the place of the event among those that enter one,
-//! from 1, as they are listed. So a block has a name whatever becomes of the others, and events can stand at it.
+//! **MDI blocks** are lines of the file `mdi`. The line is the index of the event among those that enter a block, from
+//! 1, as they are listed. So the name of a block does not depend on the others, and events can refer to it.
 //!
-//! **The end** of the run is that of the program or block by hand that ended last: by M2 or M30, by a percent sign,
-//! by an abort. Other blocks by hand end nothing. A program whose lines are entered by hand ends as its last line
-//! does, paused if that ends nothing.
+//! **The end** of the run is that of the program or MDI block that ended last: by M2 or M30, by a percent sign, by an
+//! abort. Other MDI blocks end nothing. A program whose lines are entered by hand ends as its last line does, and is
+//! paused if that line ends nothing.
 
 use alloc::string::String;
 
@@ -40,9 +39,9 @@ use crate::modes::ControllerMode;
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OperatorEvent {
-    /// When.
+    /// The point of the run.
     pub when: RunPoint,
-    /// What.
+    /// The action.
     pub action: Action,
 }
 
@@ -72,7 +71,7 @@ fn first() -> u32 {
     1
 }
 
-/// What the operator does.
+/// An action of the operator.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -89,7 +88,7 @@ pub enum Action {
     Resume,
     /// Abort.
     Abort,
-    /// Ask for a mode of the controller.
+    /// Request a mode of the controller.
     Mode(ControllerMode),
     /// Enter a block by hand.
     Mdi(String),
@@ -103,7 +102,7 @@ pub enum Action {
     SpindleOverride {
         /// Spindle number.
         spindle: u8,
-        /// 1 is 100 %.
+        /// The factor; 1 is 100 %.
         factor: f64,
     },
     /// Press or release feed hold.

@@ -40,7 +40,7 @@ impl Arguments {
             let after = rest.strip_prefix('=').ok_or_else(|| no_pair(rest))?;
             let end = value_end(after)?;
             if !seen.insert((name, index.clone())) {
-                return Err(TextError::new(format!("this stands twice in the line: {name}")));
+                return Err(TextError::new(format!("this occurs twice in the line: {name}")));
             }
             pairs.push((name.to_owned(), index, after[..end].to_owned()));
             rest = &after[end..];
@@ -66,10 +66,10 @@ impl Arguments {
     /// Checks that nothing is left.
     ///
     /// # Errors
-    /// An argument that nobody took.
+    /// An argument that is unknown, since it was not taken.
     pub fn finish(self) -> Result<(), TextError> {
         match self.pairs.first() {
-            Some((name, ..)) => Err(TextError::new(format!("nothing takes the argument {name}"))),
+            Some((name, ..)) => Err(TextError::new(format!("unknown argument {name}"))),
             None => Ok(()),
         }
     }

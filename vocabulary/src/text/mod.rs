@@ -1,4 +1,4 @@
-//! The text form of an outcome, which a person reads and writes.
+//! The text form of an outcome, for people to read and write.
 //!
 //! ```text
 //! gaugeblock outcome 0
@@ -13,9 +13,9 @@
 //! pin digital_out[0] time=0 value=1
 //! ```
 //!
-//! One line per record, `name=value` separated by blanks; texts stand in double quotes with the escapes of JSON, and
-//! so do file names and indices with other characters than letters, digits and a few signs. A field stands once in a
-//! line, the state last below its block. A pin line is one change of one pin; time is virtual, in seconds.
+//! One line per record, `name=value` separated by blanks; texts are in double quotes with the escapes of JSON, and so
+//! are file names and indices with other characters than letters, digits and a few signs. A field occurs once in a
+//! line; the state is the last line of its block. A pin line is one change of one pin; time is virtual, in seconds.
 
 pub(crate) mod line;
 mod read;

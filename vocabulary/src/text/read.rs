@@ -96,7 +96,7 @@ impl Reader {
     fn event(&mut self, event: Event) -> Result<(), TextError> {
         let step = self.step()?;
         if step.state.is_some() {
-            return Err(TextError::new("the state stands last below a block line"));
+            return Err(TextError::new("the state is the last line below a block line"));
         }
         step.events.push(event);
         Ok(())
@@ -190,7 +190,7 @@ fn both<A, B>(a: Option<A>, b: Option<B>, names: &str) -> Result<Option<(A, B)>,
         (Some(a), Some(b)) => Ok(Some((a, b))),
         (None, None) => Ok(None),
         (Some(_), None) | (None, Some(_)) => {
-            Err(TextError::new(format!("one stands without the other: {names}")))
+            Err(TextError::new(format!("one without the other: {names}")))
         }
     }
 }

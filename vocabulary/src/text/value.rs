@@ -123,7 +123,7 @@ impl FromText for Position {
             let letter = part.get(..1).ok_or_else(|| wrong("an axis letter is missing"))?;
             let axis = Axis::from_text(letter)?;
             if !axes.insert(axis) {
-                return Err(wrong("an axis stands twice"));
+                return Err(wrong("an axis occurs twice"));
             }
             *position.get_mut(axis) = f64::from_text(&part[1..])?;
         }

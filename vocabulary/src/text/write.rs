@@ -14,6 +14,22 @@ use crate::pin::PinChange;
 
 impl Outcome {
     /// The text form. It ends with a line break.
+    ///
+    /// ```
+    /// use gaugeblock_vocabulary::Outcome;
+    ///
+    /// let text = "\
+    /// gaugeblock outcome 0
+    /// language rs274
+    /// start units=mm
+    /// block main.ngc:1
+    ///   do straight_traverse end=(x1)
+    /// end program_end
+    /// ";
+    /// let outcome = Outcome::from_text(text)?;
+    /// assert_eq!(outcome.to_text(), text);
+    /// # Ok::<(), gaugeblock_vocabulary::TextError>(())
+    /// ```
     pub fn to_text(&self) -> String {
         text_of(self)
     }

@@ -143,7 +143,7 @@ fn a_table_that_is_none_says_where() {
         (head.replace("0.001", "0") + "x\n", "line 1: a period of 0"),
         (head.to_owned(), "end of file: the line of the columns"),
         (format!("{head}x,q\n"), "line 2: there is no column named q"),
-        (format!("{head}x,x\n"), "line 2: the column x stands twice"),
+        (format!("{head}x,x\n"), "line 2: the column x occurs twice"),
         (format!("{head}x\n1\nnan\n"), "line 4: x is NaN"),
         (format!("{head}x\n1\n\n"), "line 4: not a number"),
         (format!("{head}x,y\n1\n"), "line 3: 1 values for 2 columns"),

@@ -17,10 +17,10 @@ mod frame;
 mod tests;
 
 use gaugeblock_vocabulary::{
-    Effect, FeedMode, LengthUnit, OutputTiming, PathControlMode as PathMode, Plane, Settings,
+    Effect, FeedMode, LengthUnit, OutputTiming, PathControlMode, Plane, Settings,
 };
 
-use gaugeblock_planner::{Axes, Feed, OutputSwitch, PathControl, PathControlMode, Segment};
+use gaugeblock_planner::{Axes, Feed, OutputSwitch, Path, PathControl, Segment};
 
 use frame::Frame;
 
@@ -49,13 +49,13 @@ pub enum Asked {
 /// ```
 /// use gaugeblock_interpreter::path::{Asked, Resolver};
 /// use gaugeblock_planner::{PathControl, Feed, Path};
-/// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, Path as PathMode, Plane, Settings};
+/// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, PathControlMode, Plane, Settings};
 ///
 /// let mut resolver = Resolver::new([0.0; 9]);
 /// resolver.set(&Settings {
 ///     units: Some(LengthUnit::Inch),
 ///     feed_rate: Some(6.0),
-///     path: Some(PathMode::ExactStop),
+///     path: Some(PathControlMode::ExactStop),
 ///     ..Settings::default()
 /// });
 /// let end = [1.0, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0];
@@ -73,7 +73,7 @@ pub struct Resolver {
     feed_mode: FeedMode,
     /// As programmed: active unit per minute or per turn, or the inverse of minutes.
     feed_rate: f64,
-    path: PathMode,
+    path: PathControlMode,
     /// Active unit; zero where G64 had no P.
     tolerance: f64,
     /// Millimetres a turn, between the start and the end of synchronised motion (G33, G76).
@@ -89,7 +89,7 @@ impl Resolver {
             at,
             feed_mode: FeedMode::PerMinute,
             feed_rate: 0.0,
-            path: PathMode::Continuous,
+            path: PathControlMode::Continuous,
             tolerance: 0.0,
             pitch: None,
         }
@@ -150,7 +150,7 @@ impl Resolver {
                 self.segment(line, path, end, feed, false)
             }
             Effect::Dwell { seconds } => {
-                let path = PathControlMode::Dwell { seconds: *seconds };
+                let path = Path::Dwell { seconds: *seconds };
                 self.segment(line, path, self.at, Feed::Rapid, false)
             }
             Effect::SetDigitalOutput { output, on, timing } => {
@@ -183,17 +183,10 @@ impl Resolver {
     }
 
     fn straight(&mut self, line: u32, end: Axes, feed: Feed, probing: bool) -> Asked {
-        self.segment(line, PathControlMode::Straight { end }, end, feed, probing)
+        self.segment(line, Path::Straight { end }, end, feed, probing)
     }
 
-    fn segment(
-        &mut self,
-        line: u32,
-        path: PathControlMode,
-        end: Axes,
-        feed: Feed,
-        probing: bool,
-    ) -> Asked {
+    fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
         self.at = end;
         let path_control = self.path_control();
         Asked::Move(Segment { number: line.into(), path, feed, path_control, probing })
@@ -201,12 +194,12 @@ impl Resolver {
 
     fn path_control(&self) -> PathControl {
         match self.path {
-            PathMode::ExactStop => PathControl::ExactStop,
-            PathMode::ExactPath => PathControl::ExactPath,
-            PathMode::Continuous if self.tolerance > 0.0 => {
+            PathControlMode::ExactStop => PathControl::ExactStop,
+            PathControlMode::ExactPath => PathControl::ExactPath,
+            PathControlMode::Continuous if self.tolerance > 0.0 => {
                 PathControl::Within(self.frame.millimetres(self.tolerance))
             }
-            PathMode::Continuous => PathControl::BetweenMidpoints,
+            PathControlMode::Continuous => PathControl::BetweenMidpoints,
         }
     }
 
