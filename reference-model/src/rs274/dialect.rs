@@ -7,9 +7,11 @@
 
 use std::fmt::Debug;
 
+use super::evaluate::EvaluationRules;
 use super::execute::arc::ArcRules;
 use super::execute::cycles::CycleRules;
 use super::execute::feed::FeedRules;
+use super::execute::message::MessageRules;
 use super::execute::motion::MotionRules;
 use super::execute::path::PathRules;
 use super::execute::positions::MachinePositionRules;
@@ -20,6 +22,8 @@ use super::execute::units_planes::UnitsAndPlanesRules;
 use super::order::OrderRules;
 use super::parameters::ParameterRules;
 use super::state::State;
+use super::syntax::SyntaxRules;
+use super::text::TextRules;
 use crate::Choices;
 use crate::dialects::operations;
 pub(crate) use crate::dialects::{Memory, ModalMemory};
@@ -28,14 +32,18 @@ pub(crate) use crate::dialects::{Memory, ModalMemory};
 pub(crate) trait Dialect:
     ArcRules
     + CycleRules
+    + EvaluationRules
     + FeedRules
     + MachinePositionRules
+    + MessageRules
     + MotionRules
     + OrderRules
     + ParameterRules
     + PathRules
     + RestoreRules
     + SavedStateRules
+    + SyntaxRules
+    + TextRules
     + ToolLengthRules
     + UnitsAndPlanesRules
     + Debug
@@ -50,14 +58,18 @@ pub(crate) struct Documented;
 
 impl ArcRules for Documented {}
 impl CycleRules for Documented {}
+impl EvaluationRules for Documented {}
 impl FeedRules for Documented {}
 impl MachinePositionRules for Documented {}
+impl MessageRules for Documented {}
 impl MotionRules for Documented {}
 impl OrderRules for Documented {}
 impl ParameterRules for Documented {}
 impl PathRules for Documented {}
 impl RestoreRules for Documented {}
 impl SavedStateRules for Documented {}
+impl SyntaxRules for Documented {}
+impl TextRules for Documented {}
 impl ToolLengthRules for Documented {}
 impl UnitsAndPlanesRules for Documented {}
 impl Dialect for Documented {}

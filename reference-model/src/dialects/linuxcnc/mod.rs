@@ -5,8 +5,10 @@
 
 mod arcs;
 mod cycles;
+mod evaluation;
 mod feed;
 mod memory;
+mod messages;
 mod motion;
 mod order;
 mod parameters;
@@ -14,6 +16,7 @@ mod path;
 mod positions;
 mod restore;
 mod saved_state;
+mod text;
 mod tool_length;
 mod units_planes;
 

@@ -1,8 +1,9 @@
 //! Quirks of parameters.
 
-use gaugeblock_vocabulary::FeedMode;
+use gaugeblock_vocabulary::{Compensation, FeedMode};
 
 use super::{LinuxCnc, Shows};
+use crate::Choices;
 use crate::ids::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::parameters::ParameterRules;
@@ -21,5 +22,48 @@ impl ParameterRules for LinuxCnc {
             return state.modes.memory.get().feed_number;
         }
         Documented.feed_parameter(state)
+    }
+
+    /// Quirk rs274.last-parameter. The greatest number of a parameter is 5601.
+    fn last_parameter(&self, choices: &Choices) -> u32 {
+        if choices.shows(quirk::rs274::LAST_PARAMETER) {
+            return 5601;
+        }
+        Documented.last_parameter(choices)
+    }
+
+    /// Quirk rs274.hal-assignment. A name of the form of a HAL item or an INI entry, where there is no such thing, can
+    /// be assigned.
+    fn may_assign_outside(&self, _name: &str, state: &State) -> bool {
+        state.shows(quirk::rs274::HAL_ASSIGNMENT)
+    }
+
+    /// Quirk rs274.dynamic-compensation-code. `_ccomp` is the same for G41.1 and G42.1 as for G41 and G42.
+    fn compensation_parameter(&self, state: &State) -> f64 {
+        if !state.shows(quirk::rs274::DYNAMIC_COMPENSATION_CODE) {
+            return Documented.compensation_parameter(state);
+        }
+        match state.modes.compensation {
+            Compensation::Off => 400.0,
+            Compensation::Left | Compensation::DynamicLeft => 410.0,
+            Compensation::Right | Compensation::DynamicRight => 420.0,
+        }
+    }
+
+    /// Quirk rs274.zero-tool-offset-off. `_tool_offset` is 1 while an offset is not zero.
+    fn tool_offset_parameter(&self, state: &State) -> f64 {
+        if !state.shows(quirk::rs274::ZERO_TOOL_OFFSET_OFF) {
+            return Documented.tool_offset_parameter(state);
+        }
+        let has_offset = state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0);
+        if has_offset { 1.0 } else { 0.0 }
+    }
+
+    /// Quirk rs274.selected-tool-zero. `_selected_tool` is 0 before the first T.
+    fn selected_tool_parameter(&self, state: &State) -> f64 {
+        if state.shows(quirk::rs274::SELECTED_TOOL_ZERO) {
+            return f64::from(state.selected_tool.max(0));
+        }
+        Documented.selected_tool_parameter(state)
     }
 }

@@ -5,7 +5,6 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::ids::{Rule, rule};
 use crate::math;
 use crate::rs274::modes;
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse_at};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Word};
@@ -32,10 +31,11 @@ pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
 fn code(word: &Word, value: f64, range: Rule, state: &mut State) -> Result<u32, StepError> {
     let letter = word.letter.to_ascii_uppercase();
     let g_code = range == rule::modal_groups::G_CODE_OUT_OF_RANGE;
-    let near = math::near_integer(value).or_else(|| {
-        let close = g_code.then(|| quirks::close_g_code(value, &state.choices));
-        close.flatten()
-    });
+    let near = if g_code {
+        state.dialect().g_code_number(value, &state.choices)
+    } else {
+        math::near_integer(value)
+    };
     let Some(number) = near else {
         state.coverage.refused(rule::modal_groups::CODE_CLOSE_TO_INTEGER);
         let message = format!("no integer is close enough to the number behind {letter}");

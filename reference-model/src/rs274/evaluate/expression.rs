@@ -6,7 +6,6 @@ use super::operate::{function, operate};
 use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Parameter};
@@ -80,7 +79,7 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
 }
 
 fn parameter_value(name: &Name, state: &mut State) -> Result<f64, StepError> {
-    quirks::read_under_compensation(name, state)?;
+    state.dialect().check_readable(name, state)?;
     let value = parameters::value(name, state);
     match &value {
         Ok(_) => parameters::rules_of(name, state)

@@ -9,11 +9,12 @@ mod tests;
 use gaugeblock_vocabulary::{Axis, FaultKind, Sorted};
 
 use super::parameters::{self, Name};
-use super::quirks::{settings, text as quirks};
 use super::refusal::{StepError, refuse_at};
 use super::state::State;
 use super::syntax::{Block, Comment, Expression, Setting, Word};
-use crate::ids::{quirk, rule};
+use crate::Choices;
+use crate::ids::rule;
+use crate::math;
 pub use expression::value_of;
 
 /// A block's words with their values.
@@ -70,7 +71,8 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
         'm' => words.m.push(codes::m_code(word, value, state)?),
         letter => {
             let earlier = words.letters.insert(letter, value);
-            let counts = |value| !quirks::may_be_repeated(letter, value, &state.choices);
+            let dialect = state.dialect();
+            let counts = |value| !dialect.letter_may_be_repeated(letter, value, &state.choices);
             if earlier.is_some_and(counts) {
                 let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
                 let kind = FaultKind::RepeatedWord;
@@ -87,13 +89,10 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
 }
 
 /// Rule parameters.assignment. The equals sign stores the number on its right in the parameter on its left.
-/// Quirk rs274.named-exists-early: a named parameter that the line creates exists already for the values behind it.
 fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), StepError> {
     let name = expression::name(&setting.target, state)?;
     parameters::writable(&name, state)?;
-    if state.choices.quirk(quirk::rs274::NAMED_EXISTS_EARLY) {
-        quirks::create_early(&name, state);
-    }
+    state.dialect().begin_setting(&name, state);
     let value = value_of(&setting.value, state)?;
     if !matches!(setting.value, Expression::Number(_)) {
         state.coverage.accepted(rule::expressions::READ_BEFORE_EXECUTION);
@@ -101,12 +100,47 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Ste
     Ok((name, value))
 }
 
-/// Rule text.word-letters. E is no letter of the table: only G76 and M66 to M68 have it.
-/// Quirk rs274.synchronised-e-word. G33 and G33.1 take it.
+/// How values are read.
+pub(crate) trait EvaluationRules {
+    /// Rule modal-groups.repeated-letter. Whether a letter may stand twice: it is refused. `earlier` is the first value.
+    fn letter_may_be_repeated(&self, _letter: char, _earlier: f64, _choices: &Choices) -> bool {
+        false
+    }
+
+    /// Rule parameters.setting-last. A setting takes effect behind the values of its line: before its own value is read
+    /// nothing is done.
+    fn begin_setting(&self, _name: &Name, _state: &mut State) {}
+
+    /// Rule text.word-letters. E is not a letter of the table: only G76 and M66 to M68 have it.
+    fn takes_e(&self, words: &Words, _state: &State) -> bool {
+        words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760)
+    }
+
+    /// Rule modal-groups.code-close-to-integer. The integer that ten times the number of a G code means.
+    fn g_code_number(&self, tenfold: f64, _choices: &Choices) -> Option<i64> {
+        math::near_integer(tenfold)
+    }
+
+    /// Rule parameters.position. Whether a parameter can be read now: any can.
+    fn check_readable(&self, _name: &Name, _state: &State) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Rule expressions.absolute. ABS gives the number without its sign.
+    fn absolute(&self, argument: f64, _choices: &Choices) -> f64 {
+        argument.abs()
+    }
+
+    /// Rule expressions.rounding-functions. What ROUND gives for a number that is rounded to `rounded`.
+    fn sign_of_rounded(&self, rounded: f64, _choices: &Choices) -> f64 {
+        rounded
+    }
+}
+
+/// Rule text.word-letters. E in a line of no code that takes it is refused.
 fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), StepError> {
-    let of_codes = words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760);
     match block.words.iter().find(|word| word.letter == 'e') {
-        Some(word) if !of_codes && !settings::takes_e(words, state) => {
+        Some(word) if !state.dialect().takes_e(words, state) => {
             let message = "the letter E begins no word without G76, M66, M67 or M68";
             Err(refuse_at(rule::text::WORD_LETTERS, FaultKind::BadCharacter, word.span, message))
         }

@@ -6,7 +6,6 @@ use crate::Choices;
 use crate::ids::choice::expressions::{RoundHalf, TrueValue};
 use crate::ids::{choice, rule};
 use crate::math;
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Function, Operator};
@@ -132,7 +131,7 @@ pub(super) fn function(
 ) -> Result<f64, StepError> {
     let (rule, value) = match function {
         Function::Absolute => {
-            (rule::expressions::ABSOLUTE, quirks::absolute(argument, &state.choices))
+            (rule::expressions::ABSOLUTE, state.dialect().absolute(argument, &state.choices))
         }
         Function::Sine => (rule::expressions::ANGLES, math::sine_of_degrees(argument)),
         Function::Cosine => (rule::expressions::ANGLES, math::cosine_of_degrees(argument)),
@@ -146,7 +145,10 @@ pub(super) fn function(
         Function::RoundUp => (rule::expressions::ROUNDING_FUNCTIONS, argument.ceil()),
         Function::Round => {
             let rounded = round(argument, &state.choices);
-            (rule::expressions::ROUNDING_FUNCTIONS, quirks::rounded(rounded, &state.choices))
+            (
+                rule::expressions::ROUNDING_FUNCTIONS,
+                state.dialect().sign_of_rounded(rounded, &state.choices),
+            )
         }
     };
     if !value.is_finite() {

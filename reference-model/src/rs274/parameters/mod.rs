@@ -15,7 +15,7 @@ use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
 use super::refusal::{StepError, refuse};
 use super::state::State;
 use crate::Choices;
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
 pub(crate) use predefined::ParameterRules;
 pub use rules::{refused_too, rules_of, rules_of_existence};
@@ -182,8 +182,7 @@ pub fn assign(name: &Name, value: f64, state: &mut State) -> Result<(), StepErro
 
 /// Rule parameters.read-only. Assigning to a predefined named parameter is refused. Rule parameters.ini-read-only.
 /// Assigning to an INI or HAL parameter is refused. Choice parameters.read-only-numbered: whether 5400 to 5428 can be
-/// set. Quirk rs274.hal-assignment: a name of the form of a HAL item or an INI entry, where there is no such thing,
-/// can be assigned.
+/// set.
 ///
 /// # Errors
 /// It is read-only.
@@ -201,7 +200,7 @@ pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
         Name::Named(name)
             if ini::is_outside(name)
                 && ini::entry(name, state).is_none()
-                && state.choices.quirk(quirk::rs274::HAL_ASSIGNMENT) =>
+                && state.dialect().may_assign_outside(name, state) =>
         {
             return Ok(());
         }

@@ -7,14 +7,9 @@ use gaugeblock_vocabulary::{Axis, Machine};
 
 use super::State;
 use crate::Choices;
-use crate::ids::quirk;
 use crate::rs274::execute::tool::loaded;
 use crate::rs274::modes::start_system;
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
-
-/// The greatest number of a parameter.
-const LAST: u32 = 5602;
 
 /// While this parameter is 0 the DEBUG comments say nothing.
 pub const DEBUG_SWITCH: u32 = 5599;
@@ -78,10 +73,9 @@ pub(super) fn assign(number: u32, value: f64, state: &mut State) {
     }
 }
 
-/// Rule parameters.range. The greatest number of a parameter is 5602.
-/// Quirk rs274.last-parameter: it is one less.
+/// The greatest number of a parameter.
 pub fn last(choices: &Choices) -> u32 {
-    if choices.quirk(quirk::rs274::LAST_PARAMETER) { quirks::LAST_PARAMETER } else { LAST }
+    choices.dialect().last_parameter(choices)
 }
 
 /// The parameters whose value the machine's state decides.

@@ -6,9 +6,9 @@ use gaugeblock_vocabulary::{
 };
 
 use super::State;
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::Choices;
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::modes::{Spindle, motion_code};
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
 
 /// A predefined parameter: its name, the rule that states it, its value.
@@ -21,7 +21,9 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_line", rule::parameters::LINE, |state| f64::from(state.line)),
     Predefined("_motion_mode", rule::parameters::MOTION_MODE, |state| motion(state.modes.motion)),
     Predefined("_plane", rule::parameters::PLANE, |state| plane(state.modes.plane)),
-    Predefined("_ccomp", rule::parameters::COMPENSATION, compensation),
+    Predefined("_ccomp", rule::parameters::COMPENSATION, |state| {
+        state.dialect().compensation_parameter(state)
+    }),
     Predefined("_metric", rule::parameters::UNITS, |state| {
         flag(state.modes.units == LengthUnit::Millimetre)
     }),
@@ -46,7 +48,9 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_coord_system", rule::parameters::COORDINATE_SYSTEM, |state| {
         coordinate_system(state.modes.work_offset)
     }),
-    Predefined("_tool_offset", rule::parameters::TOOL_OFFSET, tool_offset),
+    Predefined("_tool_offset", rule::parameters::TOOL_OFFSET, |state| {
+        state.dialect().tool_offset_parameter(state)
+    }),
     Predefined("_retract_r_plane", rule::parameters::RETRACT, |state| {
         retract(state, ReturnMode::RPlane)
     }),
@@ -89,7 +93,9 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_feed", rule::parameters::FEED, |state| state.dialect().feed_parameter(state)),
     Predefined("_rpm", rule::parameters::SPEED, |state| spindle(state).speed),
     Predefined("_current_tool", rule::parameters::TOOL, |state| f64::from(state.known_tool)),
-    Predefined("_selected_tool", rule::parameters::TOOL, selected_tool),
+    Predefined("_selected_tool", rule::parameters::TOOL, |state| {
+        state.dialect().selected_tool_parameter(state)
+    }),
     Predefined("_value", rule::parameters::RETURNED_VALUE, |state| state.parameters.returned),
     Predefined("_value_returned", rule::parameters::RETURNED_VALUE, |state| {
         flag(state.parameters.has_returned)
@@ -104,6 +110,37 @@ pub(crate) trait ParameterRules {
     /// Rule parameters.feed. `_feed` is the feed rate in force.
     fn feed_parameter(&self, state: &State) -> f64 {
         state.modes.feed_rate
+    }
+
+    /// Rule parameters.range. The greatest number of a parameter is 5602.
+    fn last_parameter(&self, _choices: &Choices) -> u32 {
+        5602
+    }
+
+    /// Rule parameters.ini-read-only. Whether a name of the form of an INI or HAL parameter can be assigned: it cannot.
+    fn may_assign_outside(&self, _name: &str, _state: &State) -> bool {
+        false
+    }
+
+    /// Rule parameters.compensation. `_ccomp` is ten times the number of the active compensation code.
+    fn compensation_parameter(&self, state: &State) -> f64 {
+        f64::from(match state.modes.compensation {
+            Compensation::Off => 400,
+            Compensation::Left => 410,
+            Compensation::Right => 420,
+            Compensation::DynamicLeft => 411,
+            Compensation::DynamicRight => 421,
+        })
+    }
+
+    /// Rule parameters.tool-offset. `_tool_offset` is 1 while a tool offset is on, else 0.
+    fn tool_offset_parameter(&self, state: &State) -> f64 {
+        flag(state.modes.tool_length == Switch::On)
+    }
+
+    /// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
+    fn selected_tool_parameter(&self, state: &State) -> f64 {
+        f64::from(state.selected_tool)
     }
 }
 
@@ -202,34 +239,9 @@ fn plane(plane: Plane) -> f64 {
     })
 }
 
-/// Rule parameters.compensation. `_ccomp` is ten times the number of the active compensation code.
-/// Quirk rs274.dynamic-compensation-code: G41.1 and G42.1 look like G41 and G42.
-fn compensation(state: &State) -> f64 {
-    let compensation = state.modes.compensation;
-    if state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_CODE) {
-        return f64::from(quirks::compensation_code(compensation));
-    }
-    f64::from(match compensation {
-        Compensation::Off => 400,
-        Compensation::Left => 410,
-        Compensation::Right => 420,
-        Compensation::DynamicLeft => 411,
-        Compensation::DynamicRight => 421,
-    })
-}
-
 /// Rule parameters.coordinate-system. `_coord_system` is ten times the number of the active work offset code.
 fn coordinate_system(system: u32) -> f64 {
     f64::from(if system <= 6 { 530 + 10 * system } else { 584 + system })
-}
-
-/// Rule parameters.tool-offset. `_tool_offset` is 1 while a tool offset is on, else 0.
-/// Quirk rs274.zero-tool-offset-off: it is 1 while an offset is not zero.
-fn tool_offset(state: &State) -> f64 {
-    if state.choices.quirk(quirk::rs274::ZERO_TOOL_OFFSET_OFF) {
-        return flag(quirks::has_tool_offset(state));
-    }
-    flag(state.modes.tool_length == Switch::On)
 }
 
 /// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
@@ -252,15 +264,6 @@ fn override_flag(state: &State, feed: bool) -> f64 {
     let switch =
         if feed == by_name { state.modes.feed_override } else { spindle(state).speed_override };
     flag(switch == Switch::On)
-}
-
-/// Rule parameters.tool. `_selected_tool` is the tool of the last T, -1 before.
-/// Quirk rs274.selected-tool-zero: 0 before.
-fn selected_tool(state: &State) -> f64 {
-    if state.choices.quirk(quirk::rs274::SELECTED_TOOL_ZERO) {
-        return f64::from(quirks::selected_tool(state));
-    }
-    f64::from(state.selected_tool)
 }
 
 /// The names of the predefined parameters but those of axes and pockets.

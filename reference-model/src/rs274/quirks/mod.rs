@@ -12,5 +12,4 @@ pub mod settings;
 pub mod skipping;
 pub mod splines;
 pub mod task;
-pub mod text;
 pub mod threading;

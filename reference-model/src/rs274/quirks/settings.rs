@@ -215,16 +215,13 @@ pub(crate) fn is_ignored(letter: char, words: &Words, state: &State) -> bool {
             words.g.iter().any(|code| [411, 421].contains(code))
                 && state.choices.quirk(quirk::rs274::DYNAMIC_COMPENSATION_R_WORD)
         }
-        'e' => takes_e(words, state),
+        'e' => {
+            let synchronised = [Motion::SpindleSynchronised, Motion::RigidTap];
+            motion_of(words, state).is_some_and(|motion| synchronised.contains(&motion))
+                && state.choices.quirk(quirk::rs274::SYNCHRONISED_E_WORD)
+        }
         _ => false,
     }
-}
-
-/// Quirk rs274.synchronised-e-word. Whether the block moves as by G33 or G33.1, with which E, any number, may stand.
-pub(crate) fn takes_e(words: &Words, state: &State) -> bool {
-    let synchronised = [Motion::SpindleSynchronised, Motion::RigidTap];
-    motion_of(words, state).is_some_and(|motion| synchronised.contains(&motion))
-        && state.choices.quirk(quirk::rs274::SYNCHRONISED_E_WORD)
 }
 
 /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.

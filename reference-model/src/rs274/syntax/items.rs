@@ -6,8 +6,8 @@ use super::expression::operator_at;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
-use crate::ids::{quirk, rule};
-use crate::rs274::quirks::text as quirks;
+use crate::Choices;
+use crate::ids::rule;
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -20,12 +20,51 @@ fn begins_word(letter: char) -> bool {
 
 const AXIS_LETTERS: &str = "xyzabcuvw";
 
+/// How the items of a line are read.
+pub(crate) trait SyntaxRules {
+    /// Rule text.item-order. Comments may stand anywhere in a line, before an O-word too: what follows those at its
+    /// beginning is checked here.
+    fn check_after_comment(&self, _parser: &Parser<'_>) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Rule text.item-order. Whether an O-word may follow a comment at the beginning of a line.
+    fn o_word_may_follow_comment(&self, _choices: &Choices) -> bool {
+        true
+    }
+
+    /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
+    /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
+    fn active_comment(&self, mut comments: Vec<Comment>, _choices: &Choices) -> Option<Comment> {
+        comments.pop()
+    }
+
+    /// Rule numbers.form. Whether a number may have a second sign: it is refused.
+    fn second_sign_is_allowed(&self, _choices: &Choices) -> bool {
+        false
+    }
+
+    /// Rule parameters.name-marks. Whether there may be nothing between < and >: it is refused.
+    fn empty_name_is_allowed(&self, _choices: &Choices) -> bool {
+        false
+    }
+
+    /// Rule expressions.exists-argument. Whether EXISTS takes a numbered parameter: it is refused.
+    fn exists_takes_numbered(&self, _choices: &Choices) -> bool {
+        false
+    }
+}
+
 impl Parser<'_> {
     /// A whole block. Its order is: slash, line number, then an O-word or words, settings and comments.
     pub(super) fn block(&mut self, comments: Vec<Comment>) -> Result<Block, StepError> {
         let mut block = Block { block_delete: self.block_delete(), ..Block::default() };
         block.line_number = self.line_number()?;
-        self.comments_first()?;
+        let led = self.peek() == Some(Glyph::COMMENT);
+        self.comments();
+        if led {
+            self.choices.dialect().check_after_comment(self)?;
+        }
         if self.peek() == Some('o') {
             block.o_word = Some(self.o_word()?);
         } else {
@@ -34,7 +73,10 @@ impl Parser<'_> {
         if comments.len() > 1 {
             self.reach(rule::active_comments::LAST_COMMENT);
         }
-        block.comment = self.active(comments);
+        block.comment = self.choices.dialect().active_comment(comments, self.choices);
+        if block.comment.as_ref().is_some_and(|comment| comment.semicolon) {
+            self.reach(rule::active_comments::SEMICOLON);
+        }
         self.reach_items(&block);
         Ok(block)
     }
@@ -89,24 +131,10 @@ impl Parser<'_> {
         }
     }
 
-    /// Goes on behind comments at the beginning of a block.
-    ///
-    /// Quirk rs274.comment-before-o-word. Neither an O-word nor M98 follows them.
-    fn comments_first(&mut self) -> Result<(), StepError> {
-        let led = self.is_led_by_comment();
-        self.comments();
-        let calls = self.sees("m98") && !self.peek_behind(3).is_some_and(|next| next.is_numeric());
-        let (kind, message) = match self.peek() {
-            Some('o') if led => (FaultKind::BadCharacter, "an O-word behind a comment"),
-            Some('m') if led && calls => (FaultKind::UnknownCode, "M98 behind a comment"),
-            _ => return Ok(()),
-        };
-        Err(self.refuse(quirks::COMMENT_FIRST, kind, message))
-    }
-
-    /// Whether a comment comes next that counts as the beginning of a block.
+    /// Whether a comment comes next that no O-word may follow.
     pub(super) fn is_led_by_comment(&self) -> bool {
-        self.peek() == Some(Glyph::COMMENT) && self.choices.quirk(quirks::COMMENT_FIRST)
+        self.peek() == Some(Glyph::COMMENT)
+            && !self.choices.dialect().o_word_may_follow_comment(self.choices)
     }
 
     /// Rule text.items-optional. A line needs neither words nor settings.
@@ -227,19 +255,6 @@ impl Parser<'_> {
     fn operator_outside(&self) -> StepError {
         let message = "an operator stands inside brackets only, not";
         self.refuse(rule::expressions::OPERATORS_IN_BRACKETS, FaultKind::BadExpression, message)
-    }
-
-    /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
-    /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
-    /// Quirk rs274.semicolon-plain: it is never active, and does not silence an active comment before it.
-    fn active(&mut self, mut comments: Vec<Comment>) -> Option<Comment> {
-        if self.choices.quirk(quirk::rs274::SEMICOLON_PLAIN) {
-            return quirks::active_comment(comments);
-        }
-        if comments.last().is_some_and(|comment| comment.semicolon) {
-            self.reach(rule::active_comments::SEMICOLON);
-        }
-        comments.pop()
     }
 
     fn reach_items(&mut self, block: &Block) {

@@ -16,7 +16,8 @@ pub use block::*;
 use super::refusal::{Refusal, StepError};
 use super::state::State;
 use super::text::condense;
-use parser::Parser;
+pub(crate) use items::SyntaxRules;
+pub(crate) use parser::Parser;
 pub use parser::Room;
 
 /// Parses a line.

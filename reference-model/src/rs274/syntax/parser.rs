@@ -29,11 +29,11 @@ impl Clone for Room {
 ///
 /// Recursion goes no deeper than the line is long, and lines are at most 256 characters long.
 #[derive(Debug)]
-pub(super) struct Parser<'a> {
+pub(crate) struct Parser<'a> {
     pub(super) room: Room,
     /// Index of the next character.
     at: usize,
-    pub(super) choices: &'a Choices,
+    pub(crate) choices: &'a Choices,
     /// Rules that refuse the line besides the one that the refusal names.
     failed: Vec<Rule>,
 }
@@ -61,12 +61,12 @@ impl<'a> Parser<'a> {
     }
 
     /// The next character, which stays where it is.
-    pub(super) fn peek(&self) -> Option<char> {
+    pub(crate) fn peek(&self) -> Option<char> {
         self.peek_behind(0)
     }
 
     /// The character behind some others.
-    pub(super) fn peek_behind(&self, others: usize) -> Option<char> {
+    pub(crate) fn peek_behind(&self, others: usize) -> Option<char> {
         self.room.glyphs.get(self.at + others).map(|glyph| glyph.character)
     }
 
@@ -76,7 +76,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Whether the next characters are these.
-    pub(super) fn sees(&self, text: &str) -> bool {
+    pub(crate) fn sees(&self, text: &str) -> bool {
         text.chars()
             .enumerate()
             .all(|(index, character)| self.peek_behind(index) == Some(character))
@@ -127,7 +127,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A refusal at the next character.
-    pub(super) fn refuse(
+    pub(crate) fn refuse(
         &self,
         rule: impl Into<Rule>,
         kind: FaultKind,

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::expression::operator_at;
 use super::parser::Parser;
 use super::{Expression, Function, Parameter};
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -70,7 +70,6 @@ impl Parser<'_> {
 
     /// Rule numbers.sign. A number may begin with a plus or minus sign; without one it is positive.
     /// Rule numbers.form. A second sign is refused.
-    /// Quirk rs274.repeated-signs: each further minus sign negates.
     /// Choice expressions.unary-minus: whether a sign may stand before a parameter, an expression or a function.
     fn signed(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         let minus = self.peek() == Some('-');
@@ -80,7 +79,7 @@ impl Parser<'_> {
                 self.reach(rule::numbers::SIGN);
                 self.value(wanted)?
             }
-            Some('+' | '-') if self.choices.quirk(quirk::rs274::REPEATED_SIGNS) => {
+            Some('+' | '-') if self.choices.dialect().second_sign_is_allowed(self.choices) => {
                 self.value(wanted)?
             }
             Some('+' | '-') => {
@@ -187,13 +186,12 @@ impl Parser<'_> {
     }
 
     /// Rule parameters.name-spelling. Case and blanks in a name do not count.
-    /// Quirk rs274.empty-name. There may be none.
     pub(super) fn name(&mut self) -> Result<String, StepError> {
         self.advance();
         // A NUL is no character of a text, wherever it stands.
         let ends = ['>', Glyph::COMMENT, '\0'];
         let name = self.take_while(|character| !ends.contains(&character));
-        let empty = name.is_empty() && !self.choices.quirk(quirk::rs274::EMPTY_NAME);
+        let empty = name.is_empty() && !self.choices.dialect().empty_name_is_allowed(self.choices);
         if empty || !self.take(">") {
             let message = "a name stands between < and >, which is missing";
             return Err(self.refuse(rule::parameters::NAME_MARKS, FaultKind::BadBlock, message));
@@ -248,7 +246,6 @@ impl Parser<'_> {
     }
 
     /// Rule expressions.exists-argument. EXISTS of a numbered parameter or of an expression is refused.
-    /// Quirk rs274.exists-numbered: EXISTS of a numbered parameter is accepted.
     fn exists(&mut self) -> Result<Expression, StepError> {
         let wrong = |parser: &Self| {
             let message = "EXISTS takes one named parameter in brackets, not what stands";
@@ -262,7 +259,7 @@ impl Parser<'_> {
             return wrong(self);
         }
         let numbered = self.peek_behind(1) != Some('<');
-        if numbered && !self.choices.quirk(quirk::rs274::EXISTS_NUMBERED) {
+        if numbered && !self.choices.dialect().exists_takes_numbered(self.choices) {
             return wrong(self);
         }
         let parameter = self.parameter()?;

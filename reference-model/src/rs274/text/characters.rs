@@ -4,8 +4,7 @@ use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
 use crate::Choices;
-use crate::ids::{choice, quirk, rule};
-use crate::rs274::quirks::text as quirks;
+use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::Comment;
@@ -40,7 +39,7 @@ pub fn condense(
     glyphs: &mut Vec<Glyph>,
     state: &mut State,
 ) -> Result<Vec<Comment>, StepError> {
-    line_length(line, &state.choices)?;
+    state.dialect().check_line_length(line, &state.choices)?;
     let bytes = line.as_bytes();
     glyphs.clear();
     glyphs.reserve(bytes.len());
@@ -108,26 +107,30 @@ fn checked_comment(
     Ok(comment)
 }
 
-/// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
-/// Choice text.line-end-counted: whether the line end is one of them.
-/// Quirk rs274.shorter-lines: 252 bytes without the line end.
-fn line_length(line: &str, choices: &Choices) -> Result<(), StepError> {
-    if line.len() <= quirks::LONGEST_LINE {
-        // So many are allowed whatever is chosen.
+/// How text is read, before its lines are parsed.
+pub(crate) trait TextRules {
+    /// Rule text.line-length. A line has at most 256 characters; a longer one is refused.
+    /// Choice text.line-end-counted: whether the line end is one of them.
+    fn check_line_length(&self, line: &str, choices: &Choices) -> Result<(), StepError> {
+        let counted = choices.is(choice::text::LineEndCounted::Counted);
+        let limit = if counted { 255 } else { 256 };
+        // A line of so few bytes has no more characters.
+        if line.len() <= limit { Ok(()) } else { within(limit, line.chars().count()) }
+    }
+
+    /// Rule text.line-end. A line ends with a carriage return, a line feed or both.
+    fn with_line_feeds(&self, text: &str, _choices: &Choices) -> String {
+        text.replace("\r\n", "\n").replace('\r', "\n")
+    }
+}
+
+/// Refuses a line of more characters than the limit.
+pub(crate) fn within(limit: usize, length: usize) -> Result<(), StepError> {
+    if length <= limit {
         return Ok(());
     }
-    let (limit, length) = if choices.quirk(quirk::rs274::SHORTER_LINES) {
-        (quirks::LONGEST_LINE, line.len())
-    } else if choices.is(choice::text::LineEndCounted::Counted) {
-        (255, line.chars().count())
-    } else {
-        (256, line.chars().count())
-    };
-    if length > limit {
-        let message = format!("the line has {length} characters; {limit} are allowed");
-        return Err(refuse(rule::text::LINE_LENGTH, FaultKind::LineTooLong, message));
-    }
-    Ok(())
+    let message = format!("the line has {length} characters; {limit} are allowed");
+    Err(refuse(rule::text::LINE_LENGTH, FaultKind::LineTooLong, message))
 }
 
 /// A place in a line, which has at most 256 characters.

@@ -5,6 +5,9 @@ mod comments;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use characters::TextRules;
+#[cfg(feature = "dialects")]
+pub(crate) use characters::within;
 pub use characters::{Glyph, condense};
 
 use std::ops::Range;
@@ -13,7 +16,7 @@ use super::refusal::{StepError, refuse};
 use super::state::State;
 use crate::Choices;
 use crate::ids::choice::text::PercentAlone;
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use gaugeblock_vocabulary::FaultKind;
 
 /// A file of program text, cut into lines.
@@ -47,7 +50,11 @@ pub enum Line<'a> {
 impl Source {
     /// Cuts a file into lines.
     pub fn new(name: &str, text: &str, choices: &Choices) -> Self {
-        let text = with_line_feeds(text, choices);
+        let text = if text.contains('\r') {
+            choices.dialect().with_line_feeds(text, choices)
+        } else {
+            text.to_owned()
+        };
         let lines = lines(&text);
         let begins = lines.iter().position(|line| first(&text[line.clone()]).is_some());
         let percent = begins.filter(|index| is_percent(&text[lines[*index].clone()]));
@@ -141,16 +148,6 @@ fn first(line: &str) -> Option<u8> {
 /// Rule text.percent-line. A percent line holds nothing else than the percent sign and blanks.
 fn is_percent(line: &str) -> bool {
     line.trim_matches(BLANKS) == "%"
-}
-
-/// Rule text.line-end. A line ends with a carriage return, a line feed or both.
-/// Quirk rs274.lone-return: a carriage return alone does not end one.
-fn with_line_feeds(text: &str, choices: &Choices) -> String {
-    if !text.contains('\r') {
-        return text.to_owned();
-    }
-    let text = text.replace("\r\n", "\n");
-    if choices.quirk(quirk::rs274::LONE_RETURN) { text } else { text.replace('\r', "\n") }
 }
 
 /// The place of each line of a text, without its line feed; a last one without a line feed is a line too.

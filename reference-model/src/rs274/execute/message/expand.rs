@@ -2,9 +2,8 @@
 
 use super::shown_value;
 use crate::Choices;
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::quirks::text as quirks;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
@@ -21,14 +20,15 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
         if let Some((format, behind)) = format_at(rest, state) {
             decimals = format;
             rest = behind;
-        } else if let Some(behind) = quirks::parameter_zero(rest, &state.choices) {
+        } else if let Some(behind) = state.dialect().parameter_zero(rest, &state.choices) {
             expanded += &format!("{:.decimals$}", 0.0);
             rest = behind;
         } else if let Some((name, behind)) = parameter_at(rest, state) {
             expanded += &shown(name.as_ref(), decimals, state)?;
             rest = behind;
         } else {
-            let loses_sign = next == '%' && wrong_format(rest, &state.choices);
+            let loses_sign =
+                next == '%' && state.dialect().drops_percent_sign(rest, &state.choices);
             if next == '%' {
                 state.coverage.accepted(rule::active_comments::WRONG_FORMAT);
             }
@@ -47,11 +47,10 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
 /// Rule active-comments.decimals-format. After %.0f to %.9f values have that number of decimals.
 /// Choice active-comments.plain-f-format: the decimals of %f.
 /// Rule active-comments.long-format. %lf is the format that holds where none is written.
-/// Quirk rs274.long-format: it is none.
 fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
     let format = text.strip_prefix('%')?;
     let long =
-        format.strip_prefix("lf").filter(|_| !state.choices.quirk(quirk::rs274::LONG_FORMAT));
+        format.strip_prefix("lf").filter(|_| state.dialect().has_long_format(&state.choices));
     let (decimals, behind) = if let Some(behind) = long {
         state.coverage.accepted(rule::active_comments::LONG_FORMAT);
         (default_decimals(&state.choices), behind)
@@ -75,12 +74,6 @@ fn format_at<'a>(text: &'a str, state: &mut State) -> Option<(usize, &'a str)> {
 /// Choice active-comments.default-format: the decimals of a value before any format.
 fn default_decimals(choices: &Choices) -> usize {
     if choices.is(choice::active_comments::DefaultFormat::SixDecimals) { 6 } else { 4 }
-}
-
-/// Rule active-comments.wrong-format. What is not a format is shown as it stands.
-/// Quirk rs274.wrong-format-sign: one with a period loses its percent sign.
-fn wrong_format(text: &str, choices: &Choices) -> bool {
-    choices.quirk(quirk::rs274::WRONG_FORMAT_SIGN) && quirks::loses_percent_sign(text)
 }
 
 /// A parameter, or `None` for a number that none has, and what stands behind it.
@@ -122,7 +115,7 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
                     .into_iter()
                     .for_each(|rule| state.coverage.accepted(rule));
             }
-            let value = quirks::reported_value(value, &state.choices);
+            let value = state.dialect().reported_value(value, &state.choices);
             let signed = value != 0.0 || state.choices.is(choice::expressions::NegativeZero::Kept);
             let value = if signed { value } else { 0.0 };
             let text = format!("{value:.decimals$}");

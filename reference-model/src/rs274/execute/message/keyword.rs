@@ -1,8 +1,7 @@
 //! What makes a comment active.
 
 use crate::Choices;
-use crate::ids::{Rule, choice, quirk, rule};
-use crate::rs274::quirks::text as quirks;
+use crate::ids::{Rule, choice, rule};
 
 /// What an active comment does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,15 +57,11 @@ const WITH_TEXT: [(&str, Active); 7] = [
 /// What an active comment does and its text; `None` for a plain one.
 ///
 /// Rule active-comments.msg-spelling. MSG may have blanks within and before it and lower case letters; the other
-/// keywords are read in the same way. Quirk rs274.message-blanks: blanks may only stand before it. Choice
-/// active-comments.msg-without-comma: whether MSG without a comma is a message.
+/// keywords are read in the same way. Choice active-comments.msg-without-comma: whether MSG without a comma is a
+/// message.
 pub(super) fn active<'a>(comment: &'a str, choices: &Choices) -> Option<(Active, &'a str)> {
     if let Some((before, text)) = comment.split_once(',') {
-        let keyword = if choices.quirk(quirk::rs274::MESSAGE_BLANKS) {
-            quirks::keyword(before)
-        } else {
-            spelled(before)
-        };
+        let keyword = choices.dialect().keyword(before, choices);
         if let Some((_, active)) = WITH_TEXT.iter().find(|(known, _)| *known == keyword) {
             return Some((*active, text));
         }
@@ -92,7 +87,7 @@ pub(super) fn has_msg_inside(comment: &str) -> bool {
 }
 
 /// A keyword without its blanks and in lower case.
-fn spelled(text: &str) -> String {
+pub(super) fn spelled(text: &str) -> String {
     text.chars()
         .filter(|character| !is_blank(*character))
         .map(|character| character.to_ascii_lowercase())

@@ -7,7 +7,8 @@ mod tests;
 
 use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
-use crate::ids::{choice, quirk, rule};
+use crate::Choices;
+use crate::ids::{choice, rule};
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -15,6 +16,39 @@ use crate::rs274::syntax::Comment;
 use crate::rs274::task::Record;
 use expand::expand;
 use keyword::{Active, active};
+
+/// How active comments are read and shown.
+pub(crate) trait MessageRules {
+    /// Rule active-comments.msg-spelling. The keyword before a comma, in lower case and without its blanks.
+    fn keyword(&self, before: &str, _choices: &Choices) -> String {
+        keyword::spelled(before)
+    }
+
+    /// Rule active-comments.log-closed. Whether LOG writes.
+    fn log_is_open(&self, state: &State) -> bool {
+        state.log_open
+    }
+
+    /// Rule active-comments.long-format. Whether %lf is a format.
+    fn has_long_format(&self, _choices: &Choices) -> bool {
+        true
+    }
+
+    /// Rule active-comments.wrong-format. What is not a format is shown as it is written, with its percent sign.
+    fn drops_percent_sign(&self, _text: &str, _choices: &Choices) -> bool {
+        false
+    }
+
+    /// Rule active-comments.numbered. The text after a #0, which is not a parameter, where it is shown as zero: it is not.
+    fn parameter_zero<'a>(&self, _text: &'a str, _choices: &Choices) -> Option<&'a str> {
+        None
+    }
+
+    /// Rule active-comments.numbered. The value that is shown for a parameter.
+    fn reported_value(&self, value: f64, _choices: &Choices) -> f64 {
+        value
+    }
+}
 
 /// Says what an active comment says, before anything of its block is done.
 ///
@@ -50,8 +84,9 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
             record.effect(state, Effect::LogOpen { file: name.to_owned(), append });
         }
         Active::LogClose => {
-            let open = std::mem::replace(&mut state.log_open, false);
-            if open || state.choices.quirk(quirk::rs274::LOG_CLOSED) {
+            let open = state.dialect().log_is_open(state);
+            state.log_open = false;
+            if open {
                 record.effect(state, Effect::LogClose {});
             }
         }
@@ -93,10 +128,9 @@ fn debug(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepE
 
 /// Rule active-comments.log. LOG writes what follows its comma to the open log file.
 /// Rule active-comments.log-closed. LOG writes nothing while no log file is open.
-/// Quirk rs274.log-closed: it speaks all the same.
 fn log(text: &str, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     state.coverage.accepted(rule::active_comments::LOG_CLOSED);
-    if state.log_open || state.choices.quirk(quirk::rs274::LOG_CLOSED) {
+    if state.dialect().log_is_open(state) {
         return say(Channel::Log, text, state, record);
     }
     Ok(())

@@ -1,0 +1,76 @@
+//! Quirks of reading text and lines.
+
+use gaugeblock_vocabulary::FaultKind;
+
+use super::{LinuxCnc, Shows};
+use crate::Choices;
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::refusal::StepError;
+use crate::rs274::syntax::{Comment, Parser, SyntaxRules};
+use crate::rs274::text::{TextRules, within};
+
+impl TextRules for LinuxCnc {
+    /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
+    fn check_line_length(&self, line: &str, choices: &Choices) -> Result<(), StepError> {
+        if choices.shows(quirk::rs274::SHORTER_LINES) {
+            return within(252, line.len());
+        }
+        Documented.check_line_length(line, choices)
+    }
+
+    /// Quirk rs274.lone-return. A carriage return alone does not end a line.
+    fn with_line_feeds(&self, text: &str, choices: &Choices) -> String {
+        if choices.shows(quirk::rs274::LONE_RETURN) {
+            return text.replace("\r\n", "\n");
+        }
+        Documented.with_line_feeds(text, choices)
+    }
+}
+
+impl SyntaxRules for LinuxCnc {
+    /// Quirk rs274.comment-before-o-word. A comment at the beginning of a block is followed by neither an O-word nor
+    /// M98.
+    fn check_after_comment(&self, parser: &Parser<'_>) -> Result<(), StepError> {
+        if !parser.choices.shows(quirk::rs274::COMMENT_BEFORE_O_WORD) {
+            return Documented.check_after_comment(parser);
+        }
+        let is_number = |next: char| next.is_numeric();
+        let calls = parser.sees("m98") && !parser.peek_behind(3).is_some_and(is_number);
+        let (kind, message) = match parser.peek() {
+            Some('o') => (FaultKind::BadCharacter, "an O-word behind a comment"),
+            Some('m') if calls => (FaultKind::UnknownCode, "M98 behind a comment"),
+            _ => return Ok(()),
+        };
+        Err(parser.refuse(quirk::rs274::COMMENT_BEFORE_O_WORD, kind, message))
+    }
+
+    /// Quirk rs274.comment-before-o-word.
+    fn o_word_may_follow_comment(&self, choices: &Choices) -> bool {
+        !choices.shows(quirk::rs274::COMMENT_BEFORE_O_WORD)
+    }
+
+    /// Quirk rs274.semicolon-plain. The comment that may be active is the last one in parentheses: one behind a
+    /// semicolon is never active, and does not silence an active comment before it.
+    fn active_comment(&self, comments: Vec<Comment>, choices: &Choices) -> Option<Comment> {
+        if choices.shows(quirk::rs274::SEMICOLON_PLAIN) {
+            return comments.into_iter().rfind(|comment| !comment.semicolon);
+        }
+        Documented.active_comment(comments, choices)
+    }
+
+    /// Quirk rs274.repeated-signs. A number may have any number of signs; each further minus sign negates.
+    fn second_sign_is_allowed(&self, choices: &Choices) -> bool {
+        choices.shows(quirk::rs274::REPEATED_SIGNS)
+    }
+
+    /// Quirk rs274.empty-name. A named parameter may have no name.
+    fn empty_name_is_allowed(&self, choices: &Choices) -> bool {
+        choices.shows(quirk::rs274::EMPTY_NAME)
+    }
+
+    /// Quirk rs274.exists-numbered. EXISTS of a numbered parameter is accepted.
+    fn exists_takes_numbered(&self, choices: &Choices) -> bool {
+        choices.shows(quirk::rs274::EXISTS_NUMBERED)
+    }
+}
