@@ -171,7 +171,7 @@ fn changed(entropy: &mut Entropy<'_>) -> Pair {
     let config = GeneratorConfig {
         setups: Setups::Plain,
         mutated_programs: 5,
-        later_programs: 0,
+        unsupported_programs: 0,
         ..GeneratorConfig::default()
     };
     let one = super::scenario(entropy, &config);

@@ -20,6 +20,8 @@ mod ulp_perturbation;
 mod values;
 mod writer;
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use gaugeblock_vocabulary::scenario::{Budget, Start};
 use gaugeblock_vocabulary::{Language, Program, Scenario};
 
@@ -49,8 +51,8 @@ pub struct GeneratorConfig {
     pub mutated_blocks: u32,
     /// How many of a hundred programs consist of one kind of statement.
     pub single_kind_programs: u32,
-    /// How many of a hundred programs may use what not every controller does yet.
-    pub later_programs: u32,
+    /// Percentage of programs that may use statements which end a run as unsupported.
+    pub unsupported_programs: u32,
     /// Only rows whose name begins with one of these; all when empty. Single-rule programs are made so.
     pub only: Vec<String>,
     /// Which machines, environments and operators.
@@ -66,23 +68,30 @@ impl Default for GeneratorConfig {
             mutated_programs: 10,
             mutated_blocks: 5,
             single_kind_programs: 12,
-            later_programs: 8,
+            unsupported_programs: 4,
             only: Vec::new(),
             setups: Setups::Any,
         }
     }
 }
 
-/// A scenario. Its options are empty: which documents apply is the caller's to say.
+/// A scenario. Its options are empty: the caller knows which documents apply.
 pub fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
     match config.language {
-        Language::Rs274 => {}
-        Language::Gpp => return gpp::scenario(entropy, config),
-        Language::Nct => return nct::scenario(entropy, config),
+        Language::Rs274 => scenario_and_kinds(entropy, config).0,
+        Language::Gpp => gpp::scenario(entropy, config),
+        Language::Nct => nct::scenario(entropy, config),
     }
+}
+
+/// A scenario in RS-274, and the kinds of statements in its main program.
+pub fn scenario_and_kinds(
+    entropy: &mut Entropy<'_>,
+    config: &GeneratorConfig,
+) -> (Scenario, BTreeSet<StatementKind>) {
     let mut scenario = setup::scenario(entropy, config.setups);
     let mut state = State::of(&scenario);
-    let mut files = std::collections::BTreeMap::new();
+    let mut files = BTreeMap::new();
     if config.only.is_empty() && entropy.chance(15) {
         let name = *entropy.pick(&["cave", "drill_row", "x1"]);
         let blocks = entropy.range(1, 6);
@@ -91,14 +100,16 @@ pub fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario
         state.subs.push(Sub { label: format!("<{name}>"), numbered: false });
     }
     let block_delete = entropy.chance(30);
-    let main = Writer::new(entropy, config, state).main();
+    let mut writer = Writer::new(entropy, config, state);
+    let main = writer.main();
+    let kinds = writer.into_kinds();
     let by_hand = matches!(config.setups, Setups::Any | Setups::Operated)
         && scenario.operator.is_empty()
         && entropy.chance(4);
     let start = if by_hand { Start::Mdi } else { Start::Program };
     scenario.program = Program { main, files, block_delete, start, ..scenario.program };
     scenario.budget = BUDGET;
-    scenario
+    (scenario, kinds)
 }
 
 /// A scenario from the bytes of a fuzzing engine.
@@ -119,8 +130,6 @@ pub fn raw(bytes: &[u8]) -> Scenario {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
 
     #[test]

@@ -34,8 +34,6 @@ pub(crate) struct State {
     pub(crate) moving: bool,
     /// Whether that was G0.
     pub(crate) rapid: bool,
-    /// Whether cutter compensation is on.
-    pub(crate) compensated: bool,
     /// Whether the plane is XY.
     pub(crate) xy_plane: bool,
     /// Whether modes are saved at this call level.
@@ -77,7 +75,6 @@ impl State {
             per_minute: true,
             moving: false,
             rapid: false,
-            compensated: false,
             xy_plane: true,
             saved: false,
             selected: false,
@@ -92,13 +89,17 @@ impl State {
         }
     }
 
+    /// Whether the machine has the axes X and Y, which arcs and canned cycles name.
+    pub(crate) fn has_xy(&self) -> bool {
+        ["x", "y"].iter().all(|axis| self.axes.contains(axis))
+    }
+
     /// What is known after a body that may have run or not.
     pub(crate) fn join(&mut self, before: &Self) {
         self.feed &= before.feed;
         self.per_minute &= before.per_minute;
         self.moving &= before.moving;
         self.rapid &= before.rapid;
-        self.compensated |= before.compensated;
         self.xy_plane &= before.xy_plane;
         self.saved &= before.saved;
         self.selected &= before.selected;

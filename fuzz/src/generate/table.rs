@@ -1,10 +1,10 @@
-//! The table: every kind of statement, whether it is possible here, and how it is written.
+//! The table: every statement, where it is allowed, and how it is written.
 
 use super::state::State;
 use super::statements;
 use super::writer::Writer;
 
-/// A kind of statement. A program uses some kinds and leaves others out.
+/// A kind of statement. Each program uses some kinds and leaves others out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StatementKind {
     /// G0, G1, axis words.
@@ -43,7 +43,7 @@ pub enum StatementKind {
     Message,
     /// User-defined codes and stops.
     Outside,
-    /// Comments, blank lines, odd ones.
+    /// Comments, blank lines, malformed blocks.
     Text,
     /// Several codes in one block.
     Crowded,
@@ -53,8 +53,10 @@ pub enum StatementKind {
     Cycle,
     /// Probing.
     Probe,
-    /// Moves under cutter compensation.
+    /// Cutter compensation that is on while the machine does not move.
     Compensation,
+    /// Moves under cutter compensation.
+    CompensatedMove,
     /// G28 and G30.
     Predefined,
     /// G10 L1, L10, L11, L20.
@@ -94,6 +96,7 @@ impl StatementKind {
         Self::Cycle,
         Self::Probe,
         Self::Compensation,
+        Self::CompensatedMove,
         Self::Predefined,
         Self::ToolTable,
         Self::Synchronised,
@@ -101,39 +104,34 @@ impl StatementKind {
         Self::Polar,
     ];
 
-    /// Whether the model still ends most of this as unsupported: only some programs use it. To enable a kind, take it
-    /// out here.
-    pub fn is_later(self) -> bool {
-        matches!(
-            self,
-            Self::Arc | Self::Cycle | Self::Probe | Self::Compensation | Self::Predefined
-        ) || matches!(self, Self::AxisOffset | Self::ToolTable | Self::Synchronised)
-            || matches!(self, Self::Spline | Self::Polar)
+    /// Whether model and production end a run at it as unsupported: only some programs use it.
+    pub fn is_unsupported(self) -> bool {
+        matches!(self, Self::CompensatedMove)
     }
 
-    /// Whether its rows have bodies.
+    /// Whether its statements have bodies.
     pub(crate) fn nests(self) -> bool {
         matches!(self, Self::Control | Self::Sub | Self::Numbered)
     }
 }
 
-/// A row of the table.
+/// A statement that the generator can write.
 #[derive(Debug)]
 pub struct Statement {
-    /// Its name, by which single-rule programs are asked for.
+    /// Its name; [`GeneratorConfig::only`](super::GeneratorConfig::only) selects statements by the start of it.
     pub name: &'static str,
     /// Its kind.
     pub kind: StatementKind,
-    /// How often it is chosen, relative to the others.
+    /// How often it is chosen, in proportion to the others.
     pub weight: u32,
-    /// Whether it is possible here without being refused.
+    /// Whether it is allowed in a state of the program.
     pub(crate) possible: fn(&State) -> bool,
-    /// Writes it and tells the state.
+    /// Writes it and updates the state.
     pub(crate) write: fn(&mut Writer<'_, '_>),
 }
 
 impl Statement {
-    /// A row that is possible anywhere.
+    /// A statement that is allowed everywhere.
     pub(crate) const fn any(
         name: &'static str,
         kind: StatementKind,
@@ -143,7 +141,7 @@ impl Statement {
         Self { name, kind, weight, possible: |_| true, write }
     }
 
-    /// A row that is possible at some places.
+    /// A statement that is allowed in some states.
     pub(crate) const fn when(
         name: &'static str,
         kind: StatementKind,
@@ -155,7 +153,7 @@ impl Statement {
     }
 }
 
-/// All rows, by chapter.
+/// All statements, by chapter.
 pub const TABLE: &[&[Statement]] = &[
     statements::motion::STATEMENTS,
     statements::modes::STATEMENTS,
@@ -165,5 +163,8 @@ pub const TABLE: &[&[Statement]] = &[
     statements::parameters::STATEMENTS,
     statements::control::STATEMENTS,
     statements::text::STATEMENTS,
-    statements::later::STATEMENTS,
+    statements::offsets::STATEMENTS,
+    statements::arcs::STATEMENTS,
+    statements::cycles::STATEMENTS,
+    statements::compensation::STATEMENTS,
 ];

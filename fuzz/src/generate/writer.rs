@@ -1,4 +1,6 @@
-//! Writes a program block by block, from the rows of the table, with noise that means nothing.
+//! Writes a program block by block, from the statements of the table, with noise that means nothing.
+
+use std::collections::BTreeSet;
 
 use super::GeneratorConfig;
 use super::entropy::Entropy;
@@ -8,6 +10,9 @@ use super::table::{Statement, StatementKind, TABLE};
 
 /// Room for the text of most programs.
 const MOST_TEXT: usize = 1024;
+
+/// Percentage of the kinds of statements that a program uses.
+const KIND_PERCENT: u32 = 70;
 
 /// Deepest nesting of loops, branches and subs.
 const DEEPEST: u32 = 4;
@@ -30,8 +35,10 @@ pub(crate) struct Writer<'d, 'b> {
     pub(crate) state: State,
     text: String,
     manner: Manner,
-    /// The rows, each with the sum of the weights up to it.
-    rows: Vec<(u32, &'static Statement)>,
+    /// The statements that may be written, each with the sum of the weights up to it.
+    statements: Vec<(u32, &'static Statement)>,
+    /// The kinds that were written.
+    kinds: BTreeSet<StatementKind>,
     total: u32,
     left: u32,
     last_label: u32,
@@ -54,13 +61,29 @@ impl<'d, 'b> Writer<'d, 'b> {
             wrong: if sloppy { config.mutated_blocks } else { 0 },
         };
         let mut total = 0;
-        let with_sum = |row: &'static Statement| {
-            total += row.weight;
-            (total, row)
+        let with_sum = |statement: &'static Statement| {
+            total += statement.weight;
+            (total, statement)
         };
-        let rows = chosen_rows(entropy, config).into_iter().map(with_sum).collect();
+        let statements = chosen_statements(entropy, config).into_iter().map(with_sum).collect();
         let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
-        Self { entropy, state, text, manner, rows, total, left, last_label: 100, after_end }
+        Self {
+            entropy,
+            state,
+            text,
+            manner,
+            statements,
+            kinds: BTreeSet::new(),
+            total,
+            left,
+            last_label: 100,
+            after_end,
+        }
+    }
+
+    /// The kinds of statements that were written.
+    pub(crate) fn into_kinds(self) -> BTreeSet<StatementKind> {
+        self.kinds
     }
 
     /// Writes a whole main program.
@@ -111,10 +134,12 @@ impl<'d, 'b> Writer<'d, 'b> {
     fn statement(&mut self) {
         for _ in 0..8 {
             let at = self.entropy.below(self.total);
-            let place = self.rows.partition_point(|(sum, _)| *sum <= at);
-            let Some(&(_, row)) = self.rows.get(place) else { break };
-            if (row.possible)(&self.state) && !(row.kind.nests() && self.state.depth >= DEEPEST) {
-                (row.write)(self);
+            let place = self.statements.partition_point(|(sum, _)| *sum <= at);
+            let Some(&(_, statement)) = self.statements.get(place) else { break };
+            let too_deep = statement.kind.nests() && self.state.depth >= DEEPEST;
+            if (statement.possible)(&self.state) && !too_deep {
+                self.kinds.insert(statement.kind);
+                (statement.write)(self);
                 return;
             }
         }
@@ -225,38 +250,27 @@ impl<'d, 'b> Writer<'d, 'b> {
     }
 }
 
-/// The rows of a program: those of some kinds only, since what is rare shows best where the rest is absent.
-fn chosen_rows(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Vec<&'static Statement> {
-    let named =
-        |row: &&Statement| config.only.iter().any(|name| row.name.starts_with(name.as_str()));
+/// The statements of a program: those of some kinds only, so that a rare statement is not masked by the others.
+fn chosen_statements(
+    entropy: &mut Entropy<'_>,
+    config: &GeneratorConfig,
+) -> Vec<&'static Statement> {
+    let all = || TABLE.iter().copied().flatten();
     if !config.only.is_empty() {
-        return TABLE.iter().copied().flatten().filter(named).collect();
+        let named = |name: &str| config.only.iter().any(|only| name.starts_with(only.as_str()));
+        return all().filter(|statement| named(statement.name)).collect();
     }
-    let later = entropy.chance(config.later_programs);
-    let mut is_chosen = [false; StatementKind::ALL.len()];
-    let single = entropy.chance(config.single_kind_programs).then(|| {
-        let kinds: Vec<StatementKind> =
-            StatementKind::ALL.iter().copied().filter(|kind| !kind.is_later()).collect();
-        *entropy.pick(&kinds)
-    });
-    for kind in StatementKind::ALL {
-        let wanted = match single {
-            Some(single) => *kind == single,
-            None => entropy.chance(if kind.is_later() { 40 } else { 70 }),
-        };
-        if wanted && (later || !kind.is_later()) {
-            is_chosen[*kind as usize] = true;
-        }
+    let unsupported = entropy.chance(config.unsupported_programs);
+    let is_allowed = |kind: &StatementKind| unsupported || !kind.is_unsupported();
+    let kinds: Vec<StatementKind> = StatementKind::ALL.iter().copied().filter(is_allowed).collect();
+    let chosen: Vec<StatementKind> = if entropy.chance(config.single_kind_programs) {
+        vec![*entropy.pick(&kinds)]
+    } else {
+        kinds.into_iter().filter(|_| entropy.chance(KIND_PERCENT)).collect()
+    };
+    let statements: Vec<_> = all().filter(|statement| chosen.contains(&statement.kind)).collect();
+    if statements.is_empty() {
+        return all().filter(|statement| statement.kind == StatementKind::Motion).collect();
     }
-    let mut rows: Vec<&Statement> =
-        TABLE.iter().copied().flatten().filter(|row| is_chosen[row.kind as usize]).collect();
-    if rows.is_empty() {
-        rows = TABLE
-            .iter()
-            .copied()
-            .flatten()
-            .filter(|row| row.kind == StatementKind::Motion)
-            .collect();
-    }
-    rows
+    statements
 }

@@ -7,17 +7,11 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         let code = *w.entropy.pick(&["g20", "g21"]);
         w.block(code);
     }),
-    Statement::when(
-        "mode.plane",
-        StatementKind::Mode,
-        10,
-        |s| !s.compensated,
-        |w| {
-            let code = *w.entropy.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
-            w.block(code);
-            w.state.xy_plane = code == "g17";
-        },
-    ),
+    Statement::any("mode.plane", StatementKind::Mode, 10, |w| {
+        let code = *w.entropy.pick(&["g17", "g18", "g19", "g17.1", "g18.1", "g19.1"]);
+        w.block(code);
+        w.state.xy_plane = code == "g17";
+    }),
     Statement::any("mode.distance", StatementKind::Mode, 14, |w| {
         let code = *w.entropy.pick(&["g90", "g91", "g90.1", "g91.1"]);
         w.block(code);
@@ -30,10 +24,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         let code = *w.entropy.pick(&["g7", "g8"]);
         w.block(code);
     }),
-    Statement::any("mode.compensation-off", StatementKind::Mode, 3, |w| {
-        w.block("g40");
-        w.state.compensated = false;
-    }),
+    Statement::any("mode.compensation-off", StatementKind::Mode, 3, |w| w.block("g40")),
     Statement::any("feed.set", StatementKind::Feed, 20, |w| {
         let feed = w.within(1, 3000);
         w.block(format!("f{feed}"));

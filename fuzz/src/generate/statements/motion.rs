@@ -35,24 +35,18 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             w.moves(false);
         },
     ),
-    Statement::when(
-        "motion.inverse-time",
-        StatementKind::Feed,
-        10,
-        |s| !s.compensated,
-        |w| {
-            w.block("g93");
-            for _ in 0..w.entropy.range(1, 3) {
-                let (axes, feed) = (w.axes(2), w.within(1, 60));
-                w.block(["g1", axes.as_str(), " f", feed.as_str()].concat());
-            }
-            let feed = w.within(1, 500);
-            w.block(format!("g94 f{feed}"));
-            w.state.feed = true;
-            w.state.per_minute = true;
-            w.moves(false);
-        },
-    ),
+    Statement::any("motion.inverse-time", StatementKind::Feed, 10, |w| {
+        w.block("g93");
+        for _ in 0..w.entropy.range(1, 3) {
+            let (axes, feed) = (w.axes(2), w.within(1, 60));
+            w.block(["g1", axes.as_str(), " f", feed.as_str()].concat());
+        }
+        let feed = w.within(1, 500);
+        w.block(format!("g94 f{feed}"));
+        w.state.feed = true;
+        w.state.per_minute = true;
+        w.moves(false);
+    }),
     Statement::any("motion.axes-alone", StatementKind::Motion, 20, |w| {
         let can = w.state.moving && (w.state.rapid || (w.state.feed && w.state.per_minute));
         let axes = w.axes(3);

@@ -11,6 +11,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("spindle.turn", StatementKind::Spindle, 14, |w| {
         let (code, which) = (*w.entropy.pick(&["m3", "m4", "m5"]), w.spindle_word(30));
         w.block(format!("{code}{which}"));
+        w.state.turning &= code != "m5";
     }),
     Statement::any("spindle.turn-at", StatementKind::Spindle, 10, |w| {
         let (code, speed, which) =
@@ -61,7 +62,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
 impl Writer<'_, '_> {
     /// Lets all spindles turn where none may do so yet: constant surface speed is refused while they stand, which is
     /// worth a few programs.
-    fn turns_first(&mut self) {
+    pub(in super::super) fn turns_first(&mut self) {
         if !self.state.turning && self.entropy.chance(85) {
             self.block("m3 s800");
             self.state.turning = true;

@@ -23,7 +23,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         "tool.change",
         StatementKind::Tool,
         10,
-        |s| s.selected && !s.compensated,
+        |s| s.selected,
         |w| {
             w.block("m6");
             w.state.loaded = true;
@@ -34,7 +34,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         "tool.select-and-change",
         StatementKind::Tool,
         12,
-        |s| !s.tools.is_empty() && !s.compensated,
+        |s| !s.tools.is_empty(),
         |w| {
             let tools = w.state.tools.clone();
             let tool = *w.entropy.pick(&tools);

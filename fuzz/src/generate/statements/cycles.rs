@@ -1,0 +1,63 @@
+//! Canned cycles, probing, spindle-synchronised motion and threads.
+
+use super::super::table::{Statement, StatementKind};
+
+pub(in super::super) const STATEMENTS: &[Statement] = &[
+    Statement::when(
+        "cycle.drill",
+        StatementKind::Cycle,
+        12,
+        |s| s.feed && s.per_minute && s.has_xy(),
+        |w| {
+            w.block("g17 g90 g0 z10");
+            let code = *w
+                .entropy
+                .pick(&["g81", "g82 p0.5", "g83 q1", "g73 q1", "g85", "g86 p0.5", "g89 p1"]);
+            let (plane, times) = (*w.entropy.pick(&["5", "2.5"]), *w.entropy.pick(&["", " l2"]));
+            let retract = *w.entropy.pick(&["", "g98 ", "g99 "]);
+            w.block(format!("{retract}{code} x1 y2 z-3 r{plane}{times}"));
+            if w.entropy.chance(50) {
+                w.block("x4");
+            }
+            w.block("g80");
+            w.state.moving = false;
+        },
+    ),
+    Statement::when(
+        "probe",
+        StatementKind::Probe,
+        14,
+        |s| s.feed && s.per_minute,
+        |w| {
+            // Where nothing has been touched before, moving away faults.
+            let code = match w.entropy.below(40) {
+                0 => "g38.4",
+                1 => "g38.5",
+                2..=11 => "g38.2",
+                _ => "g38.3",
+            };
+            let inverse = w.entropy.chance(10);
+            if inverse {
+                w.block(format!("g93 {code} z[#<_z> - 10] f2"));
+                w.block("g94 f100");
+            } else {
+                w.block(format!("{code} z[#<_z> - 10]"));
+            }
+            w.block("#31 = #5070");
+            w.block("#32 = #5063");
+            w.state.moving = false;
+        },
+    ),
+    Statement::any("synchronised.move", StatementKind::Synchronised, 6, |w| {
+        w.turns_first();
+        let code = *w.entropy.pick(&["g33", "g33.1"]);
+        w.block(format!("{code} z-5 k1.5"));
+        w.state.moving = false;
+    }),
+    Statement::any("synchronised.thread", StatementKind::Synchronised, 4, |w| {
+        w.turns_first();
+        w.block("g18 g90 g0 x20 z0");
+        w.block("g76 p1.5 z-20 i-2 j0.5 k2 q29.5 h2");
+        w.state.moving = false;
+    }),
+];
