@@ -6,6 +6,7 @@ mod command;
 mod command_line;
 mod deployment;
 mod fuzz;
+mod known_issues;
 mod linuxcnc;
 mod motion;
 mod offers;

@@ -301,7 +301,8 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
     for rule in suite.rules.iter().filter(|rule| rule.language == edition.language) {
         for case in &rule.cases {
             let name = format!("{} / {}", rule.id, case.name);
-            if KNOWN.contains(&name.as_str()) || !all && !is_drawn(&name) {
+            let known = KNOWN.contains(&name.as_str());
+            if !known && !all && !is_drawn(&name) {
                 continue;
             }
             let scenario = scenario_of(case, &observed, edition);
@@ -309,6 +310,10 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
             let Some(machine) = machine_files(&scenario.machine) else { continue };
             if can_run(&scenario, &documented, &rs274) {
                 sweep.judge(&name, &scenario, &documented, &machine, edition);
+                if known {
+                    let differs = sweep.otherwise.pop();
+                    assert!(differs.is_some_and(|text| text.starts_with(&name)), "fixed: {name}");
+                }
             }
         }
     }
@@ -323,7 +328,8 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
 
 /// One of so many cases is printed, since all of them take minutes; with `GAUGEBLOCK_ALL_CASES` all are.
 const ONE_OF: u32 = 11;
-/// What is printed in another way, and not mended yet: C45 of the findings.
+/// Known issue: next to an M72 that has nothing to restore, rs274 does not print some codes (M9) and prints others
+/// (M8).
 const KNOWN: [&str; 1] = ["order.restore-before-coolant / a coolant code after an idle restore"];
 
 /// Whether a case is printed: it follows from its name, so that no other case changes it.
