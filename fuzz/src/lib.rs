@@ -1,9 +1,9 @@
-//! Fuzzing: programs from bytes or a seed ([`generate`]) × what must hold for each of them ([`oracle`]), and the
-//! smallest program of which something still holds ([`shrink`]).
+//! Fuzzing: [generators](generate) of programs from bytes or a seed, [properties](oracle) that hold for each of them,
+//! and a [search](shrink) for the smallest program that has a property. [`motion`] has the same for motion programs.
 //!
-//! None of the three knows a fuzzing engine or a referee: whoever calls says how a scenario is run and what two
-//! outcomes have in common. The tests of this crate drive them on stable Rust, the command `gaugeblock fuzz` drives
-//! them for hours, and targets for cargo-fuzz are glue around the same calls.
+//! None of them depends on a fuzzing engine or on the comparison of two controllers: the caller runs a scenario and
+//! judges its outcomes. The tests of this crate use them on stable Rust, the command `gaugeblock fuzz` uses them for
+//! hours, and the targets of cargo-fuzz are glue around the same calls.
 
 pub mod generate;
 pub mod motion;

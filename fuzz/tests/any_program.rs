@@ -35,7 +35,7 @@ proptest! {
     }
 }
 
-/// A generator whose programs all end at their first block would test nothing.
+/// A generator whose programs all end at their first block tests nothing.
 #[test]
 fn generator_does_not_idle() {
     let mut runner = TestRunner::deterministic();

@@ -1,4 +1,4 @@
-//! The oracles on generated programs, and on runs in which a promise is broken.
+//! The oracles on generated programs, and on runs that break a property.
 
 use gaugeblock_fuzz::generate::metamorphic::pair;
 use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, from_seed};
@@ -11,7 +11,7 @@ fn reference(scenario: &Scenario) -> Option<Outcome> {
 }
 
 #[test]
-fn pairs_do_the_same() {
+fn metamorphic_pairs_have_equal_effects() {
     for number in 0..400 {
         let pair = pair(&mut Entropy::from_seed(3, number));
         oracle::metamorphic(&pair, &mut reference)
@@ -20,7 +20,7 @@ fn pairs_do_the_same() {
 }
 
 #[test]
-fn a_pair_that_differs_is_told() {
+fn a_pair_that_differs_is_reported() {
     let mut broken = 0;
     for number in 0..100 {
         let pair = pair(&mut Entropy::from_seed(3, number));
@@ -41,7 +41,7 @@ fn a_pair_that_differs_is_told() {
 }
 
 #[test]
-fn a_longer_budget_goes_on() {
+fn a_smaller_budget_gives_a_prefix() {
     for number in 0..200 {
         let scenario = from_seed(4, number, &GeneratorConfig::default());
         oracle::budget_prefix(&scenario, &mut reference).unwrap();
@@ -55,7 +55,7 @@ fn a_longer_budget_goes_on() {
 }
 
 #[test]
-fn arrival_changes_nothing() {
+fn chunked_input_changes_nothing() {
     for number in 0..300 {
         let mut entropy = Entropy::from_seed(5, number);
         let scenario = from_seed(5, number, &GeneratorConfig::default());
@@ -75,9 +75,9 @@ fn a_cut_line_end_is_no_line_after_m99() {
     }
 }
 
-/// What a run of the model keeps for the next one shows in nothing that it says, whatever was run before.
+/// What a run of the model caches for the next one changes no outcome.
 #[test]
-fn what_the_model_keeps_does_not_show() {
+fn the_cache_of_the_model_changes_no_outcome() {
     let mut cache = RunCache::default();
     let other: Options =
         Options([("units-planes.initial-unit".to_owned(), "machine".to_owned())].into());

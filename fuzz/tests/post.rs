@@ -1,4 +1,4 @@
-//! Programs of a post-processor: most are accepted, and what is modal shows where something is printed only.
+//! Programs of a post-processor: most are accepted, and modality changes nothing but printed text.
 
 use gaugeblock_fuzz::generate::gpp::{Pair, modality};
 use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, from_seed};
@@ -20,7 +20,7 @@ fn most_programs_are_accepted() {
 }
 
 #[test]
-fn modality_shows_where_something_is_printed_only() {
+fn modality_changes_printed_text_only() {
     for number in 0..PROGRAMS {
         let pair = modality(&mut Entropy::from_seed(2, number));
         let (one, other) = (run(&pair.one), run(&pair.other));

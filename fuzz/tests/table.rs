@@ -1,4 +1,4 @@
-//! The generator does not idle: most programs are accepted, and every row can be.
+//! The generator does not idle: most programs are accepted, every statement can be, and every kind is common.
 
 use std::collections::BTreeMap;
 
@@ -71,7 +71,7 @@ fn every_statement_can_be_accepted() {
             let wrote = scenario.program.main.lines().count() > 2;
             wrote && (accepted(&outcome.end) || matches!(outcome.end, End::Unsupported { .. }))
         };
-        // Some rows need another one before them, and one an option that no default is.
+        // Some statements need another one before them, and one needs an option that is not a default.
         let needs = [
             "saved.restore",
             "saved.invalidate",
@@ -86,7 +86,7 @@ fn every_statement_can_be_accepted() {
             idle.push(row.name);
         }
     }
-    assert!(idle.is_empty(), "rows that are never accepted: {idle:?}");
+    assert!(idle.is_empty(), "statements that are never accepted: {idle:?}");
 }
 
 /// A kind that few programs use is hardly tested.

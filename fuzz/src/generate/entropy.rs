@@ -1,4 +1,4 @@
-//! Where choices come from: bytes of a fuzzing engine, or a seed.
+//! The source of all choices of a generator: the bytes of a fuzzing engine, or a seed.
 
 use arbitrary::Unstructured;
 
@@ -13,7 +13,7 @@ enum Origin<'a> {
 }
 
 impl<'a> Entropy<'a> {
-    /// Choices from bytes; when they are used up, every choice is the first one and no chance comes.
+    /// Choices from bytes. When they are used up, each choice is the first one and each chance is false.
     pub fn from_bytes(bytes: &'a [u8]) -> Self {
         Self(Origin::Bytes(Unstructured::new(bytes)))
     }
@@ -58,7 +58,7 @@ impl<'a> Entropy<'a> {
         first.saturating_add(self.below(last.saturating_sub(first).saturating_add(1)))
     }
 
-    /// Whether something comes that does so many times in a hundred.
+    /// True in `percent` of a hundred draws.
     pub fn chance(&mut self, percent: u32) -> bool {
         self.below(100) >= 100_u32.saturating_sub(percent)
     }
@@ -70,7 +70,7 @@ impl<'a> Entropy<'a> {
     pub fn pick<'t, T>(&mut self, members: &'t [T]) -> &'t T {
         let count = u32::try_from(members.len()).unwrap_or(u32::MAX);
         let place = usize::try_from(self.below(count)).unwrap_or_default();
-        members.get(place).expect("a table has rows")
+        members.get(place).expect("the slice has members")
     }
 }
 

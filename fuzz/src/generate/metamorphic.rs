@@ -1,4 +1,4 @@
-//! Pairs of scenarios that must do the same: an oracle that needs no second engine.
+//! Metamorphic pairs: two scenarios with equal effects, an oracle that needs no second controller.
 
 use gaugeblock_vocabulary::Scenario;
 
@@ -9,14 +9,13 @@ use super::{Entropy, GeneratorConfig, Setups};
 pub enum Same {
     /// Effects and end; the lines at which they are do not count.
     Effects,
-    /// The same; but where something is missing at the end of a line, it may be refused for the comment that stands
-    /// there.
+    /// The same, but a line that lacks something at its end may be refused for the comment that follows.
     Commented,
     /// The path in machine coordinates: where each straight move ends, moves along one line taken together.
     Path,
 }
 
-/// Two scenarios that must do the same.
+/// Two scenarios with equal effects.
 #[derive(Clone, Debug)]
 pub struct Pair {
     /// What was changed.
@@ -29,15 +28,15 @@ pub struct Pair {
     pub same: Same,
 }
 
-/// A change of the text that means nothing.
+/// A change of the text that has no effect.
 struct TextChange {
     name: &'static str,
-    /// Whether line numbers move, so that `#<_line>` tells another one.
+    /// Whether line numbers change, and with them `#<_line>`.
     moves_lines: bool,
     line: fn(&str) -> String,
 }
 
-/// The change that puts a comment behind each line.
+/// The change that appends a comment to each line.
 const COMMENTS: &str = "comments";
 
 /// Modal codes that change nothing when they are repeated in the next block. Those of coordinate systems are not
@@ -104,7 +103,7 @@ const CHANGES: &[TextChange] = &[
 /// Binary operators whose names are letters.
 const OPERATORS: &[&str] = &["mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"];
 
-/// Whether a program asks for the number of a line, in whatever letters and blanks.
+/// Whether a program reads the number of a line, in any case and with any blanks.
 fn names_line(text: &str) -> bool {
     without_blanks(text).contains("_line")
 }
@@ -147,7 +146,7 @@ fn ends_whole(line: &str) -> bool {
             || line.trim_end().ends_with(|c: char| c.is_ascii_digit() || ".]>".contains(c)))
 }
 
-/// A generated scenario and one with a change that means nothing.
+/// A generated scenario and one with a change that has no effect.
 pub fn pair(entropy: &mut Entropy<'_>) -> Pair {
     match entropy.below(9) {
         0 => inlined_call(entropy),

@@ -39,21 +39,21 @@ pub const BUDGET: Budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
 /// What is generated.
 #[derive(Clone, Debug)]
 pub struct GeneratorConfig {
-    /// In which language. What stands below but the programs that are wrong is of RS-274.
+    /// The language. The fields below apply to RS-274, except for the mutated programs.
     pub language: Language,
     /// Whether programs of a post-processor have words of the old GPP.
     pub old_words: bool,
     /// Fewest and most blocks of the main program.
     pub blocks: (u32, u32),
-    /// In how many of a hundred programs something is slightly wrong.
+    /// Percentage of programs with mutated blocks.
     pub mutated_programs: u32,
-    /// How many of a hundred blocks are wrong in such a program.
+    /// Percentage of blocks that are mutated in such a program.
     pub mutated_blocks: u32,
-    /// How many of a hundred programs consist of one kind of statement.
+    /// Percentage of programs that consist of one kind of statement.
     pub single_kind_programs: u32,
     /// Percentage of programs that may use statements which end a run as unsupported.
     pub unsupported_programs: u32,
-    /// Only rows whose name begins with one of these; all when empty. Single-rule programs are made so.
+    /// Only statements whose name begins with one of these; all when empty.
     pub only: Vec<String>,
     /// Which machines, environments and operators.
     pub setups: Setups,
@@ -122,7 +122,7 @@ pub fn from_seed(seed: u64, number: u64, config: &GeneratorConfig) -> Scenario {
     scenario(&mut Entropy::from_seed(seed, number), config)
 }
 
-/// A scenario whose program is these bytes, as far as they are text. A NUL is none.
+/// A scenario whose program is these bytes, with U+FFFD for NUL and for what is not UTF-8.
 pub fn raw(bytes: &[u8]) -> Scenario {
     let text = String::from_utf8_lossy(bytes).replace('\0', "\u{fffd}");
     Scenario { budget: BUDGET, ..Scenario::of(text) }
@@ -140,11 +140,11 @@ mod tests {
     }
 
     #[test]
-    fn rows_have_names_of_their_own_and_every_kind_has_one() {
-        let rows: Vec<_> = TABLE.iter().copied().flatten().collect();
-        let names: BTreeSet<_> = rows.iter().map(|row| row.name).collect();
-        assert_eq!(names.len(), rows.len());
-        let kinds: BTreeSet<_> = rows.iter().map(|row| row.kind).collect();
+    fn names_of_statements_are_unique_and_every_kind_has_one() {
+        let statements: Vec<_> = TABLE.iter().copied().flatten().collect();
+        let names: BTreeSet<_> = statements.iter().map(|statement| statement.name).collect();
+        assert_eq!(names.len(), statements.len());
+        let kinds: BTreeSet<_> = statements.iter().map(|statement| statement.kind).collect();
         assert_eq!(kinds, StatementKind::ALL.iter().copied().collect());
     }
 

@@ -1,20 +1,20 @@
-//! Slightly wrong blocks: what a hurried person or a bad post-processor writes.
+//! Mutated blocks: slips of a person, or of a bad post-processor.
 
 use super::entropy::Entropy;
 use super::malformed;
 
-/// Characters that a slip of the finger brings in.
+/// Characters that are inserted.
 const SLIPS: &[char] =
     &['x', 'g', '1', '.', '-', '[', ']', '#', '=', '(', 'm', ' ', 'o', '$', '<', '%', 'z', '0'];
 
-/// Words that often do not belong to a block.
+/// Words that are appended and often do not belong to a block.
 const WORDS: &[&str] = &[
     " p1", " q2", " l3", " x1", " g1", " g0", " m5", " m70", " f100", " s0", " h1", " d1", " r1",
     " i1", " k2", " e1", " t1", " $1", " p-1", " f-1", " f0", " s-5", " g54", " g92 x1", " g4 p1",
     " m62 p1", " #31=1", " n5", " m3.5", " g1.5",
 ];
 
-/// The block with one thing wrong, or another block that is often refused.
+/// The block with one mutation, or a malformed block instead.
 pub(super) fn mutated_block(line: &str, entropy: &mut Entropy<'_>) -> String {
     let chars: Vec<char> = line.chars().collect();
     let count = u32::try_from(chars.len()).unwrap_or(u32::MAX);

@@ -11,13 +11,14 @@ use super::entropy::Entropy;
 /// Which machines, environments and operators a scenario may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Setups {
-    /// The default machine, nothing outside.
+    /// The default machine, no environment.
     Plain,
-    /// What LinuxCNC's stand-alone interpreter can be: six axes, no limits, stored lengths in inches, nothing outside.
+    /// The machines of LinuxCNC's stand-alone interpreter: six axes, no limits, stored lengths in inches, no
+    /// environment.
     StandAlone,
-    /// Any machine and environment, nobody at the panel.
+    /// Any machine and environment, no operator.
     Any,
-    /// Any machine and environment, and a person at the panel.
+    /// Any machine and environment, and an operator.
     Operated,
 }
 

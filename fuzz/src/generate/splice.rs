@@ -1,4 +1,4 @@
-//! Programs from parts of others, such as the suite's cases.
+//! Programs that are spliced from parts of others, such as the suite's cases.
 
 use gaugeblock_vocabulary::Scenario;
 
@@ -11,7 +11,7 @@ pub struct Seeds {
     pub all: Vec<Scenario>,
     /// What other programs do too rarely.
     pub rare: Vec<Rare>,
-    /// Whose turn it is, by places in `rare`, over and over. What is rarer has more turns.
+    /// Indices into `rare`, in the order in which they take turns. Rarer things have more turns.
     pub turns: Vec<usize>,
     /// Scenarios that may run before any other: they need nothing but their program, and go to its end.
     pub before: Vec<usize>,
@@ -20,13 +20,13 @@ pub struct Seeds {
 /// Something that other programs do too rarely.
 #[derive(Clone, Debug)]
 pub struct Rare {
-    /// The scenarios that do it, by their places.
+    /// Indices of the scenarios that do it.
     pub does: Vec<usize>,
     /// How many others run before one of them at most: the more, the less often it is reached.
     pub others: u32,
 }
 
-/// In all splices but one of so many something rare is done.
+/// One splice in so many does nothing rare.
 const ONE_IN: u64 = 20;
 
 /// How many of so many splices do something rare.
@@ -34,12 +34,11 @@ pub fn rare_among(splices: u64) -> u64 {
     splices - splices / ONE_IN
 }
 
-/// One of the scenarios with blocks of others in it, or changed slightly, or one that does something rare behind some
-/// others. Options are those of the first. What is rare comes in turns: which it is follows from how many splices a
-/// plan has had before.
+/// One of the scenarios with blocks of others inserted or with a mutation, or one that does something rare after some
+/// others. The options are those of the first. Rare things take turns: the number of the splice selects one.
 ///
 /// # Panics
-/// There is no scenario, or a turn is that of nothing.
+/// There is no scenario, or a turn is out of range.
 pub fn spliced(entropy: &mut Entropy<'_>, seeds: &Seeds, splice: u64) -> Scenario {
     let turn = usize::try_from(rare_among(splice)).unwrap_or_default();
     match turn.checked_rem(seeds.turns.len()) {
@@ -54,7 +53,7 @@ pub fn spliced(entropy: &mut Entropy<'_>, seeds: &Seeds, splice: u64) -> Scenari
     }
 }
 
-/// One of the scenarios that do something rare, behind some others.
+/// One of the scenarios that do something rare, after some others.
 ///
 /// # Panics
 /// None does it, or one that is not there.
@@ -119,7 +118,7 @@ fn at(entropy: &mut Entropy<'_>, count: usize) -> usize {
     usize::try_from(entropy.range(0, u32::try_from(count).unwrap_or(u32::MAX))).unwrap_or_default()
 }
 
-/// Whether nothing behind this line would run.
+/// Whether nothing after this line would run.
 fn ends(line: &str) -> bool {
     matches!(line.trim().to_lowercase().as_str(), "m2" | "m30" | "%")
 }

@@ -1,11 +1,11 @@
-//! What a writer knows of the program that it writes: enough for most blocks to be allowed, and no interpreter.
+//! What the writer knows of the program so far: enough for most blocks to be allowed. It is not an interpreter.
 
 use gaugeblock_vocabulary::{Axis, Scenario};
 
 /// A sub that can be called.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Sub {
-    /// As it stands after the letter O: `101` or `<cave>`.
+    /// Its text after the letter O: `101` or `<cave>`.
     pub(crate) label: String,
     /// Whether M98 calls it rather than an o-word.
     pub(crate) numbered: bool,

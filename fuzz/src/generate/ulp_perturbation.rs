@@ -1,11 +1,11 @@
-//! Programs in which every transcendental result is moved by its last bit.
+//! Programs in which every transcendental result is changed by about one unit in its last place (ULP).
 
 use gaugeblock_vocabulary::{Language, Scenario};
 
 /// Functions whose results differ in the last bit from one library to the next.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "asin", "acos", "atan", "exp", "ln"];
 
-/// Those whose argument is turned into radians, which moves their zeros.
+/// Those whose argument is converted into radians, which moves their zeros.
 const OF_ANGLES: &[&str] = &["sin", "cos", "tan"];
 
 /// About the last bit of an angle of one turn, in radians.
@@ -15,9 +15,8 @@ const LAST_BIT: &str = "0.000000000000001";
 const UP: &str = "1.0000000000000002";
 const DOWN: &str = "0.9999999999999999";
 
-/// The scenario with the result of each function moved up or down by about one unit in its last place, and that of an
-/// angle's function by as much as one in the angle's moves it; none where no function stands. If its outcome is
-/// another one, nothing can be said of the program.
+/// The scenario with the result of each function moved up or down by about one ULP, and the argument of a function of
+/// an angle by one too. `None` if the program has no function. If the outcome changes, the program is fragile.
 pub fn ulp_perturbed(scenario: &Scenario, up: bool) -> Option<Scenario> {
     let mut other = scenario.clone();
     let brackets = scenario.program.language != Language::Nct;
@@ -32,8 +31,8 @@ fn text(text: &str, up: bool, brackets: bool) -> String {
     text.split_inclusive('\n').map(|piece| line(piece, up, brackets)).collect()
 }
 
-/// Inner functions stand to the right of outer ones, so that they are wrapped first. In custom macros brackets stand
-/// five deep at most, and a factor without them belongs to the function.
+/// Inner functions are to the right of outer ones, so that they are wrapped first. Custom macros allow five levels of
+/// brackets, and a factor without brackets belongs to the function.
 fn line(line: &str, up: bool, brackets: bool) -> String {
     let (factor, sign) = if up { (UP, '+') } else { (DOWN, '-') };
     let mut line = line.to_owned();

@@ -85,7 +85,7 @@ impl Writer<'_, '_> {
         text
     }
 
-    /// A number as it stands in a program.
+    /// A number as a program has it.
     pub(crate) fn number(&mut self) -> String {
         self.alone(Self::write_number)
     }
@@ -136,7 +136,7 @@ impl Writer<'_, '_> {
         self.alone(Self::write_coordinate)
     }
 
-    /// The same, behind what is written already.
+    /// The same, appended to a text.
     pub(crate) fn write_coordinate(&mut self, text: &mut String) {
         match self.entropy.below(10) {
             0 | 1 => self.write_value(text, 2),
@@ -268,7 +268,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// A parameter that tells the state.
+    /// A parameter that has part of the state.
     pub(crate) fn state_parameter(&mut self) -> String {
         self.alone(Self::write_state_parameter)
     }
@@ -281,7 +281,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// A parameter that a program may set, as it stands before the equal sign.
+    /// A parameter that a program may set, as it is written before the equal sign.
     pub(crate) fn settable(&mut self) -> String {
         let mut text = String::with_capacity(FEW_CHARACTERS);
         if self.entropy.chance(30) {
@@ -316,6 +316,5 @@ fn put_number(text: &mut String, number: &str) {
 }
 
 fn put(text: &mut String, what: Arguments<'_>) {
-    // A text takes whatever it is given.
-    let _ = text.write_fmt(what);
+    text.write_fmt(what).expect("a string can be written to");
 }

@@ -17,7 +17,7 @@ const KIND_PERCENT: u32 = 70;
 /// Deepest nesting of loops, branches and subs.
 const DEEPEST: u32 = 4;
 
-/// How a program is written, whatever it says.
+/// How a program is spelled.
 #[derive(Clone, Copy, Debug, Default)]
 struct Manner {
     upper: bool,
@@ -178,7 +178,7 @@ impl<'d, 'b> Writer<'d, 'b> {
         self.state = before;
     }
 
-    /// A program for M98 behind the end; it is written there so that it stands after every call.
+    /// A program for M98. It is written after the end of the main program, so that it follows every call.
     pub(crate) fn numbered_program(&mut self) -> String {
         let label = self.new_label();
         let before = self.state.clone();
@@ -194,8 +194,8 @@ impl<'d, 'b> Writer<'d, 'b> {
         label
     }
 
-    /// Writes lines behind the end, as a numbered program stands.
-    pub(crate) fn behind_end(&mut self, lines: &str) {
+    /// Writes lines after the end of the main program.
+    pub(crate) fn after_program_end(&mut self, lines: &str) {
         self.after_end.push_str(lines);
     }
 

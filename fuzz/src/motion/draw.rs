@@ -1,4 +1,4 @@
-//! Rides at random.
+//! Random motion programs.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -17,7 +17,7 @@ const GRID: f64 = 1e5;
 /// The kind of steps that are chords of a curve.
 const CHORDS: u32 = 5;
 
-/// A program; what an operator does to it comes with some of them.
+/// A random motion program; some have an operator.
 pub fn motion_program(entropy: &mut Entropy<'_>) -> MotionProgram {
     let axes = *entropy.pick(&[2, 3, 3, 3, 3, 4, 6, 9]);
     // Some are chords of curves, of which several are over within a cycle.
@@ -47,7 +47,7 @@ pub fn motion_program(entropy: &mut Entropy<'_>) -> MotionProgram {
         false if entropy.chance(10) => entropy.range(60, 150),
         false => entropy.range(2, 30),
     };
-    // Most programs have long rows of one kind.
+    // Most programs have long runs of one kind of step.
     let kind = if fine { CHORDS } else { entropy.below(5) };
     for _ in 0..count {
         if fine && entropy.chance(95) {

@@ -16,10 +16,10 @@ use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, Pa
 /// Values of the nine axes, in their order.
 pub type Axes = [f64; 9];
 
-/// A program of moves under circumstances.
+/// A program of moves, with its machine and operator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionProgram {
-    /// Where the machine stands before, machine coordinates, which are the program's too.
+    /// The start position, in machine coordinates, which are also program coordinates.
     pub start: Axes,
     /// The plane of all arcs.
     pub plane: Plane,
@@ -29,7 +29,7 @@ pub struct MotionProgram {
     pub limits: MotionLimits,
     /// What the operator and the inputs do.
     pub script: MotionScript,
-    /// The planner gets one segment in so many cycles; else as many as it takes.
+    /// Servo cycles between two segments that the planner gets; `None` for as many segments as it accepts.
     pub every: Option<u32>,
 }
 
@@ -123,7 +123,7 @@ const LETTERS: [char; 9] = ['x', 'y', 'z', 'a', 'b', 'c', 'u', 'v', 'w'];
 const OFFSETS: [char; 3] = ['i', 'j', 'k'];
 
 impl MotionProgram {
-    /// Where the machine stands before.
+    /// The start position.
     pub fn position(&self) -> Position {
         Position::from(self.start)
     }

@@ -9,10 +9,10 @@ use gaugeblock_vocabulary::{Effect, Scenario, Settings};
 
 use crate::generate::Entropy;
 
-/// Runs a program as a whole, in pieces, and at one go, and compares all that a sink is told.
+/// Runs a program whole, in chunks, and several blocks per call, and compares the calls that the sink receives.
 ///
 /// # Errors
-/// What differs, or a panic's message where the caller catches it.
+/// The first difference, and the program.
 pub fn chunked_input(scenario: &Scenario, entropy: &mut Entropy<'_>) -> Result<(), String> {
     let program = &scenario.program;
     let memory = || {
@@ -42,8 +42,8 @@ pub fn chunked_input(scenario: &Scenario, entropy: &mut Entropy<'_>) -> Result<(
     Ok(())
 }
 
-/// All that a sink is told of a run, in lines; how it ends only if that is within the budget, however many blocks are
-/// executed at a time.
+/// All calls that a sink receives in a run, in lines. The end of the run is recorded only if it comes within the
+/// budget, so that it does not depend on the number of blocks per call.
 fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let mut interpreter = match Interpreter::new(machine, options, Limits::default()) {
@@ -63,7 +63,7 @@ fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String
     if log.blocks < log.most { log.text + &end } else { log.text }
 }
 
-/// Writes down what it is told, up to so many blocks.
+/// Records the calls of the interpreter, up to a number of blocks.
 struct Log {
     text: String,
     blocks: u32,
@@ -93,7 +93,7 @@ impl Sink for Log {
     }
 }
 
-/// A source that has few bytes ready at a time.
+/// A source that has a few bytes ready at a time.
 struct Pieces<'a> {
     inner: Memory<'a>,
     sizes: Vec<usize>,

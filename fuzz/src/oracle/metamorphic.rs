@@ -1,4 +1,4 @@
-//! Whether a pair of scenarios does the same.
+//! Whether the two scenarios of a metamorphic pair have equal effects.
 
 use gaugeblock_vocabulary::{
     Effect, End, Event, Fault, FaultKind, LengthUnit, Outcome, Position, Scenario, Settings,
@@ -9,8 +9,8 @@ use crate::generate::metamorphic::{Pair, Same};
 /// Millimetres by which points may differ.
 const TOLERANCE: f64 = 1e-6;
 
-/// Runs both scenarios of a pair and compares what must be equal. A run that says nothing (`None`), is not supported,
-/// left open or exhausted is no trouble.
+/// Runs both scenarios of a pair and compares what must be equal. A run without an outcome (`None`), or one that ends
+/// as unsupported, unspecified or with its budget exhausted, is not compared.
 ///
 /// # Errors
 /// What differs, with both programs.

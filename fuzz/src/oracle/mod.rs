@@ -14,14 +14,14 @@ pub use chunked_input::chunked_input;
 pub use metamorphic::metamorphic;
 pub use prefix::budget_prefix;
 
-/// Runs the model and checks that it keeps its promises.
+/// Runs the model and checks its invariants.
 ///
-/// * It ends with an outcome, within the budget; a panic is the caller's to see.
+/// * It ends with an outcome, within the budget; a panic reaches the caller.
 /// * Two runs give the same outcome and the same evidence.
-/// * The outcome stands in text form without loss.
+/// * The text form of the outcome loses nothing.
 ///
 /// # Errors
-/// The promise that was broken, and the outcome.
+/// The invariant that is broken, and the outcome.
 pub fn model_invariants(scenario: &Scenario) -> Result<Outcome, String> {
     let (outcome, coverage) = gaugeblock_reference::run(scenario);
     let broken = |promise: &str| Err(format!("{promise}:\n{}", outcome.to_text()));
@@ -38,7 +38,7 @@ pub fn model_invariants(scenario: &Scenario) -> Result<Outcome, String> {
     }
 }
 
-/// The bound of the budget that an outcome is beyond. The block at which a budget runs out may stand in the trace.
+/// The bound of the budget that an outcome exceeds. The trace may contain the block at which the budget runs out.
 fn beyond_budget(scenario: &Scenario, outcome: &Outcome) -> Option<Bound> {
     let steps = outcome.steps.len();
     let events = outcome.steps.iter().flat_map(|step| &step.events);

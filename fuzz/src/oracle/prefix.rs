@@ -1,11 +1,11 @@
-//! A run whose budget ran out is the beginning of a longer one.
+//! A run with a smaller budget is a prefix of a longer one.
 
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 /// Runs a scenario with its budget and with less, and compares the blocks that both executed.
 ///
 /// # Errors
-/// A shorter run is not the beginning of the longer one, or it did not tell that its budget ran out.
+/// A shorter run is not a prefix of the longer one, or it does not end as exhausted.
 pub fn budget_prefix(
     scenario: &Scenario,
     run: &mut dyn FnMut(&Scenario) -> Option<Outcome>,

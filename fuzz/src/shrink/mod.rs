@@ -1,8 +1,8 @@
-//! The smallest scenario of which something still holds.
+//! The smallest scenario that still has a property.
 //!
-//! A program is made smaller as a person would: whole files and pieces first, then structures, then words, then
-//! numbers, and in the end machine, environment, operator and options. Each attempt is a scenario that is asked about;
-//! nothing is known of the language but where a word begins and ends.
+//! Whole files and parts are removed first, then structures, then words; then numbers are simplified, and at last
+//! machine, environment, operator and options. The caller tests each attempt. Of the language, the search only knows
+//! where a word begins and ends.
 
 mod lines;
 mod setup;
@@ -12,14 +12,14 @@ use gaugeblock_vocabulary::{Options, Scenario};
 
 pub use words::shape;
 
-/// What shrinking came to.
+/// The result of shrinking.
 #[derive(Clone, Debug)]
 pub struct Shrunk {
     /// The smallest scenario that was found.
     pub scenario: Scenario,
-    /// How many scenarios were asked about.
+    /// How many scenarios were tested.
     pub attempts: u32,
-    /// Whether nothing smaller was left to ask about.
+    /// Whether no smaller scenario was left to test.
     pub finished: bool,
 }
 
@@ -32,7 +32,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Takes over a scenario of which it still holds.
+    /// Keeps a smaller scenario if it still has the property.
     fn attempt(&mut self, smaller: Scenario) -> bool {
         if self.attempts >= self.most || smaller == self.best {
             return false;

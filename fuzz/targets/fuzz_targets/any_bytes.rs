@@ -1,4 +1,4 @@
-//! `gaugeblock_fuzz_targets::any_bytes` behind libFuzzer.
+//! `gaugeblock_fuzz_targets::any_bytes` as a target of libFuzzer.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| gaugeblock_fuzz_targets::any_bytes(bytes));

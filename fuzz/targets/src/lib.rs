@@ -1,7 +1,7 @@
-//! What each fuzzing target does with the bytes that it is given: a generator of `gaugeblock-fuzz`, then an oracle.
+//! The fuzzing targets: each passes its bytes to a generator of `gaugeblock-fuzz` and the program to an oracle.
 //!
-//! The binaries in `fuzz_targets` are glue for libFuzzer. The corpus is replayed on stable Rust by a test, so that
-//! what was found once is held for ever.
+//! The binaries in `fuzz_targets` are glue for libFuzzer. A test replays the corpus on stable Rust, so that each
+//! finding stays covered.
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::compare;
@@ -27,15 +27,15 @@ pub const TARGETS: &[Target] = &[
 /// Any bytes as a program: model and production end, do the same, and neither panics.
 ///
 /// # Panics
-/// A promise is broken.
+/// A property does not hold.
 pub fn any_bytes(bytes: &[u8]) {
-    let _ = agree(&generate::raw(bytes));
+    agree(&generate::raw(bytes));
 }
 
-/// An odd program keeps the model's promises.
+/// The model keeps its invariants for a malformed program.
 ///
 /// # Panics
-/// A promise is broken.
+/// A property does not hold.
 pub fn malformed_program(bytes: &[u8]) {
     kept(oracle::model_invariants(&malformed::scenario(bytes)).map(drop));
 }
@@ -44,17 +44,17 @@ pub fn malformed_program(bytes: &[u8]) {
 /// out is the beginning of a longer one, in both.
 ///
 /// # Panics
-/// A promise is broken.
+/// A property does not hold.
 pub fn program(bytes: &[u8]) {
     let mut entropy = Entropy::from_bytes(bytes);
     let scenario = generate::scenario(&mut entropy, &generate::GeneratorConfig::default());
-    let _ = agree(&scenario);
+    agree(&scenario);
     kept(oracle::chunked_input(&scenario, &mut entropy));
     kept(oracle::budget_prefix(&scenario, &mut |scenario| of(&Reference::default(), scenario)));
     kept(oracle::budget_prefix(&scenario, &mut |scenario| of(&Production::default(), scenario)));
 }
 
-/// Pairs of programs do the same, in model and production.
+/// The programs of a metamorphic pair have equal effects, in model and production.
 ///
 /// # Panics
 /// They do not.

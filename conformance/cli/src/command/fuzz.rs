@@ -295,10 +295,10 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, R
     } else {
         Setups::Operated
     };
-    let rows = || gaugeblock_fuzz::generate::TABLE.iter().copied().flatten();
+    let statements = || gaugeblock_fuzz::generate::TABLE.iter().copied().flatten();
     for only in &arguments.only {
-        if !rows().any(|row| row.name.starts_with(only.as_str())) {
-            let known: Vec<&str> = rows().map(|row| row.name).collect();
+        if !statements().any(|statement| statement.name.starts_with(only.as_str())) {
+            let known: Vec<&str> = statements().map(|statement| statement.name).collect();
             return Err(Refused::wrong(
                 format!("invalid `--only {only}`: no statement of the generator begins with it"),
                 format!("expected one of: {}", known.join(", ")),
@@ -392,7 +392,7 @@ fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {
         against: named(plan.against),
         options: format!("{}, {}", edition.id, arguments.options),
         config: format!(
-            "wrong {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
+            "mutated {}, spliced {} for a {} run, only {:?}, options of {ALIKE}",
             arguments.error_rate,
             plan.spliced,
             if is_long(arguments.programs) { "long" } else { "short" },

@@ -44,7 +44,7 @@ pub(crate) fn outcomes<'a>(
 }
 
 /// What a run says little of: outcomes that few programs reached, and how many; and those that none did, and no case
-/// does that can be compared on these two. Nothing where only some rows are written.
+/// does that can be compared on these two. Empty if only some statements are written.
 pub(crate) fn rarely_reached(
     suite: &Suite,
     edition: &Edition,

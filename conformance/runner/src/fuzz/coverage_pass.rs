@@ -11,13 +11,13 @@ use gaugeblock_vocabulary::{End, Program, Scenario};
 
 use super::Plan;
 
-/// Programs of a rehearsal.
+/// Programs of a coverage pass.
 const PROGRAMS: u64 = 16_000;
 /// After so many splices it is judged whether those before a case hinder it.
 const TRIALS: u64 = 16;
 /// So many splices are made for the same rare thing at most.
 const MOST: u64 = 96;
-/// The seed of rehearsals: what is rare is the same for all seeds of a plan.
+/// The seed of coverage passes: what is rare is the same for all seeds of a plan.
 const SEED: u64 = 0;
 /// Programs of a plan that are to reach each outcome: more than [`ENOUGH`](super::statistics::ENOUGH), since a few
 /// are not judged in the end.
@@ -92,7 +92,7 @@ impl Plan<'_> {
         u32::try_from(share.clamp(SPLICED.0, SPLICED.1)).unwrap_or_default()
     }
 
-    /// How many of so many programs are likely to reach each outcome, by what those of a rehearsal reach.
+    /// How many of so many programs are likely to reach each outcome, by what those of a coverage pass reach.
     fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
         for number in 0..PROGRAMS {
@@ -106,7 +106,7 @@ impl Plan<'_> {
         let times = number(programs * (100 - SPLICED.1)) / number(100 * PROGRAMS);
         let chances = reached.iter().map(|(rule, outcome, programs)| {
             let mean = number(programs) * times;
-            // Chance had a part in the rehearsal, and has one in the plan.
+            // Both the coverage pass and the plan are random.
             ((rule, outcome), Chance { mean, variance: mean * times + mean })
         });
         chances.collect()
@@ -188,7 +188,7 @@ impl Chance {
     }
 }
 
-/// Splices of a rehearsal for one outcome. A plan has as many again.
+/// Splices of a coverage pass for one outcome. A plan has as many again.
 #[derive(Debug, Default)]
 struct Made {
     splices: u64,

@@ -217,7 +217,7 @@ fn a_tap_does_not_turn_a_spindle_back_to_its_angle() {
 }
 
 #[test]
-fn a_rehearsal_finds_the_seeds_that_do_what_other_programs_rarely_do() {
+fn a_coverage_pass_finds_the_seeds_of_rare_outcomes() {
     let (production, reference) = (Production::default(), Reference::default());
     let mut plan = plan(&production, &reference);
     let rare = "g91 g4 p1\nm2";

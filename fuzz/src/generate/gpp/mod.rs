@@ -1,8 +1,8 @@
 //! Scenarios of a post-processor: a program, and the toolpath that drives it.
 //!
 //! Most of them are accepted: variables are declared before they are used, have the type that belongs there, and
-//! mostly a value. A dial spoils some statements and lines. Nothing is nudged: GPP has no function, and its rounding
-//! is told to the last bit.
+//! mostly a value. Some statements and lines are mutated. There is no ULP perturbation: GPP has no function, and the
+//! documents define its rounding exactly.
 
 mod malformed;
 mod metamorphic;
@@ -32,7 +32,7 @@ struct Known {
     system: bool,
 }
 
-/// A scenario. Its options are empty: which documents apply is the caller's to say.
+/// A scenario. Its options are empty: the caller knows which documents apply.
 pub(super) fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
     let (toolpath, known, headings) = toolpath::toolpath(entropy);
     let mut main = program::program(entropy, known, &headings, config.old_words);

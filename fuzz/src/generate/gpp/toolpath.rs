@@ -18,7 +18,7 @@ pub(super) const FORMATS: &[&str] = &[
     "ANGLES",
 ];
 
-/// Headings, the qualifier behind a colon.
+/// Headings, with the qualifier after a colon.
 const HEADINGS: &[&str] = &[
     "MOVE",
     "LINEAR MOTION",

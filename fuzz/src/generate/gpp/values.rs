@@ -73,7 +73,7 @@ pub(super) fn text(entropy: &mut Entropy<'_>) -> String {
     format!("\"{}\"", entropy.pick(TEXTS))
 }
 
-/// A word as somebody might write it.
+/// A word in one of its spellings.
 pub(super) fn spelled(word: &str, entropy: &mut Entropy<'_>) -> String {
     if entropy.chance(10) { word.to_ascii_lowercase() } else { word.to_owned() }
 }

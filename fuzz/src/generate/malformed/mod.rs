@@ -1,4 +1,4 @@
-//! Odd programs, from bytes: almost valid, and often refused.
+//! Malformed programs from bytes: almost valid, and often refused.
 //!
 //! Each byte chooses a row of a table, so that a small change of the bytes is a small change of the program; an
 //! engine that mutates bytes and a library that shrinks them both work on it. Most blocks are well formed, since what

@@ -1,8 +1,7 @@
-//! Scenarios of custom macros: a main program, macros and subprograms behind it, and how blocks are deleted.
+//! Scenarios of custom macros: a main program, macros and subprograms after it, and how blocks are deleted.
 //!
-//! Most of them are accepted: programs that are called exist, loops are closed, labels stand once and ahead of their
-//! jumps, and a feed is set before anything moves. What documents leave open is written seldom. A dial spoils some
-//! blocks.
+//! Most of them are accepted: programs that are called exist, loops are closed, each label is defined once, and a feed
+//! is set before a move. What the documents leave open is rarely written. Some blocks are mutated.
 
 mod malformed;
 mod metamorphic;
@@ -17,7 +16,7 @@ use super::{BUDGET, Entropy, GeneratorConfig};
 
 pub use metamorphic::{Counted, Pair, count, locals};
 
-/// A scenario. Its options are empty: which documents apply is the caller's to say.
+/// A scenario. Its options are empty: the caller knows which documents apply.
 pub(super) fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
     let mut main = program::programs(entropy);
     if entropy.chance(config.mutated_programs) {

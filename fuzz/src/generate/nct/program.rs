@@ -1,4 +1,4 @@
-//! Programs: the first one is run, and calls those behind it.
+//! Programs: the first one is run, and calls the others.
 
 use super::statements::{Place, Writer};
 use super::values::spelled;

@@ -35,7 +35,7 @@ pub(super) fn variable(entropy: &mut Entropy<'_>) -> String {
     if entropy.chance(6) { "#0".to_owned() } else { target(entropy) }
 }
 
-/// The value of a word: no function and no operator stands there without a bracket.
+/// The value of a word: functions and operators are in brackets.
 pub(super) fn value(entropy: &mut Entropy<'_>) -> String {
     match entropy.below(10) {
         0..=5 => format!("{}{}", sign(entropy), number(entropy)),
@@ -102,7 +102,7 @@ fn function(entropy: &mut Entropy<'_>, depth: u32) -> String {
     }
 }
 
-/// A condition, without its brackets. What is compared has a value, or stands in the table of vacant ones.
+/// A condition, without its brackets. The operands have values, or are those of the table of vacant variables.
 pub(super) fn condition(entropy: &mut Entropy<'_>) -> String {
     if entropy.chance(25) {
         let compare = *entropy.pick(&["EQ", "NE", "EQ", "NE", "GE", "GT"]);

@@ -26,14 +26,16 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             w.block("g41.1 d2");
             let tools = w.state.tools.clone();
             let tool = if tools.is_empty() { 0 } else { *w.entropy.pick(&tools) };
-            let words = match w.entropy.below(7) {
+            let words = match w.entropy.below(24) {
                 0 => "m66 p0".to_owned(),
                 1 => (*w.entropy.pick(&["m62 p0", "m65 p0", "m68 e0 q1"])).to_owned(),
                 2 => (*w.entropy.pick(&["g43.1 z1", "g49"])).to_owned(),
                 3 => "g18".to_owned(),
                 4 => "g10 l2 p1 x1".to_owned(),
                 5 => format!("t{tool} m6"),
-                _ => format!("g43 h{tool}"),
+                6 => format!("g43 h{tool}"),
+                // Most choices of the documents refuse the words above.
+                _ => (*w.entropy.pick(&["m8", "g4 p0.1", "f100", "s100", "g61"])).to_owned(),
             };
             w.block(&words);
             w.block("g40");

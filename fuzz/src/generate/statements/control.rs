@@ -179,7 +179,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             let value = *w.entropy.pick(&["exists[#<width>]", "exists[#<width>]", "#<width>"]);
             w.structure("#<width> = 3");
             w.structure(&format!("m98 p{label}"));
-            w.behind_end(&format!("o{label}\n#32 = {value}\nm99\n"));
+            w.after_program_end(&format!("o{label}\n#32 = {value}\nm99\n"));
         },
     ),
     Statement::when(
@@ -195,7 +195,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             let (caller, called) = *w.entropy.pick(&pairs);
             w.structure(caller);
             w.structure(&format!("m98 p{label}"));
-            w.behind_end(&format!("o{label}\n{called}\ng91\nm72\nm99\n"));
+            w.after_program_end(&format!("o{label}\n{called}\ng91\nm72\nm99\n"));
             w.state.forget_modes();
             w.state.per_minute = false;
         },
@@ -211,7 +211,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             let labels: Vec<u32> = (0..levels).map(|_| w.new_label()).collect();
             for (place, label) in labels.iter().enumerate() {
                 let next = labels.get(place + 1).map(|next| format!("m98 p{next}\n"));
-                w.behind_end(&format!("o{label}\n{}m99\n", next.unwrap_or_default()));
+                w.after_program_end(&format!("o{label}\n{}m99\n", next.unwrap_or_default()));
             }
             let first = labels.first().copied().unwrap_or_default();
             w.structure(&format!("m98 p{first}"));

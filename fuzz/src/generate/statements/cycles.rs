@@ -33,7 +33,7 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             let code = match w.entropy.below(40) {
                 0 => "g38.4",
                 1 => "g38.5",
-                2..=11 => "g38.2",
+                2..=5 => "g38.2",
                 _ => "g38.3",
             };
             let inverse = w.entropy.chance(10);
@@ -49,13 +49,13 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         },
     ),
     Statement::any("synchronised.move", StatementKind::Synchronised, 6, |w| {
-        w.turns_first();
+        w.starts_spindle();
         let code = *w.entropy.pick(&["g33", "g33.1"]);
         w.block(format!("{code} z-5 k1.5"));
         w.state.moving = false;
     }),
     Statement::any("synchronised.thread", StatementKind::Synchronised, 4, |w| {
-        w.turns_first();
+        w.starts_spindle();
         w.block("g18 g90 g0 x20 z0");
         w.block("g76 p1.5 z-20 i-2 j0.5 k2 q29.5 h2");
         w.state.moving = false;

@@ -123,7 +123,7 @@ impl Writer<'_, '_> {
         text
     }
 
-    /// Tells the state that a straight move was written.
+    /// Records in the state that a straight move was written.
     pub(in super::super) fn moves(&mut self, rapid: bool) {
         self.state.moving = true;
         self.state.rapid = rapid;

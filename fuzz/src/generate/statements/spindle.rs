@@ -62,9 +62,17 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
 impl Writer<'_, '_> {
     /// Lets all spindles turn where none may do so yet: constant surface speed is refused while they stand, which is
     /// worth a few programs.
-    pub(in super::super) fn turns_first(&mut self) {
+    fn turns_first(&mut self) {
         if !self.state.turning && self.entropy.chance(85) {
             self.block("m3 s800");
+            self.state.turning = true;
+        }
+    }
+
+    /// Starts the first spindle at a speed, in all but a few programs.
+    pub(in super::super) fn starts_spindle(&mut self) {
+        if self.entropy.chance(97) {
+            self.block("g97 m3 s800");
             self.state.turning = true;
         }
     }
