@@ -9,6 +9,7 @@ use gaugeblock_suite::ledger::{Item, Ledger, Section};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use super::merge::read;
 use super::{Report, RuleVerdict};
 
 /// What a run of the suite said of each rule.
@@ -25,7 +26,6 @@ pub struct Judged {
 /// The parts of a JSON report that the matrix reads.
 #[derive(Deserialize)]
 struct Written {
-    gaugeblock: String,
     controller: String,
     version: String,
     edition: String,
@@ -55,12 +55,9 @@ impl Judged {
     /// Reads a report that `certify --format json` or `--report` wrote.
     ///
     /// # Errors
-    /// It is no such report.
+    /// It is no such report; the message follows the name of the file.
     pub fn read(text: &str) -> Result<Self, String> {
-        let written: Written = serde_json::from_str(text).map_err(|error| error.to_string())?;
-        if written.gaugeblock != "report" {
-            return Err(format!("it is a document of `{}`, not a report", written.gaugeblock));
-        }
+        let written: Written = read(text)?;
         let rules = written.rules.into_iter();
         Ok(Self {
             controller: format!("{} {}", written.controller, written.version),

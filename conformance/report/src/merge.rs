@@ -8,12 +8,37 @@ use gaugeblock_runner::fingerprint::Trait;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::stored::StoredCase;
 
 /// Version of the form.
 pub const VERSION: u32 = 1;
+
+/// Reads a report, or those of its parts that are of use.
+///
+/// # Errors
+/// It is not a report of this version; the message follows the name of the file.
+pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    #[derive(Deserialize)]
+    struct Form {
+        gaugeblock: String,
+        schema: u32,
+    }
+    let not_a_report = |why: String| format!("is not a Gaugeblock report (JSON): {why}");
+    let wrong = |error: serde_json::Error| not_a_report(error.to_string());
+    let Form { gaugeblock, schema } = serde_json::from_str(text).map_err(wrong)?;
+    if gaugeblock != "report" {
+        return Err(not_a_report(format!("it is a document of Gaugeblock's kind `{gaugeblock}`")));
+    }
+    if schema != VERSION {
+        return Err(format!(
+            "is a report of version {schema}, and this Gaugeblock reads version {VERSION}: run certify again"
+        ));
+    }
+    serde_json::from_str(text).map_err(wrong)
+}
 
 /// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -84,24 +109,9 @@ impl Stored {
     /// Reads a report in JSON.
     ///
     /// # Errors
-    /// It is not one, with its place.
+    /// It is not one; the message follows the name of the file.
     pub fn read(text: &str) -> Result<Self, String> {
-        #[derive(Deserialize)]
-        struct Form {
-            gaugeblock: String,
-            schema: u32,
-        }
-        let wrong = |error: serde_json::Error| error.to_string();
-        let Form { gaugeblock, schema } = serde_json::from_str(text).map_err(wrong)?;
-        if gaugeblock != "report" {
-            return Err(format!("it is no report, but of gaugeblock's kind `{gaugeblock}`"));
-        }
-        if schema != VERSION {
-            return Err(format!(
-                "a report of version {schema}, and this reads version {VERSION}: make it anew"
-            ));
-        }
-        serde_json::from_str(text).map_err(wrong)
+        read(text)
     }
 
     /// The profiles that were claimed.

@@ -232,12 +232,19 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
 
 /// The divergences that an earlier report tells.
 pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, Refused> {
-    let (name, hint) = (path.display(), "`gaugeblock fuzz --report DIR` writes report.json");
     let text = place::text(path, "earlier report (--known)")?;
-    let wrong = |error: serde_json::Error| Refused::wrong(format!("{name}: {error}"), hint);
+    let refused = |why: String| {
+        Refused::wrong(
+            format!("{} is not a report of `gaugeblock fuzz` (JSON): {why}", path.display()),
+            "name the report.json of an earlier run, which `gaugeblock fuzz --report DIR` writes",
+        )
+    };
+    let wrong = |error: serde_json::Error| refused(error.to_string());
     let mut document: serde_json::Value = serde_json::from_str(&text).map_err(wrong)?;
-    let divergences = document.get_mut("divergences").map(serde_json::Value::take);
-    serde_json::from_value(divergences.unwrap_or_default()).map_err(wrong)
+    match document.get_mut("divergences").map(serde_json::Value::take) {
+        Some(divergences) => serde_json::from_value(divergences).map_err(wrong),
+        None => Err(refused("it lists no divergences".to_owned())),
+    }
 }
 
 /// A divergence with its smallest program, and in how many programs it was found.

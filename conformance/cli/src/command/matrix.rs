@@ -11,7 +11,7 @@ use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::Ledger;
 
-use super::place;
+use super::{place, stored};
 use crate::arguments::Format;
 use crate::refused::Refused;
 use crate::streams::write_out;
@@ -36,12 +36,7 @@ pub(crate) fn matrix(
 
 fn read(path: &Path) -> Result<Judged, Refused> {
     let text = place::text(path, "report (--report)")?;
-    Judged::read(&text).map_err(|error| {
-        Refused::wrong(
-            format!("{}: {error}", path.display()),
-            "`gaugeblock certify --controller CONTROLLER --report DIR` writes DIR/report.json",
-        )
-    })
+    stored::read(path, &text, Judged::read)
 }
 
 /// The model's verdicts for the edition of each document.

@@ -6,14 +6,26 @@ use gaugeblock_report::merge::Stored;
 
 use crate::refused::Refused;
 
-/// Reads a report, or that of a folder; with its name for messages.
+/// The hint where a report cannot be read.
+const NAME_A_REPORT: &str = "name the report.json of an earlier run: \
+     `gaugeblock certify --controller CONTROLLER --report DIR` writes DIR/report.json";
+
+/// A report of an earlier run: the file, or the folder that holds it as `report.json`.
 pub(crate) fn stored(path: &Path) -> Result<(String, Stored), Refused> {
     let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
     let name = path.display().to_string();
-    let hint = "`gaugeblock certify --shard I/N --report DIR` writes such a report";
-    let text = std::fs::read_to_string(&path)
-        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
-    let stored =
-        Stored::read(&text).map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+    let bytes = std::fs::read(&path)
+        .map_err(|error| Refused::wrong(format!("{name}: {error}"), NAME_A_REPORT))?;
+    // What is not UTF-8 is not JSON either, and is refused as such.
+    let stored = read(&path, &String::from_utf8_lossy(&bytes), Stored::read)?;
     Ok((name, stored))
+}
+
+/// Reads what is of use in a report of an earlier run.
+pub(crate) fn read<T>(
+    path: &Path,
+    text: &str,
+    read: impl FnOnce(&str) -> Result<T, String>,
+) -> Result<T, Refused> {
+    read(text).map_err(|why| Refused::wrong(format!("{} {why}", path.display()), NAME_A_REPORT))
 }
