@@ -42,13 +42,13 @@ mod threads;
 mod words;
 
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::{BufRead, Write};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::Path;
 
 pub use arguments::Arguments;
 use block::Fixed;
+use gaugeblock_filesystem::open_output;
 use gaugeblock_interpreter::{Error, Interpreter, Limits, Progress};
 use gaugeblock_vocabulary::{End, Fault, FaultKind};
 use ini::Ini;
@@ -287,7 +287,7 @@ fn unsupported(end: &End) -> Fault {
 fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, Trouble> {
     Ok(match path {
         Some(path) => {
-            Box::new(File::create(path).map_err(|error| format!("{}: {error}", path.display()))?)
+            Box::new(open_output(path).map_err(|error| format!("{}: {error}", path.display()))?)
         }
         None => Box::new(std::io::stdout()),
     })

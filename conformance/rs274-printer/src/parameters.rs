@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
+use gaugeblock_filesystem::{copy_output, write_output};
+
 /// Parameters that are always written: probing, G28, G30, G92, the work coordinate systems.
 const REQUIRED: [(u32, u32); 5] =
     [(5161, 5169), (5181, 5189), (5210, 5219), (5220, 5220), (5221, 5390)];
@@ -49,7 +51,7 @@ fn text(before: &BTreeMap<u32, f64>, now: &BTreeMap<u32, f64>) -> String {
     text
 }
 
-/// Writes the file whole or not at all; the one before is kept with `.bak` behind its name.
+/// Writes the file; a regular file that was there before is kept with `.bak` after its name.
 ///
 /// # Errors
 /// It cannot be written.
@@ -58,22 +60,10 @@ pub(super) fn write(
     before: &BTreeMap<u32, f64>,
     now: &BTreeMap<u32, f64>,
 ) -> io::Result<()> {
-    let beside = |ending: &str| {
-        let mut name = path.as_os_str().to_owned();
-        name.push(ending);
-        name
-    };
-    let partial = beside(".partial");
-    let written = std::fs::write(&partial, text(before, now)).and_then(|()| {
-        if path.exists() {
-            std::fs::rename(path, beside(".bak"))?;
-        }
-        std::fs::rename(&partial, path)
-    });
-    if written.is_err() {
-        let _none_was_made = std::fs::remove_file(&partial);
-    }
-    written
+    let mut kept = path.as_os_str().to_owned();
+    kept.push(".bak");
+    copy_output(path, Path::new(&kept))?;
+    write_output(path, text(before, now))
 }
 
 #[cfg(test)]

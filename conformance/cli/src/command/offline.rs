@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, Subcommand};
 use gaugeblock_adapter::Adapter;
+use gaugeblock_filesystem::PartialFolder;
 use gaugeblock_offline::{
     Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
     answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
@@ -146,56 +147,37 @@ fn is_free(folder: &Path) -> Result<(), Refused> {
     }
 }
 
-/// Writes the whole folder beside its place first: it is there whole or not at all.
+/// Writes the whole folder: it is there whole or not at all.
 fn write_campaign(
     folder: &Path,
     manifest: &Manifest,
     questions: &[Question],
 ) -> Result<(), Refused> {
-    let mut partial = folder.as_os_str().to_owned();
-    partial.push(".partial");
-    let partial = PathBuf::from(partial);
-    is_free(&partial)?;
-    let refused = |path: &Path| {
-        let name = path.display().to_string();
-        move |error: std::io::Error| {
-            Refused::wrong(
-                format!("{name}: {error}"),
-                "check that the folder exists and is writable",
-            )
+    let refused = |error: std::io::Error| {
+        let message = format!("{}: {error}", folder.display());
+        Refused::wrong(message, "check that the folder exists and is writable")
+    };
+    let json = serde_json::to_string_pretty(manifest).map_err(|error| {
+        Refused::unfinished(error.to_string(), "this is a bug in gaugeblock; please report it")
+    })?;
+    let partial = PartialFolder::new(folder).map_err(refused)?;
+    let write = |name: PathBuf, text: &str| partial.write(name, text).map_err(refused);
+    write(MANIFEST.into(), &format!("{json}\n"))?;
+    write("README.md".into(), &readme(manifest))?;
+    write(CONTROL.into(), &control_text("", "", 0.001))?;
+    for question in questions {
+        let Question { asked, scenario, limits: _ } = question;
+        let folder = Path::new(&asked.folder);
+        write(folder.join(gaugeblock_vocabulary::Program::MAIN), &scenario.program.main)?;
+        for (name, text) in &scenario.program.files {
+            write(folder.join(name), text)?;
         }
-    };
-    let write = |path: PathBuf, text: &str| {
-        let parent = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        parent.and_then(|()| std::fs::write(&path, text)).map_err(refused(&path))
-    };
-    let all = || {
-        let json = serde_json::to_string_pretty(manifest).map_err(|error| {
-            Refused::unfinished(error.to_string(), "this is a bug in gaugeblock; please report it")
-        })?;
-        write(partial.join(MANIFEST), &format!("{json}\n"))?;
-        write(partial.join("README.md"), &readme(manifest))?;
-        write(partial.join(CONTROL), &control_text("", "", 0.001))?;
-        for question in questions {
-            let Question { asked, scenario, limits: _ } = question;
-            let folder = partial.join(&asked.folder);
-            write(folder.join(gaugeblock_vocabulary::Program::MAIN), &scenario.program.main)?;
-            for (name, text) in &scenario.program.files {
-                write(folder.join(name), text)?;
-            }
-            write(folder.join(OPERATOR), &operator(question))?;
-            for (name, text) in blank(asked) {
-                write(folder.join(name), &text)?;
-            }
+        write(folder.join(OPERATOR), &operator(question))?;
+        for (name, text) in blank(asked) {
+            write(folder.join(name), &text)?;
         }
-        std::fs::rename(&partial, folder).map_err(refused(folder))
-    };
-    let done = all();
-    if done.is_err() {
-        // What is half written is of no use.
-        let _gone = std::fs::remove_dir_all(&partial);
     }
-    done
+    partial.finish().map_err(refused)
 }
 
 fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, Refused> {

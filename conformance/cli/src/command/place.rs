@@ -1,10 +1,10 @@
 //! Reading programs and writing results: every trouble names its place.
 
-use std::fs::File;
-use std::io::{Error, ErrorKind, Write as _};
+use std::io::ErrorKind;
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
+use gaugeblock_filesystem::{check_folder, write_output};
 use gaugeblock_vocabulary::TextError;
 
 use crate::refused::Refused;
@@ -76,9 +76,9 @@ pub(crate) fn spare(inputs: &[PathBuf], outputs: &[(&str, Option<&Path>)]) -> Re
     Ok(())
 }
 
-/// Writes a file whole or not at all: it is made beside its place, and nothing is left there where that fails.
+/// Writes an output, as [`write_output`] does: a regular file whole or not at all, anything else in place.
 pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Refused> {
-    let refused = |error: Error| {
+    write_output(path, content).map_err(|error| {
         let message = format!("{}: {error}", path.display());
         let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded, ErrorKind::FileTooLarge];
         if full.contains(&error.kind()) {
@@ -86,25 +86,13 @@ pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), 
         } else {
             Refused::wrong(message, "check that the folder exists and can be written")
         }
-    };
-    let mut partial = path.as_os_str().to_owned();
-    partial.push(".partial");
-    let mut file = File::create(&partial).map_err(refused)?;
-    let written = file.write_all(content.as_ref()).and_then(|()| std::fs::rename(&partial, path));
-    written.map_err(|error| {
-        let _gone = std::fs::remove_file(&partial);
-        refused(error)
     })
 }
 
 /// Makes a folder for results and checks that it can be written, before anything runs.
 pub(crate) fn folder(path: &Path) -> Result<(), Refused> {
-    let name = path.display();
-    let refused = |error: Error| {
-        Refused::wrong(format!("{name}: {error}"), "--report takes a folder that can be written")
-    };
-    std::fs::create_dir_all(path).map_err(refused)?;
-    let probe = path.join(".gaugeblock-partial");
-    std::fs::write(&probe, "").map_err(refused)?;
-    std::fs::remove_file(&probe).map_err(refused)
+    check_folder(path).map_err(|error| {
+        let message = format!("{}: {error}", path.display());
+        Refused::wrong(message, "--report takes a folder that can be written")
+    })
 }

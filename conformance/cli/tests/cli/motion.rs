@@ -1,6 +1,8 @@
 //! `gaugeblock plan` and `gaugeblock motion check`: samples of our planner keep the laws, broken ones are found, wrong calls
 //! are told.
 
+use std::fs::Permissions;
+use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -9,6 +11,9 @@ use gaugeblock_controllers::Production;
 use gaugeblock_controllers::drive::{Circumstances, plan_under};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
+use rustix::fs::{CWD, FileType, Mode};
+
+use crate::template::TEMPLATE;
 
 /// A mill with three axes of 250 mm/s and 2000 mm/s².
 const MILL: &str = "period = 0.001
@@ -196,6 +201,69 @@ fn a_file_that_cannot_be_written_leaves_nothing() {
         let call = format!("plan part.ngc --machine mill.toml {option} there");
         says(&gaugeblock(&folder, &call), 2, &["there: ", "hint:"]);
         assert!(!folder.join("there.partial").exists());
+    }
+}
+
+/// The calls that write an output, with `OUT` for its path.
+const OUTPUTS: [&str; 7] = [
+    "plan part.ngc --machine mill.toml --samples OUT",
+    "plan part.ngc --machine mill.toml --svg OUT",
+    "motion check samples.csv --program part.ngc --machine mill.toml --svg OUT",
+    "certify --controller reference --only coolant --write-expectations OUT",
+    "rs274 -g part.ngc OUT",
+    "rs274 -g -v OUT part.ngc",
+    "shrink apart/small.ngc --controller exec:./wrong.py --against reference --output OUT",
+];
+
+#[test]
+fn an_output_replaces_no_device_and_no_link_and_keeps_permissions() {
+    let here = folder("outputs");
+    let wrong = TEMPLATE.replace("{letter: number for", "{letter: number + 1 for");
+    std::fs::write(here.join("wrong.py"), wrong).expect("a file");
+    let executable = Permissions::from_mode(0o755);
+    std::fs::set_permissions(here.join("wrong.py"), executable).expect("a mode");
+    // The program files beside a program belong to it, and the adapter takes none.
+    std::fs::create_dir_all(here.join("apart")).expect("a folder");
+    std::fs::write(here.join("apart/small.ngc"), "g21 f600\ng1 x1\nm2\n").expect("a file");
+    let run = |call: &str, output: &str| {
+        let done = gaugeblock(&here, &call.replace("OUT", output));
+        says(&done, 0, &[]);
+        done.stdout
+    };
+    run(OUTPUTS[0], "samples.csv");
+    for call in OUTPUTS {
+        for name in ["file", "link", "dangling", "device"] {
+            let _none = std::fs::remove_file(here.join(name));
+        }
+        std::fs::write(here.join("file"), "").expect("a file");
+        std::fs::set_permissions(here.join("file"), Permissions::from_mode(0o600)).expect("a mode");
+        symlink("file", here.join("link")).expect("a link");
+        run(call, "link");
+        assert!(here.join("link").is_symlink(), "{call:?}");
+        let file = here.join("file").symlink_metadata().expect("the file");
+        assert_eq!(file.permissions().mode() & 0o777, 0o600, "{call:?}");
+        assert!(file.is_file() && file.len() > 0, "{call:?}");
+
+        std::fs::remove_file(here.join("file")).expect("it is there");
+        run(call, "link");
+        assert!(here.join("link").is_symlink() && here.join("file").exists(), "{call:?}");
+
+        // Only root may make a device; it has the number of /dev/null.
+        let (kind, null) = (FileType::CharacterDevice, rustix::fs::makedev(1, 3));
+        let mode = Mode::from_raw_mode(0o666);
+        if rustix::fs::mknodat(CWD, here.join("device"), kind, mode, null).is_ok() {
+            run(call, "device");
+            let device = here.join("device").symlink_metadata().expect("the device");
+            assert!(device.file_type().is_char_device(), "{call:?}");
+        }
+        if call.contains("-v") {
+            // It is read first, and nobody writes into standard output.
+            continue;
+        }
+        let text = std::fs::read(here.join("file")).expect("the output");
+        let printed = run(call, "/dev/stdout");
+        let has = printed.windows(text.len()).any(|part| part == text);
+        assert!(has, "{call:?}: {}", String::from_utf8_lossy(&printed));
     }
 }
 

@@ -1,0 +1,10 @@
+//! Files that Gaugeblock writes on its host: outputs at paths that the caller names, and private folders.
+//!
+//! **Invariants.** An output never replaces a device, a FIFO or a link. No link is followed to a file that this module
+//! creates under a name of its own.
+
+mod output;
+#[cfg(test)]
+mod tests;
+
+pub use output::{PartialFolder, check_folder, copy_output, open_output, write_output};

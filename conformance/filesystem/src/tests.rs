@@ -1,0 +1,189 @@
+//! Each kind of file at the path of an output, before it is written and after.
+
+use std::fs::{self, Permissions};
+use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use rustix::fs::{CWD, FileType, Mode, mknodat};
+
+use super::*;
+
+/// An empty folder for a test, removed when it is dropped.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir()
+            .join(format!("gaugeblock-filesystem-{name}-{}", std::process::id()));
+        fs::create_dir(&path).unwrap();
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    /// Names in it, sorted.
+    fn names(&self) -> Vec<String> {
+        let names = fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<_> =
+            names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        fs::remove_dir_all(&self.0).unwrap();
+    }
+}
+
+fn mode(path: &Path) -> u32 {
+    path.metadata().unwrap().permissions().mode() & 0o7777
+}
+
+#[test]
+fn a_new_file_has_the_usual_permissions_and_nothing_is_left_beside_it() {
+    let scratch = Scratch::new("new");
+    fs::write(scratch.path("usual"), "").unwrap();
+    write_output(&scratch.path("out"), "text").unwrap();
+    assert_eq!(fs::read(scratch.path("out")).unwrap(), b"text");
+    assert_eq!(mode(&scratch.path("out")), mode(&scratch.path("usual")));
+    assert_eq!(scratch.names(), ["out", "usual"]);
+}
+
+#[test]
+fn a_regular_file_keeps_its_permissions_and_its_links() {
+    let scratch = Scratch::new("regular");
+    fs::create_dir(scratch.path("folder")).unwrap();
+    symlink("folder/file", scratch.path("link")).unwrap();
+    symlink("link", scratch.path("link-to-link")).unwrap();
+    for permissions in [0o600, 0o640, 0o644, 0o755] {
+        for name in ["folder/file", "link", "link-to-link"] {
+            let file = scratch.path("folder/file");
+            fs::write(&file, "before, and longer").unwrap();
+            fs::set_permissions(&file, Permissions::from_mode(permissions)).unwrap();
+            let before = file.metadata().unwrap();
+            write_output(&scratch.path(name), "after").unwrap();
+            assert_eq!(fs::read(&file).unwrap(), b"after", "{name}");
+            let after = file.symlink_metadata().unwrap();
+            assert_eq!(mode(&file), permissions, "{name}");
+            assert_eq!((after.uid(), after.gid()), (before.uid(), before.gid()));
+            assert_ne!(after.ino(), before.ino(), "it is replaced as a whole");
+        }
+    }
+    assert!(scratch.path("link").is_symlink() && scratch.path("link-to-link").is_symlink());
+    assert_eq!(scratch.names(), ["folder", "link", "link-to-link"]);
+}
+
+#[test]
+fn root_keeps_the_owner_of_a_file() {
+    let scratch = Scratch::new("owner");
+    let file = scratch.path("file");
+    fs::write(&file, "before").unwrap();
+    if std::os::unix::fs::chown(&file, Some(65534), Some(65533)).is_err() {
+        return;
+    }
+    write_output(&file, "after").unwrap();
+    let owner = file.metadata().unwrap();
+    assert_eq!((owner.uid(), owner.gid()), (65534, 65533));
+}
+
+#[test]
+fn a_link_that_dangles_gets_its_target() {
+    let scratch = Scratch::new("dangling");
+    symlink("next", scratch.path("link")).unwrap();
+    symlink("target", scratch.path("next")).unwrap();
+    write_output(&scratch.path("link"), "text").unwrap();
+    assert_eq!(fs::read(scratch.path("target")).unwrap(), b"text");
+    assert!(scratch.path("link").is_symlink() && scratch.path("next").is_symlink());
+    symlink("loop", scratch.path("loop")).unwrap();
+    assert!(write_output(&scratch.path("loop"), "text").is_err());
+}
+
+#[test]
+fn a_device_a_fifo_and_an_open_file_are_written_in_place() {
+    let scratch = Scratch::new("in-place");
+    let permissions = Mode::from_raw_mode(0o600);
+    let fifo = scratch.path("fifo");
+    mknodat(CWD, &fifo, FileType::Fifo, permissions, 0).unwrap();
+    symlink("fifo", scratch.path("link-to-fifo")).unwrap();
+    for name in ["fifo", "link-to-fifo"] {
+        let reader = thread::spawn({
+            let fifo = fifo.clone();
+            move || fs::read(fifo).unwrap()
+        });
+        write_output(&scratch.path(name), "text").unwrap();
+        assert_eq!(reader.join().unwrap(), b"text");
+        assert!(fifo.symlink_metadata().unwrap().file_type().is_fifo());
+    }
+    // Only root may make a device; it has the number of /dev/null.
+    let device = scratch.path("device");
+    let null = rustix::fs::makedev(1, 3);
+    if mknodat(CWD, &device, FileType::CharacterDevice, permissions, null).is_ok() {
+        write_output(&device, "text").unwrap();
+        assert!(device.symlink_metadata().unwrap().file_type().is_char_device());
+    }
+    let open = fs::File::create(scratch.path("open")).unwrap();
+    let named = format!("/proc/self/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&open));
+    fs::remove_file(scratch.path("open")).unwrap();
+    write_output(Path::new(&named), "text").unwrap();
+    assert_eq!(open.metadata().unwrap().len(), 4, "a file without a name any more");
+}
+
+#[test]
+fn what_cannot_be_written_is_as_before() {
+    let scratch = Scratch::new("refused");
+    fs::create_dir(scratch.path("folder")).unwrap();
+    assert!(write_output(&scratch.path("folder"), "text").is_err());
+    assert!(write_output(&scratch.path("absent/file"), "text").is_err());
+    assert_eq!(scratch.names(), ["folder"]);
+}
+
+#[test]
+fn links_at_the_names_of_partial_files_are_not_followed() {
+    let scratch = Scratch::new("partial");
+    fs::write(scratch.path("victim"), "kept").unwrap();
+    symlink("victim", scratch.path("out.partial")).unwrap();
+    symlink("victim", scratch.path(".gaugeblock-partial")).unwrap();
+    for number in 0..100 {
+        let name = format!(".gaugeblock-{}-{number}.partial", std::process::id());
+        symlink("victim", scratch.path(&name)).unwrap();
+    }
+    write_output(&scratch.path("out"), "text").unwrap();
+    check_folder(&scratch.0).unwrap();
+    PartialFolder::new(&scratch.path("campaign")).unwrap().finish().unwrap();
+    assert_eq!(fs::read(scratch.path("victim")).unwrap(), b"kept");
+    assert_eq!(fs::read(scratch.path("out")).unwrap(), b"text");
+    assert!(!scratch.path("out").is_symlink());
+}
+
+#[test]
+fn a_folder_is_there_whole_with_the_permissions_of_the_empty_one() {
+    let scratch = Scratch::new("folder");
+    fs::create_dir(scratch.path("empty")).unwrap();
+    fs::set_permissions(scratch.path("empty"), Permissions::from_mode(0o2750)).unwrap();
+    symlink("empty", scratch.path("link")).unwrap();
+    let folder = PartialFolder::new(&scratch.path("link")).unwrap();
+    folder.write("a/b", "text").unwrap();
+    assert_eq!(fs::read_dir(scratch.path("empty")).unwrap().count(), 0);
+    folder.finish().unwrap();
+    assert_eq!(fs::read(scratch.path("empty/a/b")).unwrap(), b"text");
+    assert_eq!(mode(&scratch.path("empty")), 0o2750);
+    drop(PartialFolder::new(&scratch.path("other")).unwrap());
+    assert_eq!(scratch.names(), ["empty", "link"]);
+}
+
+#[test]
+fn a_copy_has_the_permissions_of_the_original() {
+    let scratch = Scratch::new("copy");
+    let (original, copy) = (scratch.path("original"), scratch.path("copy"));
+    copy_output(&original, &copy).unwrap();
+    assert!(!copy.exists(), "there is nothing to copy");
+    fs::write(&original, "text").unwrap();
+    fs::set_permissions(&original, Permissions::from_mode(0o600)).unwrap();
+    copy_output(&original, &copy).unwrap();
+    assert_eq!((fs::read(&copy).unwrap(), mode(&copy)), (b"text".to_vec(), 0o600));
+}
