@@ -4,7 +4,9 @@
 //! creates under a name of its own.
 
 mod output;
+mod private;
 #[cfg(test)]
 mod tests;
 
 pub use output::{PartialFolder, check_folder, copy_output, open_output, write_output};
+pub use private::{PrivateFolder, SharedFolder, open_lock};

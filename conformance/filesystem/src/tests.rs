@@ -187,3 +187,62 @@ fn a_copy_has_the_permissions_of_the_original() {
     copy_output(&original, &copy).unwrap();
     assert_eq!((fs::read(&copy).unwrap(), mode(&copy)), (b"text".to_vec(), 0o600));
 }
+
+#[test]
+fn a_private_folder_is_ours_alone_and_goes_away() {
+    let scratch = Scratch::new("private");
+    fs::set_permissions(&scratch.0, Permissions::from_mode(0o2777)).unwrap();
+    let (one, two) = (PrivateFolder::new("test").unwrap(), PrivateFolder::new("test").unwrap());
+    let third = PrivateFolder::below(&scratch.0, "test").unwrap();
+    for folder in [&one, &two, &third] {
+        assert_eq!(mode(folder.path()) & 0o777, 0o700);
+        let owner = folder.path().metadata().unwrap().uid();
+        assert_eq!(owner, rustix::process::geteuid().as_raw());
+    }
+    assert_ne!(one.path(), two.path());
+    let path = one.path().to_owned();
+    one.write("a/b.txt", "text").unwrap();
+    assert_eq!(fs::read(path.join("a/b.txt")).unwrap(), b"text");
+    drop(one);
+    assert!(!path.exists() && two.path().exists());
+    assert!(PrivateFolder::below(&scratch.path("absent"), "test").is_err());
+}
+
+#[test]
+fn a_private_folder_is_ours_alone_whatever_the_umask() {
+    let test = "tests::a_private_folder_is_ours_alone_and_goes_away";
+    for umask in ["000", "002", "022", "027", "077"] {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", "umask $0; exec \"$@\"", umask]);
+        let tests = std::env::current_exe().unwrap();
+        let output = shell.arg(tests).args(["--exact", test]).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success() && said.contains("1 passed"), "{umask}: {said}");
+    }
+}
+
+#[test]
+fn a_private_folder_writes_nothing_outside() {
+    let (scratch, folder) = (Scratch::new("outside"), PrivateFolder::new("test").unwrap());
+    fs::write(scratch.path("victim"), "kept").unwrap();
+    symlink(scratch.path("victim"), folder.path().join("file")).unwrap();
+    symlink(&scratch.0, folder.path().join("folder")).unwrap();
+    folder.write("file", "text").unwrap();
+    assert!(folder.write("folder/file", "text").is_err());
+    for name in ["", "..", "../x", "/tmp/x", "a/../../x"] {
+        assert!(folder.write(name, "text").is_err(), "{name}");
+    }
+    assert_eq!(fs::read(scratch.path("victim")).unwrap(), b"kept");
+    assert_eq!(scratch.names(), ["victim"]);
+}
+
+#[test]
+fn a_lock_is_a_file_and_no_link() {
+    let scratch = Scratch::new("lock");
+    open_lock(&scratch.path("lock")).unwrap().lock().unwrap();
+    symlink("target", scratch.path("link")).unwrap();
+    mknodat(CWD, scratch.path("fifo"), FileType::Fifo, Mode::from_raw_mode(0o600), 0).unwrap();
+    assert!(open_lock(&scratch.path("link")).is_err());
+    assert!(open_lock(&scratch.path("fifo")).is_err());
+    assert_eq!(scratch.names(), ["fifo", "link", "lock"]);
+}

@@ -1,44 +1,26 @@
 //! A folder of a session in which a controller may lay answers. Nothing else on the machine can be named.
 
-use std::fs::{DirBuilder, File};
-use std::io::{ErrorKind, Read};
-use std::os::fd::OwnedFd;
-use std::os::unix::fs::{DirBuilderExt, MetadataExt};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::fs::File;
+use std::io::Read;
+use std::os::unix::fs::MetadataExt;
+use std::path::Path;
 
-use rustix::fs::{AtFlags, CWD, Mode, OFlags, openat, unlinkat};
+use gaugeblock_filesystem::PrivateFolder;
+use rustix::fs::{AtFlags, Mode, OFlags, openat, unlinkat};
 
 /// The folder. It is removed with all that is in it when this is dropped.
 #[derive(Debug)]
-pub(super) struct Folder {
-    path: PathBuf,
-    /// Held open, so that something else under its name changes nothing.
-    handle: OwnedFd,
-}
+pub(super) struct Folder(PrivateFolder);
 
 impl Folder {
     /// Makes one that nobody else may enter.
     pub(super) fn make() -> std::io::Result<Self> {
-        static FOLDERS: AtomicU64 = AtomicU64::new(0);
-        let path = loop {
-            let number = FOLDERS.fetch_add(1, Ordering::Relaxed);
-            let name = format!("gaugeblock-answers-{}-{number}", std::process::id());
-            let path = std::env::temp_dir().join(name);
-            match DirBuilder::new().mode(0o700).create(&path) {
-                Ok(()) => break path,
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => (),
-                Err(error) => return Err(error),
-            }
-        };
-        let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
-        let handle = openat(CWD, &path, flags, Mode::empty())?;
-        Ok(Self { path, handle })
+        PrivateFolder::new("answers").map(Self)
     }
 
     /// Where it is.
     pub(super) fn path(&self) -> &Path {
-        &self.path
+        self.0.path()
     }
 
     /// Reads a file of it and removes it.
@@ -51,7 +33,7 @@ impl Folder {
         }
         // What is no file must neither be followed nor waited for.
         let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
-        let file = openat(&self.handle, name, flags, Mode::empty())
+        let file = openat(&self.0, name, flags, Mode::empty())
             .map_err(|error| std::io::Error::from(error).to_string())?;
         let mut file = File::from(file);
         let about = file.metadata().map_err(|error| error.to_string())?;
@@ -62,18 +44,12 @@ impl Folder {
         let mut bytes = Vec::new();
         let read = (&mut file).take(limit.saturating_add(1)).read_to_end(&mut bytes);
         // Whatever becomes of this, the folder goes with the session.
-        let _removed = unlinkat(&self.handle, name, AtFlags::empty());
+        let _removed = unlinkat(&self.0, name, AtFlags::empty());
         read.map_err(|error| error.to_string())?;
         if bytes.len() > most {
             return Err(format!("it has more than {most} bytes"));
         }
         Ok(bytes)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _removed = std::fs::remove_dir_all(&self.path);
     }
 }
 

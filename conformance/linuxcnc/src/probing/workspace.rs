@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::{env, fs, io};
+use std::path::Path;
+use std::{env, fs};
 
 use gaugeblock_adapter::HarnessError;
+use gaugeblock_filesystem::PrivateFolder;
 use gaugeblock_vocabulary::{Axis, Machine};
 
 pub(crate) const INI: &str = "machine.ini";
@@ -19,7 +19,7 @@ const MEMORY: &str = "/dev/shm";
 /// A directory that is removed when it is dropped.
 #[derive(Debug)]
 pub(crate) struct Workspace {
-    path: PathBuf,
+    folder: PrivateFolder,
 }
 
 impl Workspace {
@@ -40,35 +40,26 @@ impl Workspace {
         }
     }
 
-    fn below(folder: &Path, controller: &str) -> Result<Self, HarnessError> {
-        static COUNT: AtomicU64 = AtomicU64::new(0);
-        loop {
-            let number = COUNT.fetch_add(1, Ordering::Relaxed);
-            let name = format!("gaugeblock-{controller}-{}-{number}", std::process::id());
-            let path = folder.join(name);
-            match fs::create_dir(&path) {
-                Ok(()) => return Ok(Self { path }),
-                // Left by a process that had our number.
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => {
-                    return Err(HarnessError::NotRun(format!("{}: {error}", path.display())));
-                }
-            }
+    fn below(parent: &Path, controller: &str) -> Result<Self, HarnessError> {
+        match PrivateFolder::below(parent, controller) {
+            Ok(folder) => Ok(Self { folder }),
+            Err(error) => Err(HarnessError::NotRun(format!("{}: {error}", parent.display()))),
         }
     }
 
     /// Where it is.
     pub(crate) fn path(&self) -> &Path {
-        &self.path
+        self.folder.path()
     }
 
     /// Writes a file.
-    pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), HarnessError> {
-        let path = self.path.join(name);
-        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-        folder
-            .and_then(|()| fs::write(path, text))
-            .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))
+    pub(crate) fn write(
+        &self,
+        name: &str,
+        content: impl AsRef<[u8]>,
+    ) -> Result<fs::File, HarnessError> {
+        let written = self.folder.write(name, content);
+        written.map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))
     }
 
     /// Writes what a machine stores: INI file, tool table, and a parameter file that lists `numbers` besides, since
@@ -78,14 +69,17 @@ impl Workspace {
         machine: &Machine,
         numbers: &BTreeSet<u32>,
     ) -> Result<(), HarnessError> {
-        self.write(INI, &ini(machine))?;
-        self.write(TOOLS, &tool_table(machine))?;
-        self.write(PARAMETERS, &parameter_file(machine, numbers))
+        self.write(INI, ini(machine))?;
+        self.write(TOOLS, tool_table(machine))?;
+        self.write(PARAMETERS, parameter_file(machine, numbers)).map(drop)
     }
 
     /// The numbered parameters that the run left in a parameter file and that are not zero.
-    pub(crate) fn read_parameters(&self, name: &str) -> Result<BTreeMap<u32, f64>, HarnessError> {
-        let text = fs::read_to_string(self.path.join(name))
+    pub(crate) fn read_parameters(
+        &self,
+        name: &str,
+    ) -> Result<BTreeMap<u32, f64>, HarnessError> {
+        let text = fs::read_to_string(self.path().join(name))
             .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))?;
         let mut parameters = BTreeMap::new();
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
@@ -101,13 +95,6 @@ impl Workspace {
             }
         }
         Ok(parameters)
-    }
-}
-
-impl Drop for Workspace {
-    fn drop(&mut self) {
-        // A directory that stays is a nuisance, not a wrong result.
-        let _left = fs::remove_dir_all(&self.path);
     }
 }
 

@@ -4,9 +4,10 @@
 //! So only a program that names HAL gets one, and such programs run one after the other.
 
 use std::borrow::Cow;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io;
 
+use gaugeblock_filesystem::open_lock;
 use gaugeblock_vocabulary::Machine;
 
 use crate::probing::source::Source;
@@ -39,11 +40,7 @@ impl Hal {
             return Ok(Self::Off);
         }
         let path = std::env::temp_dir().join(FILE);
-        // Somebody else's file cannot be written, but it can be locked.
-        let file = match OpenOptions::new().append(true).create(true).open(&path) {
-            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => File::open(&path)?,
-            file => file?,
-        };
+        let file = open_lock(&path)?;
         file.lock()?;
         Ok(Self::Own(file))
     }

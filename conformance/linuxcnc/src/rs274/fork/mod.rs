@@ -183,7 +183,7 @@ fn library() -> io::Result<Workspace> {
     if folder.path().to_string_lossy().contains([' ', ':']) {
         return Err(io::Error::other("the path of temporary files has a blank or colon"));
     }
-    std::fs::write(folder.path().join(NAME), LIBRARY)?;
+    folder.write(NAME, LIBRARY).map_err(io::Error::other)?;
     Ok(folder)
 }
 
