@@ -7,6 +7,7 @@
 //! `workspace` writes what a machine stores.
 
 pub(crate) mod faults;
+pub(crate) mod host;
 pub(crate) mod instrument;
 pub(crate) mod lengths;
 pub(crate) mod probe;

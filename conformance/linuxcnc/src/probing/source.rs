@@ -6,6 +6,8 @@ use std::path::{Component, Path};
 
 use gaugeblock_vocabulary::{BlockLocation, Program};
 
+use super::host::{compact, reaches_host};
+
 /// Highest parameter number that a parameter file may list.
 pub(crate) const LAST_PARAMETER: u32 = 5601;
 
@@ -171,16 +173,10 @@ impl Source {
             .map(|(file, number, _)| self.block(file, number))
     }
 
-    /// A line that would reach beyond the interpreter: it runs Python, or looks for a sub outside of the directory.
+    /// A line that would reach beyond the program's files: see [`reaches_host`].
     pub(crate) fn reaches_host(&self) -> Option<BlockLocation> {
-        let escapes = |line: &str| {
-            let text = compact(line);
-            let name = text.find("o<").map(|at| &text[at..]).unwrap_or_default();
-            let name = name.split('>').next().unwrap_or_default();
-            text.contains("(py") || text.contains(";py") || name.contains(['/', '\\'])
-        };
         self.all()
-            .find(|(_, _, line)| escapes(line))
+            .find(|(_, _, line)| reaches_host(line))
             .map(|(file, number, _)| self.block(file, number))
     }
 }
@@ -198,11 +194,6 @@ fn shows_open_name(line: &str) -> bool {
 /// Lines without their ends; text after the last line break counts if there is any.
 fn lines(text: &str) -> Vec<String> {
     text.split_terminator('\n').map(|line| line.trim_end_matches('\r').to_owned()).collect()
-}
-
-/// Without blanks, in lower case: how the interpreter reads a line.
-fn compact(line: &str) -> String {
-    line.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_lowercase()).collect()
 }
 
 /// A line without comments and blanks, in lower case.

@@ -12,6 +12,8 @@ use gaugeblock_vocabulary::{Axis, Machine};
 pub(crate) const INI: &str = "machine.ini";
 pub(crate) const TOOLS: &str = "tools.tbl";
 pub(crate) const PARAMETERS: &str = "parameters.var";
+/// The servo samples that a controller has recorded.
+pub(crate) const RECORDED_SAMPLES: &str = "samples.txt";
 
 /// Where Linux keeps files in memory.
 const MEMORY: &str = "/dev/shm";
@@ -75,10 +77,7 @@ impl Workspace {
     }
 
     /// The numbered parameters that the run left in a parameter file and that are not zero.
-    pub(crate) fn read_parameters(
-        &self,
-        name: &str,
-    ) -> Result<BTreeMap<u32, f64>, HarnessError> {
+    pub(crate) fn read_parameters(&self, name: &str) -> Result<BTreeMap<u32, f64>, HarnessError> {
         let text = fs::read_to_string(self.path().join(name))
             .map_err(|error| HarnessError::NotRun(format!("{name}: {error}")))?;
         let mut parameters = BTreeMap::new();

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::scenario::{Environment, Start};
 use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
+use crate::probing::host::is_ini_name;
 use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
 use crate::probing::workspace::{INI, PARAMETERS, TOOLS};
 
@@ -78,7 +79,9 @@ fn program(program: &Program) -> Result<(), String> {
     }
     let source = Source::new(program);
     if let Some(block) = source.reaches_host() {
-        return Err(format!("{block} would reach beyond the program's files, or run Python"));
+        return Err(format!(
+            "{block} would reach beyond the program's files: a log, a sub or Python of the host"
+        ));
     }
     match source.shows_open_name() {
         Some(_) => Err("a message that ends within a name shows what lies in memory".to_owned()),
@@ -109,10 +112,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
     if stores_lengths && machine.length_unit != LengthUnit::Inch {
         return Err("it reads stored lengths in inches".to_owned());
     }
-    let is_plain = |name: &str| {
-        name.starts_with('[') && name.contains(']') && !name.contains(char::is_control)
-    };
-    if let Some(name) = machine.ini.keys().find(|name| !is_plain(name)) {
+    if let Some(name) = machine.ini.keys().find(|name| !is_ini_name(name)) {
         return Err(format!("{name:?} is no [SECTION]NAME"));
     }
     Ok(())

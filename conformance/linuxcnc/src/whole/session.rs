@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use super::setup::Setup;
 use crate::probing::probe::Probe;
-use crate::probing::workspace::Workspace;
+use crate::probing::workspace::{RECORDED_SAMPLES, Workspace};
 
 /// What begins a line of the driver.
 pub(super) const MARK: &str = "@gaugeblock@ ";
@@ -43,8 +43,17 @@ const DRIVER: &str = include_str!("driver.py");
 const RECORDER: &str = include_str!("record.py");
 
 /// The first process of the private name spaces: its temporary directory is the session's, so that the controller's
-/// fixed lock file and whatever a program writes stay in there. What goes to either output stays in order.
-const ENTER: &str = "mount --bind \"$1\" /tmp && cd /tmp && shift && exec \"$@\" 2>&1";
+/// fixed lock file and whatever a program writes stay in there. All other mounts become read-only; those that are
+/// hidden below others cannot be reached and stay. What goes to either output stays in order.
+const ENTER: &str = r#"
+mount --bind "$1" /tmp && shift &&
+while read -r _ _ _ _ point _; do
+  point=$(printf %b "$point")
+  case $point in /tmp | /tmp/*) continue ;; esac
+  mountpoint -q "$point" || continue
+  mount --options-source=mtab -o remount,bind,ro "$point" || exit
+done < /proc/self/mountinfo && cd /tmp && exec "$@" 2>&1
+"#;
 
 /// A running controller.
 #[derive(Debug)]
@@ -127,7 +136,7 @@ impl Session {
             .map_err(not_run)?;
         let mut session = Self::spawn(workspace, setup, tools.to_owned())?;
         session.read_until("recorded", time)?;
-        fs::read_to_string(session.workspace.path().join("samples.txt")).map_err(not_run)
+        fs::read_to_string(session.workspace.path().join(RECORDED_SAMPLES)).map_err(not_run)
     }
 
     /// Writes a file into its directory.
@@ -273,6 +282,9 @@ fn command(directory: &Path) -> Command {
     if is_root() {
         let (user, group) = (format!("--reuid={NOBODY}"), format!("--regid={NOBODY}"));
         command.args(["setpriv", &user, &group, "--clear-groups"]);
+    } else {
+        // What may mount here could make the mounts writable again.
+        command.args(["setpriv", "--ambient-caps=-all", "--inh-caps=-all"]);
     }
     command.args(["python3", "./driver.py", "guard", "linuxcnc", "-r", "machine.ini"]);
     command
@@ -294,8 +306,9 @@ pub(super) fn is_root() -> bool {
 
 fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<()> {
     for folder in ["programs", "prefix", "user", "elsewhere"] {
-        fs::create_dir(workspace.path().join(folder))?;
-        give(&workspace.path().join(folder), 0o755)?;
+        let path = workspace.path().join(folder);
+        fs::create_dir(&path)?;
+        give(&fs::File::open(path)?, 0o755)?;
     }
     own(workspace, "driver.py", DRIVER, 0o755)?;
     own(workspace, "driver.json", &setup.driver, 0o644)?;
@@ -309,7 +322,7 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
             own(workspace, name, text, if *executable { 0o755 } else { 0o644 })?;
         }
     }
-    give(workspace.path(), 0o700)
+    give(&fs::File::open(workspace.path())?, 0o700)
 }
 
 /// The message channels with a larger error channel.
@@ -327,19 +340,14 @@ fn channels(installed: &str) -> String {
 }
 
 fn own(workspace: &Workspace, name: &str, text: &str, mode: u32) -> io::Result<()> {
-    let path = workspace.path().join(name);
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    fs::write(&path, text)?;
-    give(&path, mode)
+    give(&workspace.write(name, text).map_err(io::Error::other)?, mode)
 }
 
 /// Gives a file to the user that the controller runs as.
-fn give(path: &Path, mode: u32) -> io::Result<()> {
-    fs::set_permissions(path, fs::Permissions::from_mode(mode))?;
+fn give(file: &fs::File, mode: u32) -> io::Result<()> {
+    file.set_permissions(fs::Permissions::from_mode(mode))?;
     if is_root() {
-        std::os::unix::fs::chown(path, Some(NOBODY), Some(NOBODY))?;
+        std::os::unix::fs::fchown(file, Some(NOBODY), Some(NOBODY))?;
     }
     Ok(())
 }
@@ -359,4 +367,51 @@ fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
         }
     });
     receiver
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tries to write to each place, and says where it could.
+    const INTRUDER: &str = "
+import json
+written = []
+for place in json.load(open('places.json')):
+    try:
+        with open(place, 'a') as file:
+            file.write('x')
+        written.append(place)
+    except OSError:
+        pass
+print(json.dumps(written))
+";
+
+    #[test]
+    fn what_runs_in_the_name_spaces_writes_into_the_workspace_alone() {
+        if super::super::version::ask().is_err() {
+            return;
+        }
+        let outside = Workspace::new("outside").expect("a folder");
+        give(&fs::File::open(outside.path()).expect("it is there"), 0o777).expect("permissions");
+        let shared = Path::new("/dev/shm/gaugeblock-intruder");
+        let places = [
+            "/tmp/inside".to_owned(),
+            "inside-too".to_owned(),
+            outside.path().join("file").display().to_string(),
+            shared.display().to_string(),
+            "/var/tmp/gaugeblock-intruder".to_owned(),
+            "/dev/null".to_owned(),
+        ];
+        let workspace = Workspace::new("linuxcnc").expect("a folder");
+        let places = serde_json::to_string(&places).expect("JSON");
+        own(&workspace, "places.json", &places, 0o644).expect("a file");
+        own(&workspace, "driver.py", INTRUDER, 0o755).expect("a file");
+        give(&fs::File::open(workspace.path()).expect("it is there"), 0o700).expect("permissions");
+        let output = command(workspace.path()).stdin(Stdio::null()).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(said.trim(), r#"["/tmp/inside", "inside-too", "/dev/null"]"#);
+        assert!(workspace.path().join("inside").exists());
+        assert!(!outside.path().join("file").exists() && !shared.exists());
+    }
 }

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start}
 use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
+use crate::probing::host::{is_ini_name, reaches_host};
 use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
@@ -31,6 +32,10 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     };
     if scenario.program.start == Start::Mdi && scenario.operator.iter().any(starts_something) {
         return Err("an operator besides the one who enters blocks".to_owned());
+    }
+    let reaches = |event: &OperatorEvent| matches!(&event.action, Action::Mdi(text) if text.lines().any(reaches_host));
+    if scenario.operator.iter().any(reaches) {
+        return Err("a block by hand that reaches beyond the program's files".to_owned());
     }
     by_hand(scenario)?;
     at_one_time(scenario)
@@ -136,9 +141,9 @@ fn program(program: &Program) -> Result<(), String> {
         return Err("probes would change the line numbers that it asks for".to_owned());
     }
     match source.reaches_host() {
-        Some(block) => {
-            Err(format!("{block} would reach beyond the program's files, or run Python"))
-        }
+        Some(block) => Err(format!(
+            "{block} would reach beyond the program's files: a log, a sub or Python of the host"
+        )),
         None => Ok(()),
     }
 }
@@ -163,10 +168,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
     if let Some(number) = machine.parameters.0.keys().find(cannot_be_stored) {
         return Err(format!("#{number} cannot be stored"));
     }
-    let is_plain = |name: &str| {
-        name.starts_with('[') && name.contains(']') && !name.contains(char::is_control)
-    };
-    match machine.ini.keys().find(|name| !is_plain(name)) {
+    match machine.ini.keys().find(|name| !is_ini_name(name)) {
         Some(name) => Err(format!("{name:?} is no [SECTION]NAME")),
         None => Ok(()),
     }

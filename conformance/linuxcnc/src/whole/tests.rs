@@ -195,9 +195,22 @@ fn a_program_that_never_ends_is_told_and_ended() {
 #[test]
 fn what_could_reach_the_host_is_not_run() {
     let Some(controller) = controller() else { return };
-    for program in ["(py,x=1)\nm2\n", "o<../x> call\nm2\n"] {
-        assert!(controller.supports(&Scenario::of(program)).is_err(), "{program}");
+    let outside = std::env::temp_dir().join(format!("gaugeblock-log-{}", std::process::id()));
+    let logs = ["LOGOPEN", "LOGAPPEND"]
+        .map(|word| format!("({word},{})\n(LOG,text)\n(LOGCLOSE)\nm2\n", outside.display()));
+    let programs = ["(py,x=1)\nm2\n", "o<../x> call\nm2\n"].map(str::to_owned);
+    for program in programs.into_iter().chain(logs) {
+        let scenario = Scenario::of(&program);
+        assert!(controller.supports(&scenario).is_err(), "{program}");
+        assert!(controller.run(&scenario).is_err(), "{program}");
     }
+    assert!(!outside.exists());
+    let mut by_hand = Scenario::of("m0\nm2\n");
+    by_hand.operator = vec![event(1, Action::Mdi("(logopen,/x)".to_owned()))];
+    assert!(controller.supports(&by_hand).is_err());
+    let mut injected = Scenario::of("m2\n");
+    injected.machine.ini.insert("[RS274NGC]PARAMETER_FILE=/x #".to_owned(), 0.0);
+    assert!(controller.supports(&injected).is_err());
     let mut scenario = Scenario::of("m2\n");
     let file = "../M101".to_owned();
     let program = gaugeblock_vocabulary::scenario::UserProgram { file, ..Default::default() };
