@@ -26,7 +26,7 @@ pub use features::{FEATURES, needed};
 pub(crate) use meant::with_meant;
 pub use offers::{OFFERS, Offer};
 pub use patience::Patience;
-pub use serve::{Served, serve};
+pub use serve::{Caller, Served, serve};
 
 /// The page that tells the protocol to whoever writes an adapter.
 pub const PAGE: &str = include_str!("../../PROTOCOL.md");

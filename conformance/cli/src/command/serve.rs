@@ -5,10 +5,11 @@ use std::io::{BufReader, Error, Read};
 use std::net::{TcpListener, TcpStream};
 use std::os::fd::AsFd as _;
 use std::sync::Arc;
+use std::time::Duration;
 
 use clap::Args;
 use gaugeblock_adapter::Adapter;
-use gaugeblock_adapter::protocol::{self, Offer, Patience, Served};
+use gaugeblock_adapter::protocol::{self, Caller, Offer, Patience, Served};
 use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::controller;
@@ -30,6 +31,9 @@ The server ends at `bye` or at the end of its input; with --tcp it runs until it
 /// Bytes of a request that are read at once.
 const REQUEST: usize = 64 << 10;
 
+/// Rest after a connection that could not be accepted.
+const REST: Duration = Duration::from_millis(50);
+
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -37,7 +41,7 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
     /// Protocol extensions to offer [default: files,fresh,motion, and shows where the observables depend on the
-    /// scenario]
+    /// scenario]; files is never offered over TCP
     #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
     offer: Option<Vec<Offer>>,
     /// Listen at this address instead of standard input, and print it. A port alone means the loopback address; port 0
@@ -54,7 +58,8 @@ pub(crate) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
         [Offer::Files, Offer::Fresh, Offer::Motion].into_iter().chain(shows).collect()
     };
     let offers = arguments.offer.clone().unwrap_or_else(usual).into_iter().collect();
-    let served = Served { controller, languages, offers };
+    let caller = if arguments.tcp.is_some() { Caller::Network } else { Caller::Parent };
+    let served = Served { controller, languages, offers, caller };
     if let Some(address) = &arguments.tcp {
         return listen(&served, address);
     }
@@ -97,8 +102,11 @@ fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
     write_out(&format!("{own}\n"));
     streams::written()?;
     for connection in listener.incoming() {
-        // Whose connection is gone by now asks again.
-        let Ok(connection) = connection else { continue };
+        // Whose connection is gone by now asks again. Where descriptors run out, sessions must end first.
+        let Ok(connection) = connection else {
+            std::thread::sleep(REST);
+            continue;
+        };
         let served = served.clone();
         std::thread::spawn(move || {
             // It ends one session, and nothing else.

@@ -6,12 +6,14 @@ mod tests;
 
 use std::collections::BTreeSet;
 use std::io::{BufRead, Result, Write};
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::Arc;
 
 use gaugeblock_compare::observe::Observed;
+use gaugeblock_filesystem::SharedFolder;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario, Step};
+use serde::de::IgnoredAny;
 
 use super::digest::digest;
 use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};
@@ -24,6 +26,9 @@ const BATCH: usize = 100;
 /// Bytes of an answer that is laid into a file rather than sent.
 const LARGE: usize = 64 << 10;
 
+/// Bytes of a line that comes over the network.
+const LONGEST_REQUEST_BYTES: u64 = 64 << 20;
+
 /// What is served.
 #[derive(Clone, Debug)]
 pub struct Served {
@@ -33,6 +38,25 @@ pub struct Served {
     pub languages: Vec<Language>,
     /// What is declared beyond the operations that each adapter has to know.
     pub offers: BTreeSet<Offer>,
+    /// Where requests come from.
+    pub caller: Caller,
+}
+
+/// Where requests come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Caller {
+    /// From the process that started this one, with the same rights.
+    Parent,
+    /// From any program that reaches an address, a web page in a browser included: no file is written for this caller, and
+    /// the session ends at the first line that is not JSON.
+    Network,
+}
+
+impl Caller {
+    /// Whether it can be offered this.
+    fn can_use(self, offer: Offer) -> bool {
+        self == Self::Parent || offer != Offer::Files
+    }
 }
 
 /// Answers requests until `bye`, or until there are no more.
@@ -44,7 +68,11 @@ pub fn serve(
     requests: Box<dyn BufRead + Send>,
     answers: &mut dyn Write,
 ) -> Result<()> {
-    let requests = Requests::of(requests, served.offers.contains(&Offer::Cancel));
+    let longest = match served.caller {
+        Caller::Parent => u64::MAX,
+        Caller::Network => LONGEST_REQUEST_BYTES,
+    };
+    let requests = Requests::of(requests, longest, served.offers.contains(&Offer::Cancel));
     let (folder, last) = (None, None);
     let (reader, line) = (Reader::default(), Vec::new());
     let mut serving = Serving { served, requests, reader, answers, line, folder, files: 0, last };
@@ -65,7 +93,7 @@ struct Serving<'a> {
     /// Room for an answer.
     line: Vec<u8>,
     /// Where answers may be laid.
-    folder: Option<PathBuf>,
+    folder: Option<SharedFolder>,
     /// How many were.
     files: u32,
     /// What the last run came to, until the next reset.
@@ -79,13 +107,19 @@ impl Serving<'_> {
             Ok(request) => request,
             Err((id, why)) => {
                 self.say(id, Reply::Refused(why))?;
-                return Ok(true);
+                let is_json = serde_json::from_slice::<IgnoredAny>(line).is_ok();
+                return Ok(is_json || self.served.caller == Caller::Parent);
             }
         };
         let lasts = operation != Operation::Bye {};
         let reply = match operation {
+            Operation::Hello { folder: Some(_), .. } if self.served.caller == Caller::Network => {
+                Reply::Refused("no folder is written to over the network".to_owned())
+            }
             Operation::Hello { folder, .. } => {
-                self.folder = folder.map(PathBuf::from).filter(|_| self.offers(Offer::Files));
+                let folder = folder.filter(|_| self.offers(Offer::Files));
+                // Where there is no such folder, answers are told in their lines.
+                self.folder = folder.and_then(|folder| SharedFolder::open(Path::new(&folder)).ok());
                 Reply::Hello(Box::new(self.declaration()))
             }
             // Each run begins on a controller as after power-on.
@@ -136,16 +170,17 @@ impl Serving<'_> {
     }
 
     fn offers(&self, offer: Offer) -> bool {
-        self.served.offers.contains(&offer)
+        self.served.offers.contains(&offer) && self.served.caller.can_use(offer)
     }
 
     fn declaration(&self) -> Declaration {
-        let Served { controller, languages, offers } = self.served;
+        let Served { controller, languages, offers, caller } = self.served;
+        let offers = offers.iter().copied().filter(|offer| caller.can_use(*offer)).collect();
         let sessions = controller.best_jobs().and_then(|jobs| u16::try_from(jobs.get()).ok());
         let declaration = Declaration::of(controller.capabilities(), languages.clone());
         let (edition, observed) = (controller.own_edition(), controller.observed_edition());
         let (edition, observed) = (edition.map(str::to_owned), observed.map(str::to_owned));
-        Declaration { sessions, edition, observed, offers: offers.clone(), ..declaration }
+        Declaration { sessions, edition, observed, offers, ..declaration }
     }
 
     /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
@@ -238,7 +273,7 @@ impl Serving<'_> {
         self.files += 1;
         let name = format!("answer-{}", self.files);
         if let Some(folder) = &self.folder {
-            std::fs::write(folder.join(&name), bytes)?;
+            folder.write_new(&name, bytes)?;
         }
         Ok(Reply::File(name))
     }

@@ -1,7 +1,7 @@
 //! Requests as they come, and runs that can be left where they are.
 
 use std::collections::VecDeque;
-use std::io::{BufRead, Result};
+use std::io::{BufRead, Error, ErrorKind, Read as _, Result};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use gaugeblock_vocabulary::scenario::{Budget, Environment, OperatorEvent};
@@ -14,7 +14,7 @@ use super::super::{Operation, Request, Stream, Ways};
 /// Where requests come from.
 pub(super) enum Requests {
     /// They are read when they are wanted: a run is over before the next one is seen.
-    InTurn(Box<dyn BufRead + Send>),
+    InTurn(Lines),
     /// They are read as they come, so that a run can be cancelled.
     AtOnce {
         /// Lines, until there are no more.
@@ -24,6 +24,12 @@ pub(super) enum Requests {
         /// Lines that came while something ran.
         waiting: VecDeque<Vec<u8>>,
     },
+}
+
+/// Lines of a stream.
+pub(super) struct Lines {
+    stream: Box<dyn BufRead + Send>,
+    longest: u64,
 }
 
 /// What comes while requests are read as they come.
@@ -47,17 +53,18 @@ pub(super) enum Ran<T> {
 }
 
 impl Requests {
-    /// Requests of a stream.
-    pub(super) fn of(mut stream: Box<dyn BufRead + Send>, can_cancel: bool) -> Self {
+    /// Requests of a stream, of at most `longest` bytes each.
+    pub(super) fn of(stream: Box<dyn BufRead + Send>, longest: u64, can_cancel: bool) -> Self {
+        let mut source = Lines { stream, longest };
         if !can_cancel {
-            return Self::InTurn(stream);
+            return Self::InTurn(source);
         }
         let (sender, lines) = channel();
         let ended = sender.clone();
         // It ends with the stream; where the session ends before, whoever holds the stream ends it.
         std::thread::spawn(move || {
             loop {
-                let came = match line(stream.as_mut()) {
+                let came = match source.next() {
                     Ok(Some(line)) => Came::Line(Ok(line)),
                     Ok(None) => Came::NoMore,
                     Err(error) => Came::Line(Err(error)),
@@ -74,7 +81,7 @@ impl Requests {
     /// The next line that is not blank.
     pub(super) fn next(&mut self) -> Result<Option<Vec<u8>>> {
         match self {
-            Self::InTurn(stream) => line(stream.as_mut()),
+            Self::InTurn(source) => source.next(),
             Self::AtOnce { lines, waiting, .. } => {
                 if let Some(line) = waiting.pop_front() {
                     return Ok(Some(line));
@@ -215,16 +222,23 @@ struct Scenario<'a> {
     budget: Budget,
 }
 
-/// The next line that is not blank.
-fn line(stream: &mut (dyn BufRead + Send)) -> Result<Option<Vec<u8>>> {
-    let mut line = Vec::new();
-    loop {
-        line.clear();
-        if stream.read_until(b'\n', &mut line)? == 0 {
-            return Ok(None);
-        }
-        if !line.trim_ascii().is_empty() {
-            return Ok(Some(line));
+impl Lines {
+    /// The next line that is not blank.
+    fn next(&mut self) -> Result<Option<Vec<u8>>> {
+        let mut line = Vec::new();
+        loop {
+            line.clear();
+            let mut limited = self.stream.as_mut().take(self.longest);
+            if limited.read_until(b'\n', &mut line)? == 0 {
+                return Ok(None);
+            }
+            if limited.limit() == 0 && line.last() != Some(&b'\n') {
+                let why = format!("a request of more than {} bytes", self.longest);
+                return Err(Error::new(ErrorKind::InvalidData, why));
+            }
+            if !line.trim_ascii().is_empty() {
+                return Ok(Some(line));
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 use std::io::Cursor;
 
 use gaugeblock_compare::Capabilities;
+use gaugeblock_filesystem::PrivateFolder;
 use serde_json::{Value, json};
 
 use super::*;
@@ -24,14 +25,23 @@ impl Adapter for Model {
     }
 }
 
-fn said_by(offers: &[Offer], requests: &str) -> Vec<Value> {
-    let mut answers = Vec::new();
-    let served = Served {
+fn served(caller: Caller, offers: &[Offer]) -> Served {
+    Served {
         controller: Arc::new(Model(Capabilities::everything("reference", "1"))),
         languages: vec![Language::Rs274],
         offers: offers.iter().copied().collect(),
-    };
-    serve(&served, Box::new(Cursor::new(requests.to_owned())), &mut answers).unwrap();
+        caller,
+    }
+}
+
+fn said_by(offers: &[Offer], requests: &str) -> Vec<Value> {
+    said_to(Caller::Parent, offers, requests)
+}
+
+fn said_to(caller: Caller, offers: &[Offer], requests: &str) -> Vec<Value> {
+    let mut answers = Vec::new();
+    serve(&served(caller, offers), Box::new(Cursor::new(requests.to_owned())), &mut answers)
+        .unwrap();
     let lines = String::from_utf8(answers).unwrap();
     lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
@@ -127,4 +137,68 @@ fn the_operators_events_are_asked_for_one_by_one() {
     let told = said_by(&[Offer::LiveOperator], &format!("{run}{event}\n"));
     assert_eq!(told[0], json!({"id": 7, "at": 0}));
     assert_eq!(told[1]["outcome"]["end"]["end"], "aborted", "{}", told[1]);
+}
+
+/// A program whose outcome is large enough for a file.
+fn large() -> String {
+    run(&format!("{}m2\n", "g0 x1\ng0 x2\n".repeat(400)), &json!({}))
+}
+
+fn hello(folder: &Path) -> String {
+    let hello = json!({"id": 1, "op": "hello", "protocol": 1, "referee": "me", "folder": folder});
+    format!("{hello}\n")
+}
+
+#[test]
+fn a_large_answer_is_a_new_file_and_no_link_is_followed() {
+    let folder = PrivateFolder::new("serve").unwrap();
+    let requests = format!("{}{}", hello(folder.path()), large());
+    let told = said_by(&[Offer::Files], &requests);
+    assert_eq!(told[1]["file"], "answer-1", "{}", told[1]);
+    let read = || std::fs::read_to_string(folder.path().join("answer-1"));
+    assert!(serde_json::from_str::<Outcome>(&read().unwrap()).is_ok());
+
+    std::fs::remove_file(folder.path().join("answer-1")).unwrap();
+    folder.write("victim", "kept").unwrap();
+    for target in ["victim", "absent"] {
+        let link = folder.path().join("answer-1");
+        std::os::unix::fs::symlink(target, &link).unwrap();
+        let served = served(Caller::Parent, &[Offer::Files]);
+        let requests = Box::new(Cursor::new(requests.clone()));
+        assert!(serve(&served, requests, &mut Vec::new()).is_err(), "{target}");
+        std::fs::remove_file(link).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(folder.path().join("victim")).unwrap(), "kept");
+    assert!(!folder.path().join("absent").exists());
+}
+
+#[test]
+fn over_the_network_no_file_is_written_and_the_session_ends_at_what_is_not_json() {
+    let folder = PrivateFolder::new("serve").unwrap();
+    let requests = format!("{}{}", hello(folder.path()), large());
+    let told = said_to(Caller::Network, &[Offer::Files, Offer::State], &requests);
+    assert!(told[0]["refused"].as_str().unwrap().contains("no folder"), "{}", told[0]);
+    assert!(told[1]["outcome"].is_object(), "it is told in its line");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    let plain = "{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}\n";
+    let told = said_to(Caller::Network, &[Offer::Files, Offer::State], plain);
+    assert_eq!(told[0]["hello"]["offers"], json!(["state"]));
+
+    let post = format!("{{\"id\":1,\"op\":\"dance\"}}\nPOST / HTTP/1.1\nHost: x\n\n{plain}");
+    let told = said_to(Caller::Network, &[], &post);
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(told.iter().all(|answer| answer["refused"].is_string()));
+}
+
+#[test]
+fn a_line_is_not_read_beyond_its_limit() {
+    let line = |text: &'static str, longest| {
+        let mut requests = Requests::of(Box::new(Cursor::new(text)), longest, false);
+        requests.next().map(|line| line.map(|line| line.len()))
+    };
+    assert_eq!(line("1234\n", 5).unwrap(), Some(5));
+    assert_eq!(line("1234", 5).unwrap(), Some(4));
+    assert!(line("12345\n", 5).is_err());
+    assert!(line("12345", 5).is_err());
+    assert_eq!(line("", 5).unwrap(), None);
 }
