@@ -46,3 +46,22 @@ fn no_file_names_a_place_on_some_machine() {
     ];
     holds("files name places within the repository alone", &lines_with(&below(""), &homes));
 }
+
+/// `gaugeblock-filesystem` replaces no device and follows no link to a file of its own.
+#[test]
+fn the_referee_writes_files_through_one_crate() {
+    let of_the_referee = |path: &str| {
+        path.contains("/src/")
+            && !path.starts_with("conformance/filesystem/")
+            && !path.ends_with("tests.rs")
+    };
+    let before_tests = |(path, text): (String, String)| {
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
+        (path, code)
+    };
+    let sources = sources("conformance").into_iter().filter(|(path, _)| of_the_referee(path));
+    let writes =
+        ["fs::write(", "File::create(", "File::create_new(", "fs::rename(", "DirBuilder::"];
+    let found = lines_with(&sources.map(before_tests).collect(), &writes);
+    holds("the referee writes files through gaugeblock-filesystem", &found);
+}
