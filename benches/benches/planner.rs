@@ -118,7 +118,8 @@ fn count(name: &str, queue: u32) -> Result<[f64; 3]> {
 
 /// What each call of a function costs.
 fn dumps(name: &str, queue: u32, function: &str) -> Result<Vec<f64>> {
-    let kept = env::temp_dir().join(format!("gaugeblock-planner-{}", std::process::id()));
+    let kept = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join(format!("planner-{}", std::process::id()));
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--combine-dumps=yes"])
         .arg(format!("--callgrind-out-file={}", kept.display()))
