@@ -171,7 +171,7 @@ impl MotionState {
     ///
     /// The axes allow the plan: from `entry_speed_sq` at the start to the exit that it assumed. They also allow a
     /// constant speed of `entry_speed_sq` if that is at most the steady speed. The allowed set is convex, so
-    /// everything between these two is allowed as long as the exit is no lower than in the plan.
+    /// everything between these two is allowed as long as the exit is at least that of the plan.
     #[inline]
     fn keeps_to_plan(
         &self,

@@ -1,7 +1,7 @@
 //! A trajectory planner for CNC: canonical moves in, one servo sample out per cycle.
 //!
 //! A caller queues [`Segment`]s while the planner runs. It calls [`Planner::update`] once per servo cycle with what the
-//! operator and the machine ask for ([`InputParameter`]), and gets the next position ([`OutputParameter`]).
+//! operator and the machine request ([`InputParameter`]), and gets the next position ([`OutputParameter`]).
 //!
 //! ```text
 //! Segment

@@ -22,7 +22,7 @@ const REPLAN_SPAN_GROWTH: u64 = 4;
 const REPLAN_SPAN_BEFORE_NEXT: u64 = 64;
 /// The most by which a squared speed may grow where a blend does not let the motion slow down: many times what occurs.
 const SPEED_SQ_GROWTH_MAX: f64 = 2.0;
-/// How near the motion may come to elements that could be raised, beyond its stopping distance.
+/// The least distance of the motion from elements that could be raised, beyond its stopping distance.
 const URGENT_MARGIN_ELEMENTS: u64 = 32;
 
 /// A pass over the queue from new elements to old ones, which raises entry speeds.

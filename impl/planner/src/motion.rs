@@ -23,7 +23,7 @@ pub(crate) const CYCLE_WORK_MAX: u32 = 5;
 /// sustainable one is searched for.
 pub(crate) const LONG_BLEND_CYCLES_MIN: f64 = 2.0;
 
-/// What a cycle is asked for.
+/// What a cycle is requested to do.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CycleRequest {
     /// Factor of the programmed feed.
@@ -36,7 +36,7 @@ pub(crate) struct CycleRequest {
     pub(crate) must_stop: bool,
     /// Whether look-ahead has planned for exactly these overrides.
     pub(crate) is_planned: bool,
-    /// Factor for squared speeds of look-ahead where it has planned for more than is asked for.
+    /// Factor for squared speeds of look-ahead where it has planned for more than is requested.
     pub(crate) speed_sq_factor: f64,
 }
 
@@ -110,7 +110,7 @@ impl MotionState {
         }
     }
 
-    /// The square of the speed at which an element is left. An override may ask for a stop at its end too late: then
+    /// The square of the speed at which an element is left. An override may require a stop at its end too late: then
     /// the motion leaves it at a tiny speed.
     #[inline]
     pub(crate) fn exit_after_late_override(

@@ -38,7 +38,7 @@ pub enum Hold {
     Abort,
 }
 
-/// What the operator and the machine ask for in this cycle.
+/// What the operator and the machine request in this cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputParameter {
     /// Feed override, 0 and up; 1 is the programmed feed.

@@ -14,7 +14,7 @@ use crate::retrace::Retrace;
 use crate::ring::Ring;
 use crate::segment::{OutputSwitch, PathControl, Segment};
 
-/// How many elements behind the motion are remembered at least, for running in reverse.
+/// How many elements that the motion has passed are remembered at least, for running in reverse.
 const REVERSE_ELEMENTS_MIN: u64 = 128;
 /// Work of look-ahead per queued segment and per cycle: a blend takes two units, any other element one.
 const LOOK_AHEAD_WORK_PER_SEGMENT: u32 = 24;
@@ -89,17 +89,17 @@ impl Planner {
     /// [`Error::Unimplemented`] for limits of jerk, [`Error::Configuration`] for limits that are not above 0.
     pub fn new(dynamics: Dynamics, position: Axes) -> Result<Self, Error> {
         if dynamics.jerk.is_some() {
-            return Err(Error::Unimplemented("a planner that is limited in jerk"));
+            return Err(Error::Unimplemented("limits of jerk in the planner"));
         }
         let mut limits = dynamics.velocity.iter().chain(&dynamics.acceleration);
         if !limits.all(|limit| *limit > 0.0 && limit.is_finite()) {
-            return Err(Error::Configuration("a limit of an axis is no number above 0"));
+            return Err(Error::Configuration("a limit of an axis is not a finite number above 0"));
         }
         if !(dynamics.cycle > 0.0 && dynamics.cycle.is_finite()) {
-            return Err(Error::Configuration("a servo cycle lasts longer than 0"));
+            return Err(Error::Configuration("the servo cycle is not a finite time above 0"));
         }
         if !position.iter().all(|place| place.is_finite()) {
-            return Err(Error::Configuration("the position is no number"));
+            return Err(Error::Configuration("the position is not finite"));
         }
         let queue = usize::try_from(dynamics.queue.max(4)).unwrap_or(usize::MAX);
         let remembered = usize::try_from(REVERSE_ELEMENTS_MIN).unwrap_or(0).saturating_mul(2);
@@ -183,7 +183,7 @@ impl Planner {
     }
 
     /// Keeps the next segment from being merged with those before it, for instance where other overrides apply to it.
-    /// Short segments are otherwise merged within their tolerance.
+    /// Without this call, short segments are merged within their tolerance.
     pub fn prevent_merge(&mut self) {
         self.next_is_separate = true;
     }
@@ -250,7 +250,7 @@ impl Planner {
         }
     }
 
-    /// Drops elements far behind the motion if the queue needs room.
+    /// Drops elements that the motion passed long ago if the queue needs room.
     fn make_room(&mut self) {
         while self.elements.room() < 16
             && !self.retrace.is_requested()

@@ -1,8 +1,8 @@
-//! How fast the path behind the motion may be run in reverse.
+//! How fast the path that the motion has passed may be run in reverse.
 //!
 //! It is planned from an earlier element up to the motion, which may run back to the start of that element and no
 //! farther. Near elements come first, so that the motion need not wait for all. While it runs back, planning starts
-//! again from farther and farther behind. Values of earlier runs are not used, since the path may have changed.
+//! again from farther and farther back. Values of earlier runs are not used, since the path may have changed.
 
 use crate::entry_speed::{
     OVERRIDE_MIN, OverrideScale, max_reverse_entry_speed_sq, speed_sq_limits,
@@ -12,7 +12,7 @@ use crate::math;
 use crate::path_element::PathElement;
 use crate::ring::Ring;
 
-/// How many elements behind the motion are planned before it reverses.
+/// How many of the last elements are planned before it reverses.
 const FIRST_REVERSE_ELEMENTS: u64 = 64;
 
 /// The plan while the motion is to run in reverse.
@@ -45,7 +45,7 @@ impl Retrace {
         planned.next > at
     }
 
-    /// The motion runs forward, so the path behind it may change.
+    /// The motion runs forward, so the path before it may change.
     pub(crate) fn forget(&mut self) {
         self.planned = None;
     }
@@ -60,7 +60,7 @@ impl Retrace {
     }
 
     /// Plans the next element up to the motion. When all are planned and the motion runs back, starts again from
-    /// farther behind.
+    /// farther back.
     #[cold]
     #[inline(never)]
     pub(crate) fn advance(
