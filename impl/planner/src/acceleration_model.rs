@@ -66,8 +66,8 @@ impl Limits {
             let there = if share < -0.5 { here } else { here * (3.0 - 2.0 * share) };
             (*start, *end) = if falls { (here, there) } else { (there, here) };
         }
-        let even = least(&self.planned, &element.curvature, N);
-        element.model = AccelerationModel::Blend { steady_speed_sq: even };
+        let steady_speed_sq = least(&self.planned, &element.curvature, N);
+        element.model = AccelerationModel::Blend { steady_speed_sq };
         element.start_limit_sq = starts.into_iter().fold(f64::INFINITY, math::min);
         element.end_limit_sq = ends.into_iter().fold(f64::INFINITY, math::min);
         element.speed_limit = math::sqrt(math::max(element.start_limit_sq, element.end_limit_sq));

@@ -22,7 +22,7 @@ impl MotionState {
     pub(crate) fn acceleration_towards(
         &self,
         window: &AccelerationWindow,
-        wanted: f64,
+        target: f64,
         ElementEnd { speed_sq: exit, remaining, .. }: ElementEnd,
         (speed_sq_factor, time_left): (f64, f64),
     ) -> f64 {
@@ -30,7 +30,7 @@ impl MotionState {
         let half = 0.5 * window.speed_sq_slope * time_left;
         let met = half * half + 4.0 * (window.speed_sq + half * self.speed);
         let met = if met > 0.0 { 0.5 * (half + math::sqrt(met)) } else { 0.0 };
-        let acceleration = clamped((math::min(wanted, met) - self.speed) / time_left, window);
+        let acceleration = clamped((math::min(target, met) - self.speed) / time_left, window);
         let travel = (self.speed + 0.5 * acceleration * time_left) * time_left;
         if met > 0.0 && travel < remaining {
             return acceleration;
@@ -42,10 +42,10 @@ impl MotionState {
         // The element ends within the cycle.
         let y = squared(self.speed);
         let mut most = (speed_sq_factor * exit - y) / (2.0 * remaining);
-        if self.speed > wanted {
-            most = math::min(most, (wanted - self.speed) / time_left);
+        if self.speed > target {
+            most = math::min(most, (target - self.speed) / time_left);
         } else {
-            most = math::min(most, (squared(wanted) - y) / (2.0 * remaining));
+            most = math::min(most, (squared(target) - y) / (2.0 * remaining));
         }
         clamped(most, window)
     }

@@ -38,26 +38,30 @@ impl MotionState {
         if !request.must_stop {
             let ceiling =
                 if self.is_reversed { element.start_limit_sq } else { element.end_limit_sq };
-            let eased =
+            let scaled_end =
                 ElementEnd { speed_sq: math::min(request.speed_sq_factor * exit, ceiling), ..end };
-            let met = (eased.speed_sq - squared(self.speed)) / (2.0 * remaining);
+            let met = (scaled_end.speed_sq - squared(self.speed)) / (2.0 * remaining);
             // A motion that reaches the exit with a constant acceleration stays below the speed limit, as the exit
             // does. After a change of the override this is no longer certain.
-            let eases = request.rapid < 1.0;
-            let fastest = if eases {
+            let is_rapid_overridden = request.rapid < 1.0;
+            let fastest = if is_rapid_overridden {
                 self.speed_limit_within_cycle(element, remaining, time_left)
             } else {
                 element.speed_limit
             };
-            let asked = (target_speed(element, fastest, request) - self.speed) / time_left;
-            most = math::min(asked, met);
-            let both = (most, asked);
-            if let Some(even) =
-                self.sustainable_or_faster::<N>(element, eased, both, (limits, request), time_left)
-            {
+            let requested = (target_speed(element, fastest, request) - self.speed) / time_left;
+            most = math::min(requested, met);
+            let both = (most, requested);
+            if let Some(sustained) = self.sustainable_or_faster::<N>(
+                element,
+                scaled_end,
+                both,
+                (limits, request),
+                time_left,
+            ) {
                 return self.accelerate(
                     element,
-                    even,
+                    sustained,
                     ElementEnd { is_open: false, ..end },
                     time_left,
                 );
@@ -81,16 +85,20 @@ impl MotionState {
         &mut self,
         element: &PathElement,
         end: ElementEnd,
-        (most, asked): (f64, f64),
+        (most, requested): (f64, f64),
         (limits, request): (&Limits, &CycleRequest),
         time_left: f64,
     ) -> Option<f64> {
-        let even = self.sustainable::<N>(element, end.remaining, most, limits)?;
+        let sustained = self.sustainable::<N>(element, end.remaining, most, limits)?;
         let lasts = LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < end.remaining;
-        if lasts && even < asked && self.work <= CYCLE_WORK_MAX && self.gains_by_speed(element) {
-            return Some(self.faster::<N>(element, end, even, (limits, request), time_left));
+        if lasts
+            && sustained < requested
+            && self.work <= CYCLE_WORK_MAX
+            && self.gains_by_speed(element)
+        {
+            return Some(self.faster::<N>(element, end, sustained, (limits, request), time_left));
         }
-        Some(even)
+        Some(sustained)
     }
 
     /// A sustainable acceleration where it is quickly found: the requested one or less.
@@ -99,17 +107,17 @@ impl MotionState {
         &self,
         element: &PathElement,
         remaining: f64,
-        asked: f64,
+        requested: f64,
         limits: &Limits,
     ) -> Option<f64> {
-        if asked > 0.0 {
+        if requested > 0.0 {
             if !self.may_coast::<N>(element, limits) {
                 return None;
             }
             let most = self.max_acceleration_of::<N>(element, remaining, limits);
-            return Some(math::max(math::min(asked, most), 0.0));
+            return Some(math::max(math::min(requested, most), 0.0));
         }
-        self.is_allowed::<N>(element, remaining, asked, limits).then_some(asked)
+        self.is_allowed::<N>(element, remaining, requested, limits).then_some(requested)
     }
 
     /// A sustainable acceleration where the request is close to the limit; `None` where it is below the least one.
@@ -118,14 +126,14 @@ impl MotionState {
         &self,
         element: &PathElement,
         remaining: f64,
-        (asked, low): (f64, f64),
+        (requested, low): (f64, f64),
         limits: &Limits,
     ) -> Option<f64> {
-        if asked < low {
+        if requested < low {
             return None;
         }
         let high = self.max_acceleration_of::<N>(element, remaining, limits);
-        Some(math::min(asked, math::max(high, low)))
+        Some(math::min(requested, math::max(high, low)))
     }
 
     /// The least acceleration that all axes allow within this cycle. It may be more than the sustainable one.
@@ -176,10 +184,10 @@ impl MotionState {
     /// Whether the motion is so much slower than the steady speed of the blend that a search for more is worth it.
     #[inline]
     fn gains_by_speed(&self, element: &PathElement) -> bool {
-        let AccelerationModel::Blend { steady_speed_sq: most } = element.model else {
+        let AccelerationModel::Blend { steady_speed_sq } = element.model else {
             return false;
         };
-        most - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * most
+        steady_speed_sq - squared(self.speed) > SPEED_SQ_GAIN_RATIO_MIN * steady_speed_sq
     }
 
     /// On a blend that takes several cycles: an acceleration above the sustainable one, up to the request, after which
@@ -189,29 +197,35 @@ impl MotionState {
         &mut self,
         element: &PathElement,
         end: ElementEnd,
-        even: f64,
+        sustained: f64,
         (limits, request): (&Limits, &CycleRequest),
         time_left: f64,
     ) -> f64 {
-        let AccelerationModel::Blend { steady_speed_sq: most } = element.model else { return even };
-        if even < 0.0 && self.speed + even * time_left <= 0.0 {
-            return even;
+        let AccelerationModel::Blend { steady_speed_sq } = element.model else { return sustained };
+        if sustained < 0.0 && self.speed + sustained * time_left <= 0.0 {
+            return sustained;
         }
         let near = math::min(self.speed * time_left, end.remaining);
-        let wanted = target_speed(element, self.speed_limit_ahead(element, near), request);
-        let asked = (math::min(wanted, math::sqrt(most)) - self.speed) / time_left;
+        let target = target_speed(element, self.speed_limit_ahead(element, near), request);
+        let requested = (math::min(target, math::sqrt(steady_speed_sq)) - self.speed) / time_left;
         // Usually the motion is as fast as allowed already.
-        let more = even + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
+        let more = sustained + SPEED_SQ_GAIN_STEP_RATIO * squared(self.speed) / end.remaining;
         let with = (limits, request);
-        if even >= asked
-            || !self.leaves_sustainable::<N>(element, end, math::min(asked, more), with, time_left)
+        if sustained >= requested
+            || !self.leaves_sustainable::<N>(
+                element,
+                end,
+                math::min(requested, more),
+                with,
+                time_left,
+            )
         {
-            return even;
+            return sustained;
         }
         self.work = self.work.saturating_add(TRIALS_WORK);
         let near = math::min(1.5 * near, end.remaining);
-        let mut high = math::min(asked, self.max_acceleration_of::<N>(element, near, limits));
-        let mut low = even;
+        let mut high = math::min(requested, self.max_acceleration_of::<N>(element, near, limits));
+        let mut low = sustained;
         let mut tried = high;
         for _ in 0..ACCELERATION_TRIALS_MAX {
             if tried <= low {
@@ -296,10 +310,10 @@ impl MotionState {
     /// Whether all axes allow the motion to go on without acceleration. Usually the speed alone decides.
     #[inline]
     fn may_coast<const N: usize>(&self, element: &PathElement, limits: &Limits) -> bool {
-        let AccelerationModel::Blend { steady_speed_sq: even } = element.model else {
+        let AccelerationModel::Blend { steady_speed_sq } = element.model else {
             return false;
         };
-        squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * even
+        squared(self.speed) <= COASTING_QUICK_LIMIT_RATIO * steady_speed_sq
             || self.may_coast_exactly::<N>(element, limits)
     }
 

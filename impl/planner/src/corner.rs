@@ -175,11 +175,11 @@ impl TangentBreak {
         let length = before.whole.length.min(after.whole.length);
         let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
         // A hold may take two cycles more to stop than with all of the acceleration, so little may be missing.
-        let eases = |speed: f64| {
+        let use_max = |speed: f64| {
             let cycles = 2.0 * one.min(other) * h / speed;
             1.5 * cycles / (1.0 + cycles)
         };
-        let fits = |speed: f64| used(speed) <= eases(speed).min(1.0);
+        let fits = |speed: f64| used(speed) <= use_max(speed).min(1.0);
         let mut speed = math::sqrt(before.max_speed_sq().min(after.max_speed_sq()));
         if !fits(speed) {
             let mut low = 0.0;
@@ -333,19 +333,19 @@ pub(crate) fn write_parabola(
 /// `None` where nothing is gained, or where a half would take less than a cycle.
 #[inline]
 pub(crate) fn split_place(blend: &PathElement, limits: &Limits) -> Option<f64> {
-    let AccelerationModel::Blend { steady_speed_sq: even } = blend.model else { return None };
+    let AccelerationModel::Blend { steady_speed_sq } = blend.model else { return None };
     let axes = squared(blend.speed_limit);
-    let (asked, pressed) = match blend.feed_basis {
+    let (requested, requested_max) = match blend.feed_basis {
         FeedBasis::PerSecond => (squared(blend.feed), squared(2.0 * blend.feed)),
         FeedBasis::Rapid | FeedBasis::PerTurn => (f64::INFINITY, f64::INFINITY),
     };
     let flat =
         norm_of(&blend.curvature, blend.axis_count) * blend.length <= FLAT_BLEND_ANGLE_MAX_RAD;
-    if !flat && axes >= even.min(asked) {
+    if !flat && axes >= steady_speed_sq.min(requested) {
         return None;
     }
     let along = least(&limits.acceleration, &blend.tangent, blend.axis_count);
-    let far = math::sqrt(axes.min(pressed).min(even)) * limits.cycle;
+    let far = math::sqrt(axes.min(requested_max).min(steady_speed_sq)) * limits.cycle;
     if blend.length < 2.0 * far
         || blend.length < along * squared(SPLIT_BLEND_CYCLES_MIN * limits.cycle)
     {

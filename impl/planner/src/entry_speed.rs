@@ -30,12 +30,13 @@ impl OverrideScale {
     ///
     /// For an override of 0 it is a little more than 0, so that the motion creeps until the plan is ready.
     pub(crate) fn speed_sq_factor(self, planned: Self) -> f64 {
-        let share = |asked: f64, planned: f64| math::max(OVERRIDE_MIN, asked) / planned;
-        let mut ease = math::min(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
+        let share = |requested: f64, planned: f64| math::max(OVERRIDE_MIN, requested) / planned;
+        let mut factor =
+            math::min(share(self.feed, planned.feed), share(self.rapid, planned.rapid));
         if planned.spindle_speed > 0.0 {
-            ease = math::min(ease, share(self.spindle_speed, planned.spindle_speed));
+            factor = math::min(factor, share(self.spindle_speed, planned.spindle_speed));
         }
-        squared(math::min(1.0, ease))
+        squared(math::min(1.0, factor))
     }
 
     /// The greater of both in each field.

@@ -98,27 +98,28 @@ impl MotionState {
     ) -> Option<FastStep> {
         let y = squared(self.speed);
         // The fast path runs without a rapid override.
-        let wanted = match element.feed_basis {
+        let target = match element.feed_basis {
             FeedBasis::PerSecond => math::min(element.speed_limit, element.feed * request.feed),
             FeedBasis::Rapid => element.speed_limit,
             FeedBasis::PerTurn => return None,
         };
-        let asked = (wanted - self.speed) / time_left;
+        let requested = (target - self.speed) / time_left;
         match (element.model, &element.circle) {
-            (AccelerationModel::Blend { steady_speed_sq: even }, _) => {
+            (AccelerationModel::Blend { steady_speed_sq }, _) => {
                 let exit = math::min(exit, element.end_limit_sq);
                 let met = (exit - y) / (2.0 * remaining);
-                let most = math::min(asked, met);
+                let most = math::min(requested, met);
                 // An axis uses at most |p'|·|u| + |p''|·y.
                 let last = y + 2.0 * most * remaining;
-                let used = math::max(y, last) / even + most.abs() / limits.softest;
+                let used = math::max(y, last) / steady_speed_sq + most.abs() / limits.softest;
                 // On a long blend more than the sustainable acceleration may be possible.
                 let lasts = || LONG_BLEND_CYCLES_MIN * self.speed * limits.cycle < remaining;
-                if used <= FAST_USE_RATIO_MAX && (most >= asked || !lasts()) {
+                if used <= FAST_USE_RATIO_MAX && (most >= requested || !lasts()) {
                     return Some(FastStep { acceleration: most, end_speed_sq: last });
                 }
-                let slows =
-                    met <= asked && met <= 0.0 && self.keeps_to_plan((element, next), exit, even);
+                let slows = met <= requested
+                    && met <= 0.0
+                    && self.keeps_to_plan((element, next), exit, steady_speed_sq);
                 if slows && !lasts() {
                     return Some(FastStep { acceleration: met, end_speed_sq: last });
                 }
@@ -127,7 +128,7 @@ impl MotionState {
                     self.acceleration_on_long_blend(
                         element,
                         end,
-                        (most, asked),
+                        (most, requested),
                         (limits, request),
                         time_left,
                     )?
@@ -144,7 +145,7 @@ impl MotionState {
                 );
                 let acceleration = self.acceleration_towards(
                     &window,
-                    wanted,
+                    target,
                     ElementEnd { speed_sq: exit, remaining, is_open: false },
                     (1.0, time_left),
                 );
@@ -152,15 +153,15 @@ impl MotionState {
                 Some(FastStep { acceleration, end_speed_sq: last })
             }
             (AccelerationModel::Arc { acceleration: most, .. }, Some(circle)) => {
-                let end = self.speed + asked * time_left;
+                let end = self.speed + requested * time_left;
                 let high = math::max(y, squared(end));
                 let after = remaining - 0.5 * (self.speed + end) * time_left;
-                let used = squared(asked) + squared(circle.angle_rate * high);
+                let used = squared(requested) + squared(circle.angle_rate * high);
                 let easy = used <= squared(most)
                     && (high <= exit * SPEED_SQ_ROUNDING_RATIO
                         || circle.is_beyond_influence(after))
                     && after > 0.0;
-                easy.then_some(FastStep { acceleration: asked, end_speed_sq: 0.0 })
+                easy.then_some(FastStep { acceleration: requested, end_speed_sq: 0.0 })
             }
             _ => None,
         }
@@ -223,15 +224,15 @@ impl MotionState {
         &mut self,
         element: &PathElement,
         end: ElementEnd,
-        asked: (f64, f64),
+        requested: (f64, f64),
         with: (&Limits, &CycleRequest),
         time_left: f64,
     ) -> Option<f64> {
         self.work = self.work.saturating_add(BLEND_WORK);
         if element.axis_count <= 3 {
-            self.sustainable_or_faster::<3>(element, end, asked, with, time_left)
+            self.sustainable_or_faster::<3>(element, end, requested, with, time_left)
         } else {
-            self.sustainable_or_faster::<9>(element, end, asked, with, time_left)
+            self.sustainable_or_faster::<9>(element, end, requested, with, time_left)
         }
     }
 }

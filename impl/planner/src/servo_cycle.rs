@@ -97,9 +97,11 @@ impl MotionState {
         };
         let mut exit = next.entry_speed_sq / squared(element.end_speed_ratio);
         if request.speed_sq_factor < 1.0 {
-            let asked = target_speed(next, next.speed_limit, request);
-            exit =
-                math::min(exit, squared(asked / element.end_speed_ratio) / request.speed_sq_factor);
+            let requested = target_speed(next, next.speed_limit, request);
+            exit = math::min(
+                exit,
+                squared(requested / element.end_speed_ratio) / request.speed_sq_factor,
+            );
         }
         ElementEnd { speed_sq: exit, remaining, is_open: next.junction_limit_sq > 0.0 }
     }
@@ -145,20 +147,20 @@ impl MotionState {
         &mut self,
         element: &PathElement,
         end: ElementEnd,
-        asked: (&Limits, &CycleRequest),
+        requested: (&Limits, &CycleRequest),
         time_left: f64,
     ) -> f64 {
         match element.model {
             AccelerationModel::Blend { .. } if element.axis_count <= 3 => {
-                self.advance_on_blend::<3>(element, end, asked, time_left)
+                self.advance_on_blend::<3>(element, end, requested, time_left)
             }
             AccelerationModel::Blend { .. } => {
-                self.advance_on_blend::<9>(element, end, asked, time_left)
+                self.advance_on_blend::<9>(element, end, requested, time_left)
             }
             AccelerationModel::Constant { .. }
             | AccelerationModel::Arc { .. }
             | AccelerationModel::BlendedArc { .. }
-            | AccelerationModel::Dwell(_) => self.advance_along(element, end, asked, time_left),
+            | AccelerationModel::Dwell(_) => self.advance_along(element, end, requested, time_left),
         }
     }
 
@@ -171,22 +173,22 @@ impl MotionState {
         time_left: f64,
     ) -> f64 {
         let mut low = self.strongest_model_braking(element, limits.cycle);
-        let mut wanted = f64::NEG_INFINITY;
+        let mut target = f64::NEG_INFINITY;
         if !request.must_stop {
-            wanted = target_speed(element, element.speed_limit, request);
+            target = target_speed(element, element.speed_limit, request);
         }
         let most = low;
-        if self.speed + low * time_left > wanted {
+        if self.speed + low * time_left > target {
             // A lowered override uses all of the braking, as a hold does.
             low = math::min(low, self.strongest_braking(element, limits, time_left));
         }
         let mut acceleration = low;
-        if (wanted - self.speed) / time_left > low {
+        if (target - self.speed) / time_left > low {
             let window =
                 self.window(element, end, request.speed_sq_factor, (time_left, limits.cycle), most);
             acceleration = self.acceleration_towards(
                 &AccelerationWindow { min: low, ..window },
-                wanted,
+                target,
                 end,
                 (request.speed_sq_factor, time_left),
             );
