@@ -5,7 +5,7 @@ use gaugeblock_planner::{Axes, PathControl, Segment};
 use super::check::{Feeding, run};
 use super::programs::{arcs, arcs_with_corners, helix, square, zig};
 
-/// Of all bits of all samples, one after the other (FNV-1a, 64 bits).
+/// Digest of all bits of all samples (FNV-1a, 64 bits).
 fn digest(start: Axes, program: &[Segment]) -> u64 {
     let samples = run(start, program, Feeding::Full).samples;
     let bytes = samples.iter().flatten().flat_map(|value| value.to_bits().to_le_bytes());
@@ -25,7 +25,7 @@ fn samples_are_the_same_everywhere() {
         digest(origin, &helix(PathControl::Within(0.01))),
         digest(start, &corners),
     ];
-    // Who changes what the planner does, writes the new ones here; who changes a platform or a compiler, must not.
+    // A change of the planner's behaviour updates these; a change of platform or compiler must not.
     let same = [
         0x4698_ae9e_2e1e_8970,
         0x3fed_e253_afb1_b9cb,

@@ -1,4 +1,4 @@
-//! Runs programs cycle by cycle, and holds samples to the limits by their differences.
+//! Runs programs cycle by cycle, and checks samples against the limits by their differences.
 
 use gaugeblock_planner::{
     Axes, Dynamics, InputParameter, NotQueued, OutputParameter, Path, Phase, Planner, Segment,
@@ -8,7 +8,7 @@ use super::programs::distance;
 
 pub(crate) const CYCLE: f64 = 0.001;
 
-/// X Y Z as in the table, all other axes alike.
+/// X Y Z as for `known_times`, all other axes alike.
 pub(crate) fn dynamics() -> Dynamics {
     Dynamics {
         velocity: [250.0; 9],
@@ -19,7 +19,7 @@ pub(crate) fn dynamics() -> Dynamics {
     }
 }
 
-/// What was seen of a run.
+/// The samples and outputs of a run.
 pub(crate) struct Run {
     /// Positions, the first at rest.
     pub(crate) samples: Vec<Axes>,
@@ -29,9 +29,9 @@ pub(crate) struct Run {
 /// When segments are queued.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Feeding {
-    /// As many as there is room for.
+    /// As many as the queue has room for.
     Full,
-    /// So many at first, then one per so many cycles.
+    /// A number at first, then one per number of cycles.
     Every(usize, usize),
 }
 
@@ -44,7 +44,7 @@ impl Run {
         f64::from(u32::try_from(last + 1 - first).expect("a count of cycles")) * CYCLE
     }
 
-    /// The greatest use of any limit of velocity and of acceleration: 1 is all.
+    /// The greatest use of a limit of velocity and of acceleration; 1 is the limit.
     pub(crate) fn worst(&self, dynamics: &Dynamics) -> (f64, f64) {
         let h = dynamics.cycle;
         let (mut speed, mut change) = (0.0_f64, 0.0_f64);
@@ -67,8 +67,8 @@ impl Run {
         (speed, change)
     }
 
-    /// The greatest use of a limit of acceleration at the end of a cycle, as the planner tells it.
-    pub(crate) fn told(&self, dynamics: &Dynamics) -> f64 {
+    /// The greatest use of a limit of acceleration at the end of a cycle, as the planner reports it.
+    pub(crate) fn reported(&self, dynamics: &Dynamics) -> f64 {
         let uses = self.outputs.iter().flat_map(|output| {
             let axes = output.acceleration.iter().zip(&dynamics.acceleration);
             axes.map(|(acceleration, limit)| acceleration.abs() / limit)
@@ -77,7 +77,7 @@ impl Run {
     }
 }
 
-/// Runs a program to its end, with what the outside wants in each cycle.
+/// Runs a program to its end with the inputs of each cycle.
 pub(crate) fn run_with(
     planner: &mut Planner,
     start: Axes,
@@ -118,7 +118,7 @@ pub(crate) fn run(start: Axes, program: &[Segment], feeding: Feeding) -> Run {
     run_with(&mut planner, start, program, feeding, |_| InputParameter::default())
 }
 
-/// Points of the programmed path, so close that lines between them are the path, and which of them are vertices.
+/// Points of the programmed path, so close that chords approximate it, and its vertices.
 pub(crate) fn programmed(start: Axes, program: &[Segment]) -> (Vec<Axes>, Vec<Axes>) {
     let mut path = vec![start];
     let mut vertices = Vec::new();
@@ -150,7 +150,7 @@ pub(crate) fn programmed(start: Axes, program: &[Segment]) -> (Vec<Axes>, Vec<Ax
     (path, vertices)
 }
 
-/// The greatest distance of any of these points from a polyline.
+/// The greatest distance of these points from a polyline.
 pub(crate) fn farthest(points: &[Axes], line: &[Axes]) -> f64 {
     let nearest = |point: &Axes| {
         let chords = line.windows(2).map(|two| to_chord(point, &two[0], &two[1]));

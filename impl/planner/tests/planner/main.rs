@@ -1,12 +1,12 @@
 //! The trajectory planner, checked by its samples.
 
 mod bits;
-mod changes;
 mod check;
-mod found;
-mod joined;
+mod known_times;
 mod memory;
+mod merging;
+mod monotonic_times;
 mod operators;
 mod programs;
 mod random;
-mod table;
+mod regressions;

@@ -1,5 +1,5 @@
-//! Once a planner is made it allocates nothing: not for a segment, an output or a cycle, with a full queue and
-//! whatever an operator does.
+//! After set-up a planner allocates nothing: not for a segment, an output or a cycle, with a full queue and any
+//! operator.
 
 use std::hint::black_box;
 
@@ -12,11 +12,11 @@ use gaugeblock_planner::{
 use super::check::dynamics;
 use super::programs::{arcs, arcs_with_corners, dense, helix, zig};
 
-/// So many cycles at most; the programs take fewer.
+/// The most cycles of a run; the programs take fewer.
 const MOST: usize = 100_000;
 
-/// Queues as much as there is room for, switches an output with each segment, and runs on under changing wishes.
-/// How often the queue was full, and how many outputs have switched.
+/// Queues as much as there is room for, switches an output with each segment, and changes inputs. Returns how often
+/// the queue was full, and how many outputs switched.
 fn drive(planner: &mut Planner, program: &[Segment]) -> (usize, usize) {
     let mut segments = program.iter().peekable();
     let mut output = OutputParameter::default();
@@ -31,7 +31,7 @@ fn drive(planner: &mut Planner, program: &[Segment]) -> (usize, usize) {
                 planner.queue_output(OutputSwitch { output: 0, value: 1.0 });
             segments.next();
         }
-        // The operator is busy, and lets it run in the end.
+        // The operator changes inputs at first, and lets the program run in the end.
         let hold = if cycle < 3000 && cycle % 700 > 600 { Hold::Hold } else { Hold::Run };
         let hold = if cycle == 3500 { Hold::Abort } else { hold };
         let busy = cycle < 3000;
@@ -51,12 +51,12 @@ fn drive(planner: &mut Planner, program: &[Segment]) -> (usize, usize) {
 }
 
 #[test]
-fn what_counts_allocations_sees_one() {
+fn allocation_counter_counts_one() {
     assert!(measure(|| drop(black_box(vec![1_u8]))).count_total > 0);
 }
 
 #[test]
-fn a_planner_allocates_nothing_once_it_is_made() {
+fn planner_allocates_nothing_after_set_up() {
     let origin = [0.0; 9];
     let (start, corners) = arcs_with_corners(PathControl::Within(0.1));
     let programs: [(Axes, Vec<Segment>); 6] = [

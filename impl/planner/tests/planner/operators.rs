@@ -1,4 +1,4 @@
-//! What an operator does to a motion, and what else is asked of it while it runs.
+//! Operators: hold, overrides, adaptive feed, abort, outputs and probes during a motion.
 
 use gaugeblock_planner::{
     Axes, Dynamics, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, Path, PathControl,
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
 use super::programs::{FEED, at, dense, distance, line, segment, zig};
-use super::random::{Chance, chance, restless};
+use super::random::{RandomMotion, random_motion, restless};
 
 const ORIGIN: Axes = [0.0; 9];
 
@@ -53,10 +53,9 @@ fn adaptive_feed_below_zero_retraces_the_path() {
     assert_eq!(run.samples.last(), Some(&at(100.0, 0.0, 0.0)));
 }
 
-/// What lies near behind the motion is planned first: it is not to wait at rest until all that is remembered is
-/// planned.
+/// The last elements are planned for reverse motion first: the motion must not wait until all remembered ones are.
 #[test]
-fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
+fn long_path_is_reversed_at_once_and_to_its_beginning() {
     let program = dense(PathControl::Within(0.01));
     let run = operated(&program, |cycle| InputParameter {
         adaptive_feed: if (1500..3400).contains(&cycle) { -1.0 } else { 1.0 },
@@ -66,7 +65,7 @@ fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
     let rests =
         run.samples[1500..1700].windows(2).filter(|two| distance(&two[0], &two[1]) <= 0.0).count();
     assert!(rests <= 40, "it rests for {rests} cycles");
-    // Not much longer than the way there.
+    // Not much longer than the way forward.
     let start = run.samples[1500..].iter().position(|sample| distance(sample, &ORIGIN) <= 0.0);
     assert!(start.is_some_and(|cycles| cycles <= 1800), "{start:?}");
     let (path, _) = programmed(ORIGIN, &program);
@@ -74,10 +73,9 @@ fn a_long_path_is_run_back_at_once_and_to_its_beginning() {
     assert_eq!(run.samples.last(), path.last());
 }
 
-/// What an earlier run back has left behind what is planned for this one is worth nothing: once it broke a limit 3.4
-/// times over.
+/// Values of an earlier reverse run are not used: once one broke a limit by a factor of 3.4.
 #[test]
-fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
+fn path_is_reversed_again_after_a_short_request() {
     let quick = Dynamics { velocity: [500.0; 9], acceleration: [20_000.0; 9], ..dynamics() };
     let mut planner = Planner::new(quick, ORIGIN).expect("limits");
     let mut next = ORIGIN;
@@ -100,10 +98,10 @@ fn a_path_is_run_back_again_after_somebody_has_asked_for_it_for_a_moment() {
     assert!(run.samples[583][0] < 10.0, "{}", run.samples[583][0]);
 }
 
-/// A bend that was planned for another override, and is passed again behind a piece that has been planned anew: its
-/// plan holds no more.
+/// A blend that was planned for another override is passed again after an element that has been planned again: its old
+/// plan is not valid.
 #[test]
-fn bend_is_run_through_again_at_a_lower_override() {
+fn blend_is_passed_again_at_a_lower_override() {
     let corner = at(50.0037, 0.0, 0.0);
     let (sine, cosine) = libm::sincos(0.003);
     let end = at(corner[0] + 50.0 * cosine, 50.0 * sine, 0.0);
@@ -118,10 +116,10 @@ fn bend_is_run_through_again_at_a_lower_override() {
     assert!(run.samples[1030][0] < corner[0] - 5.0, "{}", run.samples[1030][0]);
 }
 
-/// What has been planned for a higher override, and is passed again, is planned anew: once a slower segment was
-/// entered four times too fast.
+/// Elements that were planned for a higher override are planned again before they are passed again: once a slower
+/// segment was entered four times too fast.
 #[test]
-fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
+fn slower_segment_is_entered_at_its_own_feed_after_reversing() {
     let to = |x: f64| line(at(x, 0.0, 0.0), PathControl::ExactPath);
     let slow = |x: f64| Segment { feed: Feed::PerSecond(20.0), ..to(x) };
     let program = [to(100.0), slow(120.0), slow(140.0), slow(200.0)];
@@ -137,10 +135,10 @@ fn slower_segment_is_entered_at_its_own_feed_after_running_back() {
     }
 }
 
-/// What a new segment makes of the path ahead counts behind the motion, too, which may run back and come again: once
-/// it came to the end of all at its full speed.
+/// A new segment changes the plan of elements that the motion has passed, since it may reverse and return: once the
+/// motion came to the end of the path at full speed.
 #[test]
-fn path_that_changes_is_kept_to_from_behind_after_running_back() {
+fn changed_path_is_followed_after_reversing() {
     let (mut here, mut heading, mut program) = (ORIGIN, 0.3, Vec::new());
     for place in 1..=30_u32 {
         heading += if place % 7 == 0 { 1.5 } else { 0.02 };
@@ -159,10 +157,10 @@ fn path_that_changes_is_kept_to_from_behind_after_running_back() {
     }
 }
 
-/// What lies next is kept to as soon as it is planned for a lowered override: once the motion crept, for as long as a
-/// long queue took.
+/// A lowered override is followed as soon as the next elements are planned for it: once the motion crept until a long
+/// queue was planned.
 #[test]
-fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
+fn lowered_override_is_followed_at_once_on_a_long_queue() {
     let run = operated(&dense(PathControl::Within(0.01)), |cycle| InputParameter {
         feed_override: if (300..700).contains(&cycle) { 0.3 } else { 1.0 },
         ..InputParameter::default()
@@ -173,10 +171,10 @@ fn a_lowered_override_is_kept_to_at_once_on_a_long_queue() {
     }
 }
 
-/// What lies far ahead is planned for a lowered override before the motion comes to it, however short it is: once a
-/// slower row was entered at 9 times its feed.
+/// Elements far ahead are planned for a lowered override before the motion reaches them, however short they are: once
+/// a slower row was entered at 9 times its feed.
 #[test]
-fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
+fn lowered_override_is_followed_at_a_slower_row_of_short_segments() {
     let program: Vec<Segment> = (1..=1500_u32)
         .map(|place| {
             let feed = Feed::PerSecond(if place <= 750 { 150.0 } else { 15.0 });
@@ -189,7 +187,7 @@ fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
             ..InputParameter::default()
         });
         keeps_limits(&run);
-        // The row is so short that it is passed at 15 mm/s, from which it takes 8 cycles to stop.
+        // The row is so short that it is passed at 15 mm/s, from which a stop takes 8 cycles.
         let late = run.outputs.iter().skip(falls + 20);
         for output in late.filter(|output| output.position[0] > 0.005 * 750.0) {
             assert!(output.speed <= 1.5 + 1e-9, "{falls}: {}", output.speed);
@@ -197,9 +195,9 @@ fn a_lowered_override_is_kept_to_where_a_slower_row_of_short_segments_begins() {
     }
 }
 
-/// The same where a segment that moves nothing is queued in the cycle after the change.
+/// The same where a segment without motion is queued in the cycle after the change.
 #[test]
-fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
+fn corner_queued_right_after_a_lowered_override_is_feasible() {
     let slow = |end: Axes, blend| Segment { feed: Feed::PerSecond(50.0), ..line(end, blend) };
     let row = (1..=60_u32)
         .map(|place| slow(at(0.2 * f64::from(place), 0.0, 0.0), PathControl::ExactPath));
@@ -230,13 +228,13 @@ fn corner_that_is_queued_as_soon_as_an_override_falls_can_be_kept_to() {
     }
 }
 
-/// A corner is no narrower than the motion can come to that is still faster than a lowered override asks for: once it
-/// was made for the override.
+/// A corner can be reached by a motion that is still faster than a lowered override: once it was made for the
+/// override.
 #[test]
-fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
-    let mut chance = chance(151_772, false);
-    chance.dynamics.queue = 7;
-    chance.feeding = Feeding::Every(3, 40);
+fn corner_queued_while_an_override_falls_is_feasible() {
+    let mut motion = random_motion(151_772, false);
+    motion.dynamics.queue = 7;
+    motion.feeding = Feeding::Every(3, 40);
     let changes = [
         (18, 0.1),
         (26, 0.0),
@@ -252,14 +250,14 @@ fn corner_that_is_queued_while_an_override_falls_can_be_kept_to() {
     ];
     for (until, feed_override) in changes {
         let input = InputParameter { feed_override, ..InputParameter::default() };
-        chance.operator.resize(until, input);
+        motion.operator.resize(until, input);
     }
-    let used = used(&chance).0;
+    let used = used(&motion).0;
     assert!(used <= 1.0 + 1e-9, "{used}");
 }
 
-/// A corner that is queued while the motion slows down for a lower override is one like all others: once these became
-/// stops.
+/// A corner that is queued while the motion slows down for a lower override is passed like any other: once it became a
+/// stop.
 #[test]
 fn corners_queued_while_an_override_falls_are_passed() {
     let mut planner = Planner::new(Dynamics { queue: 10, ..dynamics() }, ORIGIN).expect("limits");
@@ -275,7 +273,7 @@ fn corners_queued_while_an_override_falls_are_passed() {
 }
 
 #[test]
-fn abort_forgets_the_queue_at_rest() {
+fn abort_clears_the_queue_at_rest() {
     let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
     let mut output = OutputParameter::default();
     for segment in zig(PathControl::Within(0.1)) {
@@ -393,26 +391,26 @@ fn probe_ends_the_motion() {
     assert!(output.position[2] > -25.0, "{}", output.position[2]);
 }
 
-fn last_end(chance: &Chance) -> Axes {
-    let ends = chance.program.iter().rev().filter_map(|segment| match segment.path {
+fn last_end(motion: &RandomMotion) -> Axes {
+    let ends = motion.program.iter().rev().filter_map(|segment| match segment.path {
         Path::Straight { end } | Path::Arc { end, .. } => Some(end),
         Path::Dwell { .. } => None,
     });
-    ends.into_iter().next().unwrap_or(chance.start)
+    ends.into_iter().next().unwrap_or(motion.start)
 }
 
-/// How far a run comes to the limits, in samples and in what it tells.
-fn used(chance: &Chance) -> (f64, Run) {
-    let mut planner = Planner::new(chance.dynamics, chance.start).expect("limits");
-    let wants = |cycle: usize| chance.operator.get(cycle).copied().unwrap_or_default();
-    let run = run_with(&mut planner, chance.start, &chance.program, chance.feeding, wants);
-    let (speed, change) = run.worst(&chance.dynamics);
-    (speed.max(change).max(run.told(&chance.dynamics)), run)
+/// The greatest use of a limit in a run, in samples and in reported accelerations.
+fn used(motion: &RandomMotion) -> (f64, Run) {
+    let mut planner = Planner::new(motion.dynamics, motion.start).expect("limits");
+    let wants = |cycle: usize| motion.operator.get(cycle).copied().unwrap_or_default();
+    let run = run_with(&mut planner, motion.start, &motion.program, motion.feeding, wants);
+    let (speed, change) = run.worst(&motion.dynamics);
+    (speed.max(change).max(run.reported(&motion.dynamics)), run)
 }
 
-/// Each of these programs has broken a limit once, or came to no end, a little before that of a segment.
+/// Each of these programs broke a limit once, or did not end, shortly before the end of a segment.
 #[test]
-fn no_limit_is_broken_by_somebody_who_never_rests() {
+fn restless_operator_breaks_no_limit() {
     for seed in [13_122, 19_056, 21_361, 21_517, 21_648, 21_999, 22_208, 29_000, 29_418, 222_037] {
         let used = used(&restless(seed)).0;
         assert!(used <= 1.0 + 1e-9, "{seed}: {used}");
@@ -423,15 +421,15 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
 
     #[test]
-    fn no_limit_is_broken_by_anything(seed in any::<u64>(), with_operator in any::<bool>()) {
-        let chance = chance(seed, with_operator);
-        let (used, run) = used(&chance);
+    fn random_motion_breaks_no_limit(seed in any::<u64>(), with_operator in any::<bool>()) {
+        let motion = random_motion(seed, with_operator);
+        let (used, run) = used(&motion);
         prop_assert!(used <= 1.0 + 1e-9, "{}", used);
-        prop_assert_eq!(run.samples.last(), Some(&last_end(&chance)));
+        prop_assert_eq!(run.samples.last(), Some(&last_end(&motion)));
     }
 
     #[test]
-    fn no_limit_is_broken_by_whoever_never_rests(seed in any::<u64>()) {
+    fn random_restless_operator_breaks_no_limit(seed in any::<u64>()) {
         let used = used(&restless(seed)).0;
         prop_assert!(used <= 1.0 + 1e-9, "{}", used);
     }

@@ -1,4 +1,4 @@
-//! The programs whose times on LinuxCNC are known, as segments.
+//! Programs whose times on LinuxCNC are known, as segments.
 
 use gaugeblock_planner::{Axes, Feed, Path, PathControl, Segment};
 use libm::{cos, sin};

@@ -1,4 +1,4 @@
-//! Programs, limits and operators at random, from a seed.
+//! Random programs, limits and operators, from a seed.
 
 use libm::{cos, sin};
 
@@ -6,7 +6,7 @@ use gaugeblock_planner::{Axes, Dynamics, Feed, Hold, InputParameter, Path, PathC
 
 use super::check::{CYCLE, Feeding};
 
-/// Numbers that follow from a seed.
+/// Pseudo-random numbers from a seed.
 pub(crate) struct Dice(u64);
 
 impl Dice {
@@ -35,13 +35,13 @@ impl Dice {
         low + self.share() * (high - low)
     }
 
-    /// Small ones as often as large ones.
+    /// With a uniform logarithm.
     pub(crate) fn any_size(&mut self, low: f64, high: f64) -> f64 {
         low * libm::pow(high / low, self.share())
     }
 }
 
-pub(crate) struct Chance {
+pub(crate) struct RandomMotion {
     pub(crate) dynamics: Dynamics,
     pub(crate) start: Axes,
     pub(crate) program: Vec<Segment>,
@@ -49,8 +49,8 @@ pub(crate) struct Chance {
     pub(crate) operator: Vec<InputParameter>,
 }
 
-/// What a seed stands for. Without an operator nothing is overridden.
-pub(crate) fn chance(seed: u64, operated: bool) -> Chance {
+/// The case of a seed. Without an operator nothing is overridden.
+pub(crate) fn random_motion(seed: u64, operated: bool) -> RandomMotion {
     let mut dice = Dice::new(seed);
     let dynamics = dynamics(&mut dice);
     let axes = [3, 3, 3, 4, 9][dice.below(5)];
@@ -66,7 +66,7 @@ pub(crate) fn chance(seed: u64, operated: bool) -> Chance {
         _ => Feeding::Every(2, 1 + dice.below(80)),
     };
     let operator = if operated { operator(&mut dice) } else { Vec::new() };
-    Chance { dynamics, start, program, feeding, operator }
+    RandomMotion { dynamics, start, program, feeding, operator }
 }
 
 fn dynamics(dice: &mut Dice) -> Dynamics {
@@ -201,20 +201,20 @@ fn operator(dice: &mut Dice) -> Vec<InputParameter> {
     wants
 }
 
-/// The same with a short queue, segments that come late, and somebody who never rests for some thousand cycles.
-pub(crate) fn restless(seed: u64) -> Chance {
-    let mut chance = chance(seed, false);
+/// The same with a short queue, late segments, and an operator who changes inputs in each of some thousand cycles.
+pub(crate) fn restless(seed: u64) -> RandomMotion {
+    let mut motion = random_motion(seed, false);
     let mut dice = Dice::new(seed ^ 0x00ab_cdef);
     if dice.below(2) == 0 {
-        chance.feeding = Feeding::Every(dice.below(4), [1, 2, 3, 5, 10, 20, 40][dice.below(7)]);
+        motion.feeding = Feeding::Every(dice.below(4), [1, 2, 3, 5, 10, 20, 40][dice.below(7)]);
     }
     if dice.below(3) == 0 {
-        chance.dynamics.queue = u32::try_from(4 + dice.below(8)).unwrap_or(4);
+        motion.dynamics.queue = u32::try_from(4 + dice.below(8)).unwrap_or(4);
     }
     let (rocks, overrides, holds) = (dice.below(2) == 0, dice.below(2) == 0, dice.below(3) == 0);
     let most = [3, 10, 30, 100, 300][dice.below(5)];
     let mut input = InputParameter::default();
-    while chance.operator.len() < 3000 {
+    while motion.operator.len() < 3000 {
         if rocks && dice.below(2) == 0 {
             input.adaptive_feed = [-1.0, -1.0, 1.0, 1.0, -0.5, 0.3, 0.0][dice.below(7)];
         }
@@ -225,7 +225,7 @@ pub(crate) fn restless(seed: u64) -> Chance {
         if holds && dice.below(2) == 0 {
             input.hold = [Hold::Run, Hold::Hold][dice.below(2)];
         }
-        chance.operator.extend(std::iter::repeat_n(input, 1 + dice.below(most)));
+        motion.operator.extend(std::iter::repeat_n(input, 1 + dice.below(most)));
     }
-    chance
+    motion
 }

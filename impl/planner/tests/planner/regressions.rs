@@ -1,4 +1,4 @@
-//! What random motions have broken: each of these was wrong once.
+//! Regressions: motions that random tests found, each of which failed once.
 
 use gaugeblock_planner::{
     Axes, Feed, Hold, InputParameter, OutputParameter, OutputSwitch, PathControl, Planner, Segment,
@@ -15,7 +15,7 @@ fn operated(start: Axes, program: &[Segment], wants: impl FnMut(usize) -> InputP
 }
 
 #[test]
-fn corner_is_as_narrow_as_its_stricter_leg() {
+fn corner_is_as_narrow_as_its_stricter_segment() {
     let start = at(169.0, 49.3, 0.0);
     for tolerances in [(0.01, 0.005), (0.005, 0.01), (f64::INFINITY, 0.005)] {
         let blend = |tolerance: f64| {
@@ -44,7 +44,8 @@ fn exact_path_is_not_left_and_not_crawled_along() {
     assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
     let every_tenth: Vec<Axes> = run.samples.iter().step_by(10).copied().collect();
     assert!(farthest(&every_tenth, &path) <= 1e-9);
-    // Between two samples a motion can be an eighth of what a cycle's acceleration makes from their chord.
+    // Between two samples a motion can deviate from their chord by an eighth of what the acceleration of a cycle
+    // makes.
     let missed = farthest(&vertices[..200], &run.samples[..1500.min(run.samples.len())]);
     assert!(missed <= 2000.0 * 1.7321 * 1e-6 / 8.0, "{missed}");
     assert!(run.time() < 6.0, "{}", run.time());
@@ -64,7 +65,7 @@ fn arc_whose_end_is_rounded_nears_its_axis_evenly() {
 }
 
 #[test]
-fn feed_per_turn_is_kept_from_the_start_and_overridden() {
+fn feed_per_revolution_is_kept_from_the_start_and_overridden() {
     let mut program = vec![
         line(at(20.0, 0.0, 0.0), PathControl::Within(0.01)),
         line(at(30.0, 0.0, 0.0), PathControl::Within(0.01)),
@@ -82,7 +83,7 @@ fn feed_per_turn_is_kept_from_the_start_and_overridden() {
         let (speed, change) = run.worst(&dynamics());
         assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
         let within = |output: &&OutputParameter| matches!(output.segment, 2 | 3);
-        // The cycle in which the corner is passed has some of both.
+        // The cycle that passes the corner has a part of both.
         let seen = run.outputs.iter().filter(within).skip(1).map(|output| output.speed);
         let fastest = seen.fold(0.0, f64::max);
         assert!((fastest - most).abs() <= 1e-9 * most, "{fastest} of {most}");
@@ -90,7 +91,7 @@ fn feed_per_turn_is_kept_from_the_start_and_overridden() {
 }
 
 #[test]
-fn rapid_override_counts_on_a_blend_with_a_rapid_move() {
+fn rapid_override_applies_to_a_blend_with_a_rapid_move() {
     let mut program = [
         line(at(0.0, -20.0, 0.0), PathControl::Within(0.5)),
         line(at(0.0, -40.0, 5.0), PathControl::Within(0.5)),
@@ -123,7 +124,7 @@ fn output_does_not_switch_while_its_move_is_held() {
 }
 
 #[test]
-fn hold_on_an_arc_uses_what_the_axes_can_do_in_each_direction() {
+fn hold_on_an_arc_uses_the_limits_of_the_axes_in_each_direction() {
     let mut circle =
         arc(ORIGIN, ORIGIN, (1.24155, -0.44987), std::f64::consts::TAU, PathControl::ExactStop);
     circle.feed = Feed::InTime(60.0 / 831.0);
@@ -135,11 +136,11 @@ fn hold_on_an_arc_uses_what_the_axes_can_do_in_each_direction() {
     assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
     let steps = run.samples[81..400].windows(2).map(|two| distance(&two[0], &two[1]));
     let way: f64 = steps.sum();
-    // What the model says that the axes need, and two cycles.
+    // The stopping time by the limits of the axes, plus two cycles.
     assert!(way <= 0.634 + 2.0 * 51.0 * 0.001 + 1e-3, "{way}");
 }
 
-/// A long flat blend had one acceleration, and was slow as a whole where the corners at both of its ends are.
+/// A long flat blend had one acceleration, so all of it was as slow as the corners at its ends.
 #[test]
 fn long_flat_blend_speeds_up_and_slows_down() {
     let start = at(0.0, 159.429_93, -78.820_16);
@@ -155,9 +156,9 @@ fn long_flat_blend_speeds_up_and_slows_down() {
     assert!(loose <= strict + 0.002, "{strict} s, {loose} s with more allowed");
 }
 
-/// A blend with a feed per turn that is queued with the move after it followed no spindle, and never ended.
+/// A blend with a feed per revolution that was queued with the next move did not follow the spindle and never ended.
 #[test]
-fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
+fn blend_after_the_last_feed_per_revolution_follows_the_spindle() {
     for (feed, blend) in
         [(Feed::Rapid, PathControl::BetweenMidpoints), (Feed::Rapid, PathControl::Within(0.1))]
     {
@@ -181,8 +182,8 @@ fn blend_after_the_last_feed_per_turn_follows_the_spindle() {
     }
 }
 
-/// A blend that lasts for many cycles between rest, or slow corners, was passed with one acceleration, so that a
-/// longer one took longer.
+/// A blend of many cycles between two stops or slow corners was passed with one acceleration, so that a longer one
+/// took longer.
 #[test]
 fn blend_speeds_up_within_its_length_and_slows_down_again() {
     let time = |feed: f64, tolerance: f64, ends: &[(f64, f64)]| {
@@ -202,7 +203,7 @@ fn blend_speeds_up_within_its_length_and_slows_down_again() {
     assert!((whole - parts).abs() <= 0.002, "{whole} s, {parts} s in smaller steps");
 }
 
-/// It rested at its end with the last bit of a cycle, and had a speed left by rounding, for ever.
+/// The motion stopped at its end with the last bit of a cycle, and rounding left it a speed for ever.
 #[test]
 fn program_that_ends_with_a_cycle_comes_to_its_end() {
     let mut dynamics = dynamics();
@@ -220,7 +221,7 @@ fn program_that_ends_with_a_cycle_comes_to_its_end() {
 }
 
 /// A blend was passed no faster than its slower end: a longer one took longer where another axis limits the speed
-/// behind the corner.
+/// after the corner.
 #[test]
 fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
     let mut dynamics = dynamics();
@@ -250,7 +251,7 @@ fn blend_is_as_fast_at_each_end_as_the_axes_allow_there() {
     }
 }
 
-/// A blend of a feed per turn and a rapid was longer where axes are faster, and all of it has the feed.
+/// A blend of a feed per revolution and a rapid move was longer where axes are faster, and all of it has the feed.
 #[test]
 fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
     let time = |velocity: f64| {
@@ -276,7 +277,7 @@ fn faster_axes_do_not_lengthen_a_blend_that_follows_the_spindle() {
 }
 
 #[test]
-fn brakes_leave_a_break_of_direction_between_arcs_what_it_takes() {
+fn braking_leaves_acceleration_for_a_tangent_break_between_arcs() {
     let (mut here, mut heading, mut program) = (ORIGIN, 0.785_f64, Vec::new());
     for _ in 0..4 {
         let to_centre = (-2.0 * libm::sin(heading), 2.0 * libm::cos(heading));
@@ -300,7 +301,7 @@ fn brakes_leave_a_break_of_direction_between_arcs_what_it_takes() {
 }
 
 #[test]
-fn hold_on_a_bend_that_is_entered_too_fast_to_coast_keeps_limits_up_to_the_end_of_the_cycle() {
+fn hold_on_a_blend_entered_too_fast_to_coast_keeps_limits() {
     let (mut here, mut program) = (ORIGIN, Vec::new());
     for heading in [0.6, 0.3].into_iter().cycle().take(20) {
         here[0] += 0.3 * libm::cos(heading);
@@ -312,7 +313,7 @@ fn hold_on_a_bend_that_is_entered_too_fast_to_coast_keeps_limits_up_to_the_end_o
             let hold = if (held..held + 50).contains(&cycle) { Hold::Hold } else { Hold::Run };
             InputParameter { hold, ..InputParameter::default() }
         });
-        let told = run.told(&dynamics());
+        let told = run.reported(&dynamics());
         assert!(told <= 1.0 + 1e-9, "{held}: {told}");
     }
 }
@@ -323,6 +324,6 @@ fn look_ahead_catches_up_with_an_override_on_a_long_queue() {
     let program: Vec<Segment> = (1..=1000).map(end).collect();
     let twice = |_| InputParameter { feed_override: 2.0, ..InputParameter::default() };
     let time = operated(ORIGIN, &program, twice).time();
-    // 100 mm at 200 mm/s, and a quarter of a second to get there.
+    // 100 mm at 200 mm/s, and a quarter of a second to reach that speed.
     assert!(time < 0.78, "{time}");
 }

@@ -1,4 +1,4 @@
-//! The programs whose times on LinuxCNC are known: never slower than it, and near what is possible.
+//! Programs whose times on LinuxCNC are known: never slower than that, and near the optimum.
 
 use gaugeblock_planner::{Axes, Path, PathControl, Segment};
 
@@ -19,7 +19,7 @@ fn time(program: &[Segment]) -> f64 {
     run(ORIGIN, program, Feeding::Full).time()
 }
 
-/// Within so much of a time that is known to be the least, and at most what LinuxCNC takes.
+/// The time is within a ratio of the known least time, and at most that of LinuxCNC.
 #[track_caller]
 fn takes(program: &[Segment], least: f64, share: f64, linuxcnc: f64) {
     let time = time(program);
@@ -35,7 +35,7 @@ fn zig_zag_is_near_the_bound_of_its_axes() {
 }
 
 #[test]
-fn stops_take_what_the_closed_form_says() {
+fn stops_take_the_time_of_the_closed_form() {
     takes(&zig(PathControl::ExactStop), 6.325, 0.005, 6.402);
     takes(&zig(PathControl::ExactPath), 6.325, 0.005, 6.802);
     takes(&square(PathControl::ExactStop), 1.8, 0.005, 1.802);
@@ -92,8 +92,8 @@ fn no_limit_is_broken_at_any_feeding() {
             let (path, vertices) = programmed(*start, program);
             assert_eq!(run.samples.last(), vertices.last(), "{feeding:?}");
             if matches!(feeding, Feeding::Full | Feeding::Every(0, 31)) {
-                // Chords of arcs lie 0.01² r/8 within them; between samples the path bends by an eighth of a cycle's
-                // square.
+                // Chords of arcs are 0.01² r/8 inside them; between samples the path deviates by an eighth of a
+                // cycle's square.
                 let (arcs, chord) = (1.3e-4, 2000.0 * 1.5 * 1e-6 / 8.0);
                 let (far, missed) =
                     (farthest(&run.samples, &path), farthest(&vertices, &run.samples));
@@ -105,7 +105,7 @@ fn no_limit_is_broken_at_any_feeding() {
 }
 
 #[test]
-fn samples_do_not_depend_on_how_segments_come() {
+fn samples_do_not_depend_on_feeding() {
     for program in [
         zig(PathControl::Within(0.1)),
         arcs(PathControl::Within(0.01)),
@@ -130,7 +130,7 @@ fn more_tolerance_never_costs_time() {
     }
 }
 
-/// A program somewhere else, and with its axes in another order, or the other way round.
+/// A program at another place, with its axes in another order or direction.
 fn moved(program: &[Segment], place: impl Fn(&Axes) -> Axes) -> Vec<Segment> {
     let moved = |segment: &Segment| {
         let path = match segment.path {

@@ -1,4 +1,4 @@
-//! Who allows more, or divides a line, loses no time: each of these did once.
+//! More tolerance, faster axes or a divided line cost no time: each of these did once.
 
 use gaugeblock_planner::{Axes, Feed, InputParameter, PathControl, Planner, Segment};
 use std::f64::consts::TAU;
@@ -8,7 +8,7 @@ use super::programs::{arc, at, line};
 
 const ORIGIN: Axes = [0.0; 9];
 
-/// Seconds; no limit is broken.
+/// The time of a program in seconds, with a check that it keeps all limits.
 #[track_caller]
 fn time(program: &[Segment]) -> f64 {
     let run = run(ORIGIN, program, Feeding::Full);
@@ -38,7 +38,7 @@ fn at_feed(mut program: Vec<Segment>, per_minute: f64) -> Vec<Segment> {
     program
 }
 
-/// A line, and an arc that nearly goes back.
+/// A line, and an arc that nearly reverses it.
 fn sharp(blend: PathControl) -> Vec<Segment> {
     let corner = at(13.316_49, 14.074_47, 0.0);
     let end = at(12.049_53, 13.061_99, 0.0);
@@ -46,7 +46,7 @@ fn sharp(blend: PathControl) -> Vec<Segment> {
     at_feed(vec![line(corner, blend), back], 1376.0)
 }
 
-/// A short line, a short arc that goes on nearly as it does, and a line across.
+/// A short line, a short arc in nearly the same direction, and a line across.
 fn flat(blend: PathControl) -> Vec<Segment> {
     let (before, corner) = (at(2.81, -15.59, 0.0), at(2.814_55, -15.588_48, 0.0));
     let end = at(2.674_01, -15.327_57, 0.0);
@@ -97,7 +97,7 @@ fn a_faster_axis_takes_no_longer() {
 
 #[test]
 fn an_axis_that_accelerates_more_makes_no_corner_slower() {
-    // The line between the corners is over within a cycle, and a blend between the middles of lines has half of it.
+    // The line between the corners takes less than a cycle, and a blend between midpoints uses half of it.
     let corners = [(-4.0, -12.0), (1.596_57, -14.090_99), (1.604_14, -14.094_1), (23.0, -21.0)];
     let program = corners.map(|(x, y)| line(at(x, y, 0.0), PathControl::BetweenMidpoints)).to_vec();
     let program = at_feed(program, 6775.0);
@@ -132,7 +132,7 @@ fn a_divided_line_before_a_slower_one_takes_as_long() {
 }
 
 #[test]
-fn a_path_of_many_lines_waits_for_no_look_ahead_when_its_spindle_starts() {
+fn path_of_many_lines_does_not_wait_for_look_ahead_when_the_spindle_starts() {
     let place = |number: u32| at(0.005 * f64::from(number), 0.0, 0.0);
     let mut program: Vec<Segment> =
         (1..=400).map(|number| line(place(number), PathControl::Within(1e-5))).collect();

@@ -1,4 +1,4 @@
-//! Segments of which several are over within a cycle become one leg, within their tolerance.
+//! Merging: several segments that would be over within a cycle become one, within their tolerance.
 
 use gaugeblock_planner::{
     Axes, Feed, InputParameter, OutputParameter, OutputSwitch, PathControl, Phase, Planner, Segment,
@@ -6,13 +6,13 @@ use gaugeblock_planner::{
 use libm::{cos, sin};
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
+use super::known_times::FEEDINGS;
 use super::programs::{FEED, at, distance, line};
-use super::table::FEEDINGS;
 
 const ORIGIN: Axes = [0.0; 9];
 const RADIUS: f64 = 6.0;
 
-/// An arc of so many chords of a length, numbered from 1.
+/// An arc of `count` chords of a length, numbered from 1.
 fn chords(count: u32, length: f64, blend: PathControl) -> Vec<Segment> {
     let end = |chord: u32| {
         let angle = f64::from(chord) * length / RADIUS;
@@ -22,15 +22,15 @@ fn chords(count: u32, length: f64, blend: PathControl) -> Vec<Segment> {
     (1..=count).map(chord).collect()
 }
 
-/// What is asked for: the way at the feed, and coming to it and to rest at the accelerations of two axes.
+/// The requested time: the way at the feed, with acceleration and braking of two axes.
 fn least_time(count: u32, length: f64) -> f64 {
     f64::from(count) * length / FEED + FEED / 2000.0
 }
 
-/// The numbers of segments that are told to be executed, in order.
-fn told(program: &[Segment], before: impl Fn(&mut Planner, &Segment)) -> Vec<u64> {
+/// The numbers of segments that the output reports, in order.
+fn reported(program: &[Segment], before: impl Fn(&mut Planner, &Segment)) -> Vec<u64> {
     let mut planner = Planner::new(dynamics(), ORIGIN).expect("limits");
-    // So slow that no leg is over within a cycle.
+    // So slow that no segment is over within a cycle.
     let input = InputParameter { feed_override: 0.05, ..InputParameter::default() };
     let mut output = OutputParameter::default();
     for segment in program {
@@ -56,12 +56,12 @@ fn is_lawful(run: &Run, program: &[Segment], tolerance: f64) {
     let far = farthest(&run.samples, &path);
     assert!(far <= tolerance, "{far}");
     let missed = farthest(&vertices, &run.samples);
-    // Samples are up to a tenth of a millimetre from one another.
+    // Samples are up to 0.1 mm apart.
     assert!(missed <= tolerance + between + 0.06, "{missed}");
 }
 
 #[test]
-fn a_row_of_short_chords_is_as_fast_as_its_feed() {
+fn row_of_short_chords_reaches_its_feed() {
     for length in [0.002, 0.01, 0.03, 0.045] {
         let program = chords(1500, length, PathControl::Within(0.01));
         let run = run(ORIGIN, &program, Feeding::Full);
@@ -72,7 +72,7 @@ fn a_row_of_short_chords_is_as_fast_as_its_feed() {
 }
 
 #[test]
-fn it_is_lawful_at_any_feeding_and_tolerance() {
+fn merged_row_keeps_limits_at_any_feeding_and_tolerance() {
     for tolerance in [0.0, 1e-6, 1e-5, 1e-4, 1e-3, 0.1] {
         let program = chords(600, 0.01, PathControl::Within(tolerance));
         for feeding in FEEDINGS {
@@ -82,23 +82,23 @@ fn it_is_lawful_at_any_feeding_and_tolerance() {
 }
 
 #[test]
-fn samples_do_not_depend_on_how_its_segments_come() {
+fn samples_of_a_merged_row_do_not_depend_on_feeding() {
     let program = chords(1500, 0.04, PathControl::Within(0.01));
     let all = run(ORIGIN, &program, Feeding::Full);
-    // Two and a half are over within a cycle.
+    // Two and a half segments are over within a cycle.
     for feeding in [Feeding::Every(1000, 1), Feeding::Every(1400, 2)] {
         assert!(run(ORIGIN, &program, feeding).samples == all.samples, "{feeding:?}");
     }
 }
 
 #[test]
-fn a_segment_that_is_kept_apart_is_told() {
+fn segment_that_is_not_merged_is_reported() {
     let program = chords(200, 0.01, PathControl::Within(0.01));
-    let together = told(&program, |_, _| ());
+    let together = reported(&program, |_, _| ());
     assert!(together.len() < 60, "{together:?}");
-    // The last of a leg is told, and so is not the one before.
+    // The last one of a merged segment is reported, the one before it is not.
     let apart = together[together.len() / 2] - 1;
-    let alone = told(&program, |planner, segment| {
+    let alone = reported(&program, |planner, segment| {
         if segment.number == apart + 1 {
             planner.prevent_merge();
         }
@@ -110,21 +110,21 @@ fn a_segment_that_is_kept_apart_is_told() {
 fn an_output_switches_where_a_chord_begins() {
     let program = chords(400, 0.01, PathControl::Within(0.01));
     let waits = |segment: &Segment| segment.number > 40 && segment.number.is_multiple_of(7);
-    let told = told(&program, |planner, segment| {
+    let told = reported(&program, |planner, segment| {
         if waits(segment) {
             let output = u16::try_from(segment.number).expect("small");
             planner.queue_output(OutputSwitch { output, value: 1.0 }).expect("room");
         }
     });
     for segment in program.iter().filter(|segment| waits(segment)) {
-        // The one before ends a leg.
+        // The segment before ends a merged segment.
         assert!(told.contains(&(segment.number - 1)), "{}", segment.number);
     }
 }
 
 #[test]
-fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
-    // A row that is straight, and one that is not.
+fn blend_between_midpoints_ends_before_the_midpoint_of_the_last_segment() {
+    // A straight row and a curved one.
     for straight in [true, false] {
         let mut program = chords(60, 0.01, PathControl::Within(0.01));
         if straight {
@@ -142,7 +142,7 @@ fn a_blend_between_middles_does_not_pass_the_middle_of_the_last_segment() {
 }
 
 #[test]
-fn a_feed_without_bound_is_no_other_ones() {
+fn unbounded_feed_differs_from_other_feeds() {
     let mut program: Vec<Segment> = (1..=400)
         .map(|i| line(at(0.02 * f64::from(i), 0.0, 0.0), PathControl::Within(0.01)))
         .collect();
@@ -156,7 +156,7 @@ fn a_feed_without_bound_is_no_other_ones() {
 }
 
 #[test]
-fn what_rounding_leaves_of_a_segment_leads_nowhere() {
+fn segment_of_rounding_length_moves_nothing() {
     // The third of these kept the motion at rest for ever.
     for tiny in [1e-16, 1e-13, 1.3e-12, 2.1e-12, 1e-11, 9e-11, 2e-10, 1e-9] {
         for blend in
@@ -178,8 +178,8 @@ fn what_rounding_leaves_of_a_segment_leads_nowhere() {
 }
 
 #[test]
-fn chords_whose_ends_are_rounded_are_as_fast_as_their_feed() {
-    // From 0.03 to 0.06 mm: some become one leg, some do not.
+fn chords_with_rounded_ends_reach_their_feed() {
+    // From 0.03 to 0.06 mm: some are merged, others are not.
     let end = |chord: u32| {
         let angle = f64::from(chord) * 0.003;
         let radius = 14.0 + 4.0 * sin(3.0 * angle);
