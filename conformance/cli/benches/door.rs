@@ -48,7 +48,7 @@ fn main() -> Result<()> {
         .map_err(|errors| Error::other(errors.join("\n")))?;
     let edition = suite.edition("linuxcnc-2.9").ok_or_else(|| Error::other("no edition"))?;
     let production = Production::default();
-    let command = format!("{} serve production", env!("CARGO_BIN_EXE_gaugeblock"));
+    let command = format!("{} serve --controller production", env!("CARGO_BIN_EXE_gaugeblock"));
     let behind =
         Exec::start(&command, Limits::default()).map_err(|e| Error::other(e.to_string()))?;
     let behind = behind.assuming(suite.defaults());

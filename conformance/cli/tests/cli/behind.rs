@@ -53,7 +53,8 @@ fn verdicts(controller: &str, only: &[&str]) -> Vec<String> {
 
 #[test]
 fn a_controller_gets_the_same_verdicts_through_the_protocol() {
-    let serve = |name: &str| format!("exec:{} serve {name}", env!("CARGO_BIN_EXE_gaugeblock"));
+    let serve =
+        |name: &str| format!("exec:{} serve --controller {name}", env!("CARGO_BIN_EXE_gaugeblock"));
     for (name, more) in [("production", vec![]), ("reference", vec!["--edition", "gpp2"])] {
         let (plain, behind) = (verdicts(name, &more), verdicts(&serve(name), &more));
         assert_eq!(plain.len(), behind.len());
@@ -73,7 +74,10 @@ fn the_verdicts_are_the_same_however_they_are_told() {
     let command = env!("CARGO_BIN_EXE_gaugeblock");
     let without_digest = "cancel,files,live-operator,motion,state,stream";
     for offers in [ALL, without_digest, "motion"] {
-        let behind = verdicts(&format!("exec:{command} serve production --offer {offers}"), &only);
+        let behind = verdicts(
+            &format!("exec:{command} serve --controller production --offer {offers}"),
+            &only,
+        );
         let other = plain.iter().zip(&behind).find(|(plain, behind)| plain != behind);
         assert_eq!((plain.len(), other), (behind.len(), None), "{offers}");
     }

@@ -2,7 +2,7 @@
 //!
 //! A behaviour that changes fails this test, also where the change fixes the issue: then the file is deleted or becomes
 //! a case of the suite. LinuxCNC's `rs274` runs where it is installed. The issues of the folder `motion` are programs of
-//! `gaugeblock fuzz-motion`, and the law that each breaks.
+//! `gaugeblock motion fuzz`, and the law that each breaks.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -227,7 +227,7 @@ fn where_nobody_listens_the_command_says_what_to_do() {
 #[test]
 fn a_check_looks_at_what_is_offered() {
     let command = env!("CARGO_BIN_EXE_gaugeblock");
-    let adapter = format!("{command} serve production --offer {ALL}");
+    let adapter = format!("{command} serve --controller production --offer {ALL}");
     let output = gaugeblock(&["adapter", "check", &adapter]);
     let said = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{said}{}", text(&output.stderr));

@@ -91,7 +91,7 @@ fn gets_the_verdicts_of_the_one_that_is_built_in(command: &str) {
 
 #[test]
 fn behind_the_protocol_it_gets_the_verdicts_of_the_adapter_that_is_built_in() {
-    let served = format!("exec:{} serve rs274", env!("CARGO_BIN_EXE_gaugeblock"));
+    let served = format!("exec:{} serve --controller rs274", env!("CARGO_BIN_EXE_gaugeblock"));
     gets_the_verdicts_of_the_one_that_is_built_in(&served);
 }
 

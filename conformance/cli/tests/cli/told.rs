@@ -17,7 +17,7 @@ fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
     let _fresh = std::fs::remove_file(&wire);
     // Several sessions write it, each line at once.
     let controller = format!(
-        "exec:tee -a {} | {} serve reference",
+        "exec:tee -a {} | {} serve --controller reference",
         wire.display(),
         env!("CARGO_BIN_EXE_gaugeblock")
     );

@@ -151,19 +151,29 @@ fn every_script_is_one() {
 
 #[test]
 fn versions_and_numbers_that_stand_twice_are_the_same() {
-    let manifest = read("Cargo.toml");
-    let version = manifest.lines().find_map(|line| line.strip_prefix("rust-version = "));
-    let version = version.expect("a Rust version").trim_matches('"');
+    let value = |path: &str, key: &str| {
+        let text = read(path);
+        let value = text.lines().find_map(|line| line.strip_prefix(key));
+        value.expect("a Rust version").trim_matches('"').to_owned()
+    };
+    let channel = value("rust-toolchain.toml", "channel = ");
+    let version = channel.strip_suffix(".0").expect("the first release of a version");
+    let oldest = value("Cargo.toml", "rust-version = ");
     let action = read("action.yml");
     assert!(action.contains(&format!("toolchain install {version} ")));
     assert!(action.contains(&format!("cargo +{version} ")));
-    for path in ["deploy/Dockerfile", ".github/workflows/ci.yml", ".github/workflows/nightly.yml"] {
+    for (path, with_oldest) in [
+        ("deploy/Dockerfile", 0),
+        (".github/workflows/ci.yml", 1),
+        (".github/workflows/nightly.yml", 0),
+    ] {
         let text = read(path);
-        let images: Vec<_> = text.match_indices("rust:").collect();
-        assert!(!images.is_empty(), "{path}");
+        let count = |image: &str| text.matches(image).count();
+        assert!(count("rust:") > with_oldest, "{path}");
+        assert_eq!(count(&format!("rust:{oldest}-bookworm")), with_oldest, "{path}");
         assert_eq!(
-            images.len(),
-            text.matches(&format!("rust:{version}-bookworm")).count(),
+            count("rust:"),
+            count(&format!("rust:{version}-bookworm")) + with_oldest,
             "{path}"
         );
     }
