@@ -15,3 +15,7 @@ pub(crate) struct Memory;
 /// What a dialect remembers with the modes: nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ModalMemory;
+
+/// What a dialect remembers with the control of a program: nothing.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ControlMemory;

@@ -7,43 +7,69 @@
 
 use std::fmt::Debug;
 
+use super::control::ConditionRules;
+use super::control::ControlRules;
+use super::control::LoopRules;
+use super::control::NumberedRules;
+use super::control::SubroutineRules;
 use super::evaluate::EvaluationRules;
 use super::execute::arc::ArcRules;
 use super::execute::cycles::CycleRules;
 use super::execute::feed::FeedRules;
 use super::execute::message::MessageRules;
 use super::execute::motion::MotionRules;
+use super::execute::offsets::OffsetRules;
+use super::execute::orient::OrientRules;
 use super::execute::path::PathRules;
 use super::execute::positions::MachinePositionRules;
+use super::execute::program_end::ProgramEndRules;
 use super::execute::restore::RestoreRules;
 use super::execute::saved_state::SavedStateRules;
+use super::execute::spindle::SpindleRules;
+use super::execute::threading::ThreadRules;
+use super::execute::threading::ThreadingRules;
 use super::execute::tool_length::ToolLengthRules;
 use super::execute::units_planes::UnitsAndPlanesRules;
+use super::modes::ModesRules;
 use super::order::OrderRules;
 use super::parameters::ParameterRules;
 use super::state::State;
 use super::syntax::SyntaxRules;
+use super::task::TaskRules;
 use super::text::TextRules;
 use crate::Choices;
 use crate::dialects::operations;
-pub(crate) use crate::dialects::{Memory, ModalMemory};
+pub(crate) use crate::dialects::{ControlMemory, Memory, ModalMemory};
 
 /// Every operation that a dialect may replace.
 pub(crate) trait Dialect:
     ArcRules
+    + ConditionRules
+    + ControlRules
     + CycleRules
     + EvaluationRules
     + FeedRules
+    + LoopRules
     + MachinePositionRules
     + MessageRules
+    + ModesRules
     + MotionRules
+    + NumberedRules
+    + OffsetRules
     + OrderRules
+    + OrientRules
     + ParameterRules
     + PathRules
+    + ProgramEndRules
     + RestoreRules
     + SavedStateRules
+    + SpindleRules
+    + SubroutineRules
     + SyntaxRules
+    + TaskRules
     + TextRules
+    + ThreadRules
+    + ThreadingRules
     + ToolLengthRules
     + UnitsAndPlanesRules
     + Debug
@@ -57,19 +83,32 @@ pub(crate) trait Dialect:
 pub(crate) struct Documented;
 
 impl ArcRules for Documented {}
+impl ConditionRules for Documented {}
+impl ControlRules for Documented {}
 impl CycleRules for Documented {}
 impl EvaluationRules for Documented {}
 impl FeedRules for Documented {}
+impl LoopRules for Documented {}
 impl MachinePositionRules for Documented {}
 impl MessageRules for Documented {}
+impl ModesRules for Documented {}
 impl MotionRules for Documented {}
+impl NumberedRules for Documented {}
+impl OffsetRules for Documented {}
 impl OrderRules for Documented {}
+impl OrientRules for Documented {}
 impl ParameterRules for Documented {}
 impl PathRules for Documented {}
+impl ProgramEndRules for Documented {}
 impl RestoreRules for Documented {}
 impl SavedStateRules for Documented {}
+impl SpindleRules for Documented {}
+impl SubroutineRules for Documented {}
 impl SyntaxRules for Documented {}
+impl TaskRules for Documented {}
 impl TextRules for Documented {}
+impl ThreadRules for Documented {}
+impl ThreadingRules for Documented {}
 impl ToolLengthRules for Documented {}
 impl UnitsAndPlanesRules for Documented {}
 impl Dialect for Documented {}

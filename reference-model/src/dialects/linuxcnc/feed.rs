@@ -8,7 +8,7 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::feed::FeedRules;
 use crate::rs274::execute::probe::is_probing;
-use crate::rs274::quirks::settings::choose_by_feed_mode;
+use crate::rs274::execute::word;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
@@ -47,4 +47,16 @@ impl FeedRules for LinuxCnc {
             state.modes.memory.get_mut().feed_number = rate;
         }
     }
+}
+
+/// Quirk rs274.chosen-spindle. The codes of the feed mode choose a spindle, though $ be another code's; it is one that
+/// the machine has.
+fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let rule = quirk::rs274::CHOSEN_SPINDLE;
+    if state.shows(rule) {
+        let named = word(words, '$');
+        let named = named.map(|number| state.dialect().named_spindle(number, state, rule.into()));
+        state.memory.chosen_spindle = named.transpose()?.unwrap_or(0);
+    }
+    Ok(())
 }

@@ -1,12 +1,45 @@
 //! What LinuxCNC remembers and the documents do not need.
 
-use gaugeblock_vocabulary::LengthUnit;
+use std::collections::{BTreeMap, BTreeSet};
+
+use gaugeblock_vocabulary::{LengthUnit, Plane};
+
+use crate::rs274::control::Place;
+use crate::rs274::modes::Modes;
 
 /// What it remembers besides the modes: no save keeps it, and no restore brings it back.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memory {
     /// Quirk rs274.rest-of-restore-block: whether the rest of the block is dropped.
     pub(super) drops_rest: bool,
+    /// Quirk rs274.chosen-spindle: the spindle that cycles and synchronised moves follow without $.
+    pub(super) chosen_spindle: usize,
+    /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
+    pub(super) plane_before: Option<Plane>,
+    /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion, or before the first block; none
+    /// where that motion was in a sub.
+    pub(super) at_last_motion: Option<Box<Modes>>,
+    /// Quirk linuxcnc.modes-of-last-motion: whether anything has moved.
+    pub(super) has_moved: bool,
+}
+
+/// What it remembers with the control of a program, until another one begins.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ControlMemory {
+    /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
+    pub(super) shared_counters: BTreeMap<Place, u64>,
+    /// Quirk rs274.fanuc-changes-at-end: #1 to #30 of the main program at its last O-word call.
+    pub(super) at_last_call: [f64; 30],
+    /// Quirk rs274.continue-remembered: whether a do loop was continued since the last loop of another kind ended.
+    pub(super) continue_remembered: bool,
+    /// Quirk rs274.break-remembered: whether a while was broken since the last do loop tested its condition.
+    pub(super) break_remembered: bool,
+    /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
+    pub(super) has_called: bool,
+    /// Quirk rs274.sub-found-later: definitions of subs that were found behind their call.
+    pub(super) found_later: BTreeSet<Place>,
+    /// Quirk rs274.numbers-of-all-files: numbered programs that were called before, by number.
+    pub(super) numbers_called: BTreeMap<String, Place>,
 }
 
 /// What it remembers with the modes, and saves and restores with them.
@@ -22,26 +55,30 @@ pub(super) struct Remembered {
     pub(super) tool_offset_unit: LengthUnit,
     /// The length unit in which the tolerances of G64 were programmed.
     pub(super) tolerance_unit: LengthUnit,
+    /// Spindles whose brake a speed has released since they were stopped.
+    pub(super) brake_released: BTreeSet<usize>,
+    /// Spindles that the interpreter takes for stopped, however they turn.
+    pub(super) taken_for_stopped: BTreeSet<usize>,
 }
 
-impl Remembered {
-    /// Before the first block.
-    const AT_START: Self = Self {
-        feed_number: 0.0,
-        tool_offset_unit: LengthUnit::Millimetre,
-        tolerance_unit: LengthUnit::Millimetre,
-    };
-}
+/// The values before the first block.
+static AT_START: Remembered = Remembered {
+    feed_number: 0.0,
+    tool_offset_unit: LengthUnit::Millimetre,
+    tolerance_unit: LengthUnit::Millimetre,
+    brake_released: BTreeSet::new(),
+    taken_for_stopped: BTreeSet::new(),
+};
 
 impl ModalMemory {
     /// The values.
     pub(super) fn get(&self) -> &Remembered {
-        self.0.as_deref().unwrap_or(&Remembered::AT_START)
+        self.0.as_deref().unwrap_or(&AT_START)
     }
 
     /// The values, for changing them.
     pub(super) fn get_mut(&mut self) -> &mut Remembered {
-        self.0.get_or_insert_with(|| Box::new(Remembered::AT_START))
+        self.0.get_or_insert_with(|| Box::new(AT_START.clone()))
     }
 }
 

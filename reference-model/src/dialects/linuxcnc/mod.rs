@@ -4,23 +4,32 @@
 //! that makes the difference observable.
 
 mod arcs;
+mod control;
 mod cycles;
 mod evaluation;
 mod feed;
 mod memory;
 mod messages;
+mod modes;
 mod motion;
+mod offsets;
 mod order;
+mod orient;
 mod parameters;
 mod path;
 mod positions;
+mod program_end;
 mod restore;
 mod saved_state;
+mod skipping;
+mod spindle;
+mod task;
 mod text;
+mod threading;
 mod tool_length;
 mod units_planes;
 
-pub(crate) use memory::{Memory, ModalMemory};
+pub(crate) use memory::{ControlMemory, Memory, ModalMemory};
 
 use crate::Choices;
 use crate::ids::Quirk;

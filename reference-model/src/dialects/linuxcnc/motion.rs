@@ -1,14 +1,16 @@
 //! Quirks of moves.
 
-use gaugeblock_vocabulary::{FeedMode, Motion, Position};
+use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, Motion, Plane, Position};
 
 use super::{LinuxCnc, Shows};
 use crate::ids::quirk;
 use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::motion::MotionRules;
+use crate::rs274::execute::motion::{MotionRules, is_arc, is_spline, motion_of};
+use crate::rs274::execute::word;
 use crate::rs274::modes::each;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
@@ -24,6 +26,129 @@ impl MotionRules for LinuxCnc {
         feed_of_move(motion, end, state);
         Documented.move_straight(motion, end, words, state, record);
     }
+
+    /// Quirk rs274.nurbs-machine-coordinates. G53 can be in a block with G5.2. What it does there is not observable: no
+    /// spline of a point alone ends.
+    fn check_machine_coordinates(
+        &self,
+        motion: Motion,
+        words: &Words,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        if words.g.contains(&52) && state.shows(quirk::rs274::NURBS_MACHINE_COORDINATES) {
+            return Ok(());
+        }
+        Documented.check_machine_coordinates(motion, words, state)
+    }
+
+    /// Quirk rs274.machine-without-axes. G53 needs no axis word where G0 or G1 is in its block.
+    fn names_machine_point(&self, words: &Words, state: &State) -> bool {
+        let programmed = words.g.iter().any(|code| [0, 10].contains(code));
+        programmed && state.shows(quirk::rs274::MACHINE_WITHOUT_AXES)
+            || Documented.names_machine_point(words, state)
+    }
+
+    /// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
+    fn check_machine_distance(&self, state: &mut State) -> Result<(), StepError> {
+        let rule = quirk::rs274::MACHINE_INCREMENTAL;
+        if state.modes.distance == Distance::Incremental && state.shows(rule) {
+            let message = "G53 in incremental distance mode";
+            return Err(refuse(rule, FaultKind::ModalConflict, message));
+        }
+        Documented.check_machine_distance(state)
+    }
+
+    /// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.
+    fn is_compensated(&self, state: &State) -> bool {
+        let none = state.modes.compensation_radius == 0.0;
+        !(none && state.shows(quirk::rs274::MACHINE_UNDER_ZERO_RADIUS))
+            && Documented.is_compensated(state)
+    }
+
+    /// Quirk rs274.inverse-time-zero-rate. Under inverse time F can be zero, with straight feeds, arcs, G5 and G5.1.
+    /// Quirk rs274.spline-per-revolution. Under G95 splines need no feed rate.
+    fn needs_feed_rate(&self, words: &Words, state: &State) -> bool {
+        let mode = state.modes.feed_mode;
+        let takes_no_time =
+            mode == FeedMode::InverseTime && state.shows(quirk::rs274::INVERSE_TIME_ZERO_RATE);
+        let spline = mode == FeedMode::PerRevolution
+            && motion_of(words, state).is_some_and(is_spline)
+            && state.shows(quirk::rs274::SPLINE_PER_REVOLUTION);
+        !takes_no_time && !spline && Documented.needs_feed_rate(words, state)
+    }
+
+    /// Quirk rs274.per-revolution-standing. Under feed per revolution straight feeds and arcs are refused while the
+    /// speed of the spindle is zero, whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
+    fn check_spindle_of_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        Documented.check_spindle_of_feed(words, state)?;
+        let rule = quirk::rs274::PER_REVOLUTION_STANDING;
+        let moves =
+            motion_of(words, state).is_some_and(|motion| motion == Motion::Feed || is_arc(motion));
+        let spindle = state.modes.spindles.get(state.memory.chosen_spindle);
+        let no_speed = spindle.is_some_and(|spindle| spindle.speed == 0.0);
+        let per_revolution = state.modes.feed_mode == FeedMode::PerRevolution;
+        if moves && no_speed && per_revolution && state.shows(rule) {
+            let message = "a feed per revolution, and no speed";
+            return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+        }
+        Ok(())
+    }
+
+    /// Quirk rs274.surface-speed-while-stopped. Nothing asks whether it does.
+    fn surface_speed_stands(&self, state: &State) -> bool {
+        !state.shows(quirk::rs274::SURFACE_SPEED_WHILE_STOPPED)
+            && Documented.surface_speed_stands(state)
+    }
+
+    /// Quirk rs274.machine-zero-sign. G53 computes the axes anew that it does not move.
+    fn keeps_unmoved_axes(&self, state: &State) -> bool {
+        !state.shows(quirk::rs274::MACHINE_ZERO_SIGN) && Documented.keeps_unmoved_axes(state)
+    }
+
+    /// Quirks rs274.polar-plane, rs274.polar-needs-angle and rs274.polar-to-origin.
+    fn check_polar(&self, words: &Words, state: &State) -> Result<(), StepError> {
+        polar_plane(state)?;
+        polar_angle(words, state)?;
+        Documented.check_polar(words, state)?;
+        polar_end(words, state)
+    }
+}
+
+/// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own
+/// block selects does not count.
+fn polar_plane(state: &State) -> Result<(), StepError> {
+    let rule = quirk::rs274::POLAR_PLANE;
+    let other = state.memory.plane_before.is_some_and(|plane| plane != Plane::Xy);
+    if other && state.shows(rule) {
+        let message = "polar words outside of the XY plane";
+        return Err(refuse(rule, FaultKind::ModalConflict, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode
+/// too.
+fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
+    let rule = quirk::rs274::POLAR_NEEDS_ANGLE;
+    let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
+    if at_origin && word(words, '^').is_none() && state.shows(rule) {
+        let message = "a distance without an angle, from the origin";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    Ok(())
+}
+
+/// Quirk rs274.polar-to-origin. Nor can an incremental polar move with an angle end there.
+fn polar_end(words: &Words, state: &State) -> Result<(), StepError> {
+    let rule = quirk::rs274::POLAR_TO_ORIGIN;
+    let (Some(more), Some(_)) = (word(words, '@'), word(words, '^')) else { return Ok(()) };
+    let distance = math::hypotenuse(state.position.x, state.position.y) + more;
+    let incremental = state.modes.distance == Distance::Incremental;
+    if incremental && distance == 0.0 && state.shows(rule) {
+        let message = "an incremental polar move to the origin";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    Ok(())
 }
 
 /// Quirk rs274.feed-name-inverse-time. Under inverse time a straight feed leaves its own feed rate: the length of its

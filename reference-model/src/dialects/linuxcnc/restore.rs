@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::path::path_under;
+use super::spindle::{choose, known_turn, set_released};
 use super::tool_length::tool_offset_as_programmed;
 use super::units_planes::retract_under_compensation;
 use super::{LinuxCnc, Shows};
@@ -16,7 +17,6 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::execute::restore::{RestoreRules, restored_turn, same};
 use crate::rs274::execute::tool_length::table_offset;
 use crate::rs274::modes::{Modes, Spindle, unit_size};
-use crate::rs274::quirks::settings::choose;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -128,6 +128,11 @@ impl RestoreRules for LinuxCnc {
     /// Quirk rs274.first-spindle-saved. Spindles after the first stay as they are.
     fn restore_spindles(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {
         if !SPINDLES.iter().any(|quirk| state.shows(*quirk)) {
+            for place in 0..saved.spindles.len() {
+                set_released(saved.memory.get().brake_released.contains(&place), place, state);
+            }
+            let taken = saved.memory.get().taken_for_stopped.clone();
+            state.modes.memory.get_mut().taken_for_stopped = taken;
             return Documented.restore_spindles(saved, state);
         }
         let first_only = state.shows(quirk::rs274::FIRST_SPINDLE_SAVED);
@@ -135,8 +140,17 @@ impl RestoreRules for LinuxCnc {
         if saved.spindles[0].mode != state.modes.spindles[0].mode {
             choose(0, state);
         }
-        for (place, saved) in saved.spindles.iter().enumerate().take(count) {
-            state.modes.spindles[place] = spindle(saved, &state.modes.spindles[place], state)?;
+        for place in 0..count {
+            let (turn, taken) = restored(place, saved, state);
+            let now = &state.modes.spindles[place];
+            let restored = spindle(&saved.spindles[place], now, state)?;
+            state.modes.spindles[place] = Spindle { turn, ..restored };
+            let all = &mut state.modes.memory.get_mut().taken_for_stopped;
+            if taken {
+                all.insert(place)
+            } else {
+                all.remove(&place)
+            };
         }
         Ok(())
     }
@@ -279,35 +293,27 @@ fn spindle(saved: &Spindle, now: &Spindle, state: &State) -> Result<Spindle, Ste
             ));
         }
     }
-    let (turn, taken_for_stopped) = restored(saved, now, state);
-    Ok(Spindle {
-        speed,
-        mode: saved.mode,
-        limit,
-        turn,
-        speed_override: now.speed_override,
-        brake_released: now.brake_released,
-        taken_for_stopped,
-    })
+    Ok(Spindle { speed, mode: saved.mode, limit, ..*now })
 }
 
 /// Quirk rs274.oriented-as-stopped. A spindle that has been oriented is taken for one that is stopped, which it was
 /// at the save. Quirk rs274.orient-forgets-turning. One that is taken for stopped is not stopped either. Returns how
 /// it turns, and whether it is taken for stopped.
-fn restored(saved: &Spindle, now: &Spindle, state: &State) -> (SpindleTurn, bool) {
+fn restored(place: usize, saved: &Modes, state: &State) -> (SpindleTurn, bool) {
     let as_stopped = state.shows(quirk::rs274::ORIENTED_AS_STOPPED);
-    let was_stopped = taken_turn(saved, state) == SpindleTurn::Stopped;
-    let oriented = now.turn == SpindleTurn::Oriented;
-    if was_stopped && (oriented && as_stopped || now.taken_for_stopped) {
-        return (now.turn, now.taken_for_stopped);
+    let was_stopped = taken_turn(place, saved, state) == SpindleTurn::Stopped;
+    let now = state.modes.spindles[place].turn;
+    let taken = state.modes.memory.get().taken_for_stopped.contains(&place);
+    if was_stopped && (now == SpindleTurn::Oriented && as_stopped || taken) {
+        return (now, taken);
     }
-    (restored_turn(saved.known_turn(), now.turn), false)
+    (restored_turn(known_turn(place, saved), now), false)
 }
 
 /// Quirk rs274.oriented-as-stopped. How a spindle is taken to turn.
-fn taken_turn(spindle: &Spindle, state: &State) -> SpindleTurn {
+fn taken_turn(place: usize, modes: &Modes, state: &State) -> SpindleTurn {
     let as_stopped = state.shows(quirk::rs274::ORIENTED_AS_STOPPED);
-    let turn = spindle.known_turn();
+    let turn = known_turn(place, modes);
     if turn == SpindleTurn::Oriented && as_stopped { SpindleTurn::Stopped } else { turn }
 }
 
@@ -347,7 +353,7 @@ fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control
     }
     let comes_on = |saved: Switch, now: Switch| saved == Switch::On && now == Switch::Off;
     let none = |modes: &Modes| modes.mist == Switch::Off && modes.flood == Switch::Off;
-    let turn = |modes: &Modes| taken_turn(&modes.spindles[0], state);
+    let turn = |modes: &Modes| taken_turn(0, modes, state);
     let earlier = turn(saved) != turn(now)
         || comes_on(saved.mist, now.mist)
         || comes_on(saved.flood, now.flood)

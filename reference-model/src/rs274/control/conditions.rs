@@ -3,13 +3,31 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{Control, Next, Open, Place, Structure, condition, o_word};
-use crate::ids::{Rule, choice, quirk, rule};
-use crate::rs274::quirks;
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword};
 
 const BRANCHES: &[Keyword] = &[Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
+
+/// What a controller may do otherwise with conditions.
+pub(crate) trait ConditionRules {
+    /// Rule control.first-true-only. After a true condition the others of the group are not evaluated.
+    fn skip_elseif(
+        &self,
+        control: &mut Control,
+        label: &str,
+        _values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        control.at_end(label, state)
+    }
+
+    /// Whether the labels of the text around a block are those of its call.
+    fn labels_are_of_call(&self, _state: &State) -> bool {
+        true
+    }
+}
 
 impl Control {
     /// Rule control.if. Its blocks are executed when the condition is true; else the next branch is tried.
@@ -45,11 +63,7 @@ impl Control {
         };
         if *taken {
             state.coverage.accepted(rule::control::FIRST_TRUE_ONLY);
-            if state.choices.quirk(quirk::rs274::LATER_CONDITIONS_EVALUATED) {
-                quirks::control::evaluate_later_condition(values, state)?;
-                return self.at_branch(label, state);
-            }
-            return self.at_end(label, state);
+            return state.dialect().skip_elseif(self, label, values, state);
         }
         let is_true = condition(rule::control::ELSEIF, values, state)?;
         if let Some(taken) = self.branch(label, Keyword::ElseIf, state)? {
@@ -118,7 +132,7 @@ impl Control {
                 ));
             }
         } else if defined.iter().any(|definition| definition.keyword == Keyword::If)
-            && !quirks::control::is_left_behind(state)
+            && state.dialect().labels_are_of_call(state)
         {
             let why = format!(
                 "the condition {} is in the text, but was not entered by its if",
@@ -131,13 +145,13 @@ impl Control {
     }
 
     /// Goes on at the endif.
-    fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
+    pub(crate) fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
     /// Goes on at the next branch.
-    fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
+    pub(crate) fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
@@ -157,7 +171,7 @@ impl Control {
             return Ok(());
         }
         let executed = state.choices.is(choice::control::SkippedDefinition::DoesNotCount);
-        if executed && !state.frame().has_met(label) && !quirks::control::is_left_behind(state) {
+        if executed && !state.frame().has_met(label) && state.dialect().labels_are_of_call(state) {
             let why = format!("{} has been defined in another call of its sub", o_word(label));
             return Err(StepError::Unspecified(why));
         }
@@ -222,7 +236,7 @@ impl Control {
     }
 
     /// The innermost condition or loop ends here.
-    pub(super) fn leave(
+    pub(crate) fn leave(
         &self,
         label: &str,
         kind: impl Fn(Structure) -> bool,

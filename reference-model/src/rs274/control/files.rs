@@ -106,7 +106,7 @@ impl Files {
     }
 
     /// The labels of a file.
-    pub(super) fn labels(&self, file: usize) -> &Labels {
+    pub(crate) fn labels(&self, file: usize) -> &Labels {
         &self.opened[file].labels
     }
 

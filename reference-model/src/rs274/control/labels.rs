@@ -12,7 +12,7 @@ use crate::rs274::syntax::{self, Expression, Keyword, Label};
 
 /// The labels of one file.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Labels {
+pub(crate) struct Labels {
     /// Every O-word, in the order of the text.
     marks: Vec<Mark>,
     /// The scope that begins at a line.
@@ -201,9 +201,9 @@ impl Labels {
         self.marks.iter().find(fits).map(|mark| mark.line)
     }
 
-    /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these
+    /// Line of the next block after `after` with this label and one of these
     /// keywords, whichever sub it stands in, before a numbered program begins.
-    pub(super) fn find_in_any_sub(
+    pub(crate) fn find_in_any_sub(
         &self,
         label: &str,
         keywords: &[Keyword],

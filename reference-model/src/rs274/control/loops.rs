@@ -6,9 +6,8 @@ use super::conditions::duplicate;
 use super::labels::Definition;
 use super::{Control, Next, Open, Structure, condition, o_word, single};
 use crate::ids::choice::control::{DoLabel, RepeatFraction};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::math;
-use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword};
@@ -21,8 +20,125 @@ fn is_do(structure: Structure) -> bool {
     structure == Structure::Do
 }
 
-fn is_repeat(structure: Structure) -> bool {
+pub(crate) fn is_repeat(structure: Structure) -> bool {
     matches!(structure, Structure::Repeat { .. })
+}
+
+/// What a controller may do otherwise with loops.
+pub(crate) trait LoopRules {
+    /// A while whose condition is false goes on after its endwhile.
+    fn leave_while(
+        &self,
+        control: &mut Control,
+        _label: &str,
+        end: u32,
+        _state: &mut State,
+    ) -> Next {
+        Next::At(control.line(end + 1))
+    }
+
+    /// Rule control.do-while. A do loop is executed again while its condition is true.
+    fn repeats_do(&self, _control: &mut Control, condition: bool) -> bool {
+        condition
+    }
+
+    /// A repeat begins, with all its turns.
+    fn begin_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        let turns = turns(values, state)?;
+        if turns == 0 {
+            control.never_entered(label, Structure::Repeat { turns_left: 0 }, state);
+            return state.dialect().skip_repeat(control, label, state);
+        }
+        control.enter(label, Structure::Repeat { turns_left: turns - 1 }, state);
+        Ok(Next::Following)
+    }
+
+    /// A turn of a repeat ends, which is the one that is open at this place.
+    ///
+    /// Rule control.repeat-recursion. The turns left belong to this invocation of the sub.
+    fn end_turn_of_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        place: usize,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        state.coverage.accepted(rule::control::REPEAT_RECURSION);
+        let open = &mut state.frame_mut().open[place];
+        let first = open.line;
+        if let Structure::Repeat { turns_left } = &mut open.structure
+            && *turns_left > 0
+        {
+            *turns_left -= 1;
+            return Ok(Next::At(control.line(first + 1)));
+        }
+        control.leave(label, is_repeat, state)?;
+        Ok(state.dialect().leave_repeat(control, first))
+    }
+
+    /// A repeat that has made all its turns goes on after its endrepeat.
+    fn leave_repeat(&self, _control: &mut Control, _first: u32) -> Next {
+        Next::Following
+    }
+
+    /// A repeat without a turn goes on after its endrepeat.
+    fn skip_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        let ends = &[Keyword::EndRepeat];
+        let line = control.end_of_skipped(label, ends, control.place.line, state)?;
+        Ok(Next::At(control.line(line + 1)))
+    }
+
+    /// A loop is broken, which was open with all that is within it.
+    ///
+    /// Rule control.break. It is left at once.
+    fn leave_by_break(
+        &self,
+        control: &mut Control,
+        left: Vec<Open>,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        let [Open { label, line: first, structure }, inner @ ..] = &left[..] else {
+            return Ok(Next::Following);
+        };
+        let line = control.end_of_skipped(label, &[structure.end()], *first, state)?;
+        control.ends_before(inner, line, state)?;
+        left.into_iter().for_each(|open| state.frame_mut().end(open));
+        state.coverage.accepted(rule::control::BREAK);
+        Ok(Next::At(control.line(line + 1)))
+    }
+
+    /// Rule control.continue. A do loop goes on at its while, which is on this line.
+    fn continue_do(
+        &self,
+        control: &mut Control,
+        _label: &str,
+        line: u32,
+        _state: &mut State,
+    ) -> Next {
+        Next::At(control.line(line))
+    }
+
+    /// Rule control.continue. A while goes on at its first line.
+    fn continue_while(
+        &self,
+        control: &mut Control,
+        _label: &str,
+        first: u32,
+        _state: &mut State,
+    ) -> Result<Next, StepError> {
+        Ok(Next::At(control.line(first)))
+    }
 }
 
 impl Control {
@@ -64,8 +180,7 @@ impl Control {
         state.coverage.accepted(rule::control::LOOP_AGAIN);
         let ends = &[Keyword::EndWhile];
         let line = self.end_of_skipped(label, ends, self.place.line, state)?;
-        quirks::control::while_ends(self, label, line, state);
-        Ok(Next::At(self.line(line + 1)))
+        Ok(state.dialect().leave_while(self, label, line, state))
     }
 
     /// Nothing says whose end a while is, or whether it is one, whose do is in the text and was not entered.
@@ -92,7 +207,7 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, StepError> {
         let again = condition(rule::control::DO_WHILE, values, state)?;
-        if !quirks::control::do_ends(self) && again {
+        if state.dialect().repeats_do(self, again) {
             return Ok(Next::At(self.line(first + 1)));
         }
         self.leave(label, is_do, state)?;
@@ -150,42 +265,17 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, StepError> {
         self.defined_once(label, rule::control::DUPLICATE_REPEAT, state)?;
-        if state.choices.quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
-            return quirks::control::shared_repeat(self, label, values, state);
-        }
-        let turns = turns(values, state)?;
-        if turns == 0 {
-            self.never_entered(label, Structure::Repeat { turns_left: 0 }, state);
-            return self.past_repeat(label, state);
-        }
-        self.enter(label, Structure::Repeat { turns_left: turns - 1 }, state);
-        Ok(Next::Following)
+        state.dialect().begin_repeat(self, label, values, state)
     }
 
-    /// Rule control.repeat-recursion. The turns left belong to this invocation of the sub.
+    /// An endrepeat refers to a repeat.
     pub(super) fn end_repeat(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let Some(place) = state.frame().find_open(label, is_repeat) else {
             let first = self.followed(label, Keyword::Repeat, state);
             let first = first.ok_or_else(|| self.unmatched(label, Keyword::Repeat, state))?;
             return Ok(Next::At(self.line(first)));
         };
-        let first = state.frame().open[place].line;
-        if state.choices.quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
-            self.leave(label, is_repeat, state)?;
-            return Ok(Next::At(self.line(first)));
-        }
-        state.coverage.accepted(rule::control::REPEAT_RECURSION);
-        match &mut state.frame_mut().open[place].structure {
-            Structure::Repeat { turns_left } if *turns_left > 0 => {
-                *turns_left -= 1;
-                Ok(Next::At(self.line(first + 1)))
-            }
-            Structure::Repeat { .. } | Structure::If { .. } | Structure::While | Structure::Do => {
-                self.leave(label, is_repeat, state)?;
-                let again = quirks::control::begins_again(self);
-                Ok(if again { Next::At(self.line(first)) } else { Next::Following })
-            }
-        }
+        state.dialect().end_turn_of_repeat(self, label, place, state)
     }
 
     /// A loop that makes no turn has ended with its first block.
@@ -221,25 +311,12 @@ impl Control {
             .iter()
             .any(|definition| definition.keyword == head && definition.line < self.place.line);
         let followed = state.choices.is(choice::control::EndedLabel::Followed);
-        if in_text && followed && !quirks::control::is_left_behind(state) {
+        if in_text && followed && state.dialect().labels_are_of_call(state) {
             let why = format!("the loop {} is in the text, but was not entered", o_word(label));
             return StepError::Unspecified(why);
         }
         let message = format!("{} is no open loop of this kind", o_word(label));
         refuse(rule::control::UNMATCHED_ENDWHILE, FaultKind::UnknownLabel, message)
-    }
-
-    /// Goes on after the endrepeat.
-    pub(crate) fn past_repeat(
-        &mut self,
-        label: &str,
-        state: &mut State,
-    ) -> Result<Next, StepError> {
-        if quirks::control::begins_again(self) {
-            return Ok(Next::At(self.place));
-        }
-        let line = self.end_of_skipped(label, &[Keyword::EndRepeat], self.place.line, state)?;
-        Ok(Next::At(self.line(line + 1)))
     }
 
     /// Rule control.break. It leaves the loop at once.
@@ -250,18 +327,7 @@ impl Control {
         if left.iter().any(|open| is_repeat(open.structure)) {
             state.coverage.accepted(rule::control::BREAK_IN_REPEAT);
         }
-        let ends = if structure == Structure::Do { Keyword::While } else { Keyword::EndWhile };
-        self.break_remembered |=
-            structure == Structure::While && state.choices.quirk(quirk::rs274::BREAK_REMEMBERED);
-        if structure == Structure::While && quirks::control::begins_again(self) {
-            state.frame_mut().open.truncate(place + 1);
-            return Ok(Next::At(self.line(first)));
-        }
-        let line = self.end_of_skipped(label, &[ends], first, state)?;
-        self.ends_before(&left[1..], line, state)?;
-        left.into_iter().for_each(|open| state.frame_mut().end(open));
-        state.coverage.accepted(rule::control::BREAK);
-        Ok(Next::At(self.line(line + 1)))
+        state.dialect().leave_by_break(self, left, state)
     }
 
     /// A break or continue stands in the loop that it names. One behind it is reached only where a condition that was
@@ -297,9 +363,6 @@ impl Control {
     ///
     /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is
     /// tested again.
-    ///
-    /// Quirk rs274.continue-seeks-end. In a while it looks for the end of the loop before that, so that it is refused
-    /// where there is none.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let ended = state.frame().ended_loops.get(label);
         let ended =
@@ -315,13 +378,9 @@ impl Control {
         state.coverage.accepted(rule::control::CONTINUE);
         if structure == Structure::Do {
             let line = self.end_of_skipped(label, &[Keyword::While], first, state)?;
-            quirks::control::do_continues(self, label, line, state);
-            return Ok(Next::At(self.line(line)));
+            return Ok(state.dialect().continue_do(self, label, line, state));
         }
-        if state.choices.quirk(quirk::rs274::CONTINUE_SEEKS_END) {
-            self.end_of_skipped(label, &[Keyword::EndWhile], self.place.line, state)?;
-        }
-        Ok(Next::At(self.line(first)))
+        state.dialect().continue_while(self, label, first, state)
     }
 
     /// The open loop with this label: its place among what is open, its kind, its first line.

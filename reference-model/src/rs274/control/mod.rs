@@ -24,21 +24,86 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::{End, FaultKind, Program};
 
+pub(crate) use conditions::ConditionRules;
 pub use files::{ENTRIES, Files, Place};
 pub use frame::{Call, Frame, Open, Structure, Style};
 pub(crate) use loops::turns;
+pub(crate) use loops::{LoopRules, is_repeat};
 pub(crate) use numbered::enabled;
-pub(crate) use subs::passed;
+pub(crate) use numbered::{NumberedRules, shared_frame};
+pub(crate) use subs::{SubroutineRules, clear_value, deeper, keep_value, passed};
 
+use super::dialect::ControlMemory;
 use super::evaluate::{self, Words};
 use super::parameters::Name;
-use super::quirks::{self, skipping::SearchTarget};
 use super::refusal::{StepError, refuse};
 use super::state::State;
 use super::syntax::{Block, Expression, Keyword, Label, OWord};
 use super::task::Record;
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::math;
+
+/// What is looked for by reading on in a file.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum SearchTarget<'a> {
+    /// The next branch or the end of a condition or loop.
+    Structure {
+        /// Its label.
+        label: &'a str,
+        /// What it may end with, or go on with.
+        ends: &'a [Keyword],
+    },
+    /// The endsub of the sub that is defined.
+    EndSub {
+        /// The label of that sub.
+        label: &'a str,
+    },
+    /// A sub that is called.
+    Called {
+        /// Its label.
+        label: &'a str,
+        /// The arguments that are passed to it.
+        arguments: &'a [f64],
+    },
+    /// A numbered program that is called.
+    Numbered {
+        /// Its number.
+        label: &'a str,
+    },
+}
+
+/// What a controller may do otherwise when it looks for a label.
+pub(crate) trait ControlRules {
+    /// The lines before the one that is looked for, which a search has found or not: they are passed over, and nothing
+    /// of them is refused.
+    fn pass_over(
+        &self,
+        _control: &mut Control,
+        _target: SearchTarget<'_>,
+        _end: Option<u32>,
+        _state: &mut State,
+    ) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Rule control.missing-end. Line of the next block after `after` in this sub that ends a condition or loop, or
+    /// goes on with it.
+    fn end_further_on(
+        &self,
+        control: &Control,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        control.find(label, keywords, after, state)
+    }
+
+    /// Whether a sub begins or ends between two lines whose number must be computed: nothing says then where it ends.
+    fn has_computed_subs(&self, control: &Control, after: u32, until: u32, _state: &State) -> bool {
+        control.files.labels(control.place.file).computed_between(after, until)
+    }
+}
 
 /// The main program among the files.
 pub const MAIN: usize = 0;
@@ -51,25 +116,13 @@ pub struct Control {
     /// The current block; where a fault is, when there is one.
     pub place: Place,
     /// The subs defined so far, by number or name: the block with the keyword `sub`.
-    subs: BTreeMap<String, Place>,
+    pub(crate) subs: BTreeMap<String, Place>,
     /// The block that defined each label first, by file, scope and label.
     defined: BTreeMap<(usize, usize, String), u32>,
     /// Numbered subprograms that were called before.
     called: BTreeSet<Place>,
-    /// Definitions of subs that were found behind their call.
-    found_later: BTreeSet<Place>,
-    /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
-    pub(crate) shared_counters: BTreeMap<Place, u64>,
-    /// Quirk rs274.fanuc-changes-at-end: #1 to #30 of the main program at its last O-word call.
-    pub(crate) at_last_call: [f64; 30],
-    /// Quirk rs274.continue-remembered: whether a do loop was continued since the last loop of another kind ended.
-    pub(crate) continue_remembered: bool,
-    /// Quirk rs274.break-remembered: whether a while was broken since the last do loop tested its condition.
-    pub(crate) break_remembered: bool,
-    /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
-    pub(crate) has_called: bool,
-    /// Quirk rs274.numbers-of-all-files: numbered programs that were called before, by number.
-    pub(crate) numbers_called: BTreeMap<String, Place>,
+    /// What the dialect remembers; nothing by the documents.
+    pub(crate) memory: ControlMemory,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
     /// Whether what is executed was entered by hand, after the program that defined the subs of the main file.
@@ -98,13 +151,7 @@ impl Control {
             subs: BTreeMap::new(),
             defined: BTreeMap::new(),
             called: BTreeSet::new(),
-            found_later: BTreeSet::new(),
-            shared_counters: BTreeMap::new(),
-            at_last_call: [0.0; 30],
-            continue_remembered: false,
-            break_remembered: false,
-            has_called: false,
-            numbers_called: BTreeMap::new(),
+            memory: ControlMemory::default(),
             begun: false,
             program_is_over: false,
         }
@@ -170,9 +217,9 @@ impl Control {
     ) -> Result<Next, StepError> {
         let values = &word.arguments;
         match word.keyword {
-            Keyword::Sub => self.sub(label, state),
+            Keyword::Sub => state.dialect().define_sub(self, label, state),
             Keyword::EndSub => self.end_sub(label, values, state, record),
-            Keyword::Return => self.return_(label, values, state, record),
+            Keyword::Return => state.dialect().return_from(self, label, values, state, record),
             Keyword::Call => self.call(label, word, state),
             Keyword::ProgramNumber => self.program_number(state),
             Keyword::If => self.if_(label, values, state),
@@ -212,7 +259,7 @@ impl Control {
     }
 
     /// A line of the current file.
-    fn line(&self, line: u32) -> Place {
+    pub(crate) fn line(&self, line: u32) -> Place {
         Place { file: self.place.file, line }
     }
 
@@ -220,21 +267,17 @@ impl Control {
     ///
     /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says. Nor does
     /// anything say when the number of a sub or endsub is computed that is skipped.
-    fn end_of_skipped(
+    pub(crate) fn end_of_skipped(
         &mut self,
         label: &str,
         keywords: &[Keyword],
         after: u32,
         state: &mut State,
     ) -> Result<u32, StepError> {
-        let any_sub = state.choices.quirk(quirk::rs274::ENDS_IN_OTHER_SUBS);
-        let end = if any_sub {
-            self.files.labels(self.place.file).find_in_any_sub(label, keywords, after, state)
-        } else {
-            self.find(label, keywords, after, state)
-        };
+        let dialect = state.dialect();
+        let end = dialect.end_further_on(self, label, keywords, after, state);
         let target = SearchTarget::Structure { label, ends: keywords };
-        quirks::skipping::pass_over(self, target, end, state)?;
+        dialect.pass_over(self, target, end, state)?;
         let labels = self.files.labels(self.place.file);
         if end.is_none() && labels.ends_in_program(label, keywords, after, state) {
             let why =
@@ -246,7 +289,7 @@ impl Control {
             return Err(StepError::Unspecified(why));
         }
         let until = end.or((state.call_level() == 0).then_some(u32::MAX)).unwrap_or_default();
-        if !any_sub && labels.computed_between(after, until) {
+        if dialect.has_computed_subs(self, after, until, state) {
             let why = "where a sub ends that is skipped, with a number that must be computed";
             return Err(StepError::Unspecified(why.to_owned()));
         }
@@ -285,7 +328,7 @@ pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepE
 }
 
 /// A label as it is written, for messages: `o100`, `o<cave>`.
-fn o_word(label: &str) -> String {
+pub(crate) fn o_word(label: &str) -> String {
     if label.parse::<i64>().is_ok() { format!("o{label}") } else { format!("o<{label}>") }
 }
 

@@ -4,14 +4,84 @@ use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::loops::saturated;
 use super::subs::{clear_value, deeper};
-use super::{Call, Control, Frame, MAIN, Next, Place, Style, o_word};
-use crate::ids::{choice, quirk, rule};
+use super::{Call, Control, Frame, MAIN, Next, Place, SearchTarget, Style, o_word};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::saved_state;
-use crate::rs274::quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
+
+/// What a controller may do otherwise with numbered programs.
+pub(crate) trait NumberedRules {
+    /// Rule fanuc-subs.repeat-count. How often L of M98 calls: a whole number of times.
+    fn turns_of_call(&self, programmed: f64, _state: &State) -> Result<u64, StepError> {
+        Ok(saturated(counted(programmed, "L of M98")?))
+    }
+
+    /// Rule fanuc-subs.zero-count. With L0 nothing is called.
+    fn call_no_times(
+        &self,
+        _control: &mut Control,
+        _label: String,
+        _first: Place,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
+        Ok(Next::Following)
+    }
+
+    /// Rule fanuc-subs.no-return-value. A call by M98 has no value.
+    ///
+    /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
+    fn clear_value_at_numbered_call(&self, state: &mut State) {
+        if state.choices.is(choice::fanuc_subs::ValueAfterCall::Cleared) {
+            clear_value(state);
+        }
+    }
+
+    /// The first block of a numbered subprogram that this file has once.
+    ///
+    /// Rule fanuc-subs.sub-follows. It is later in the file than its call.
+    ///
+    /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
+    fn number_of_call(
+        &self,
+        control: &Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Place, StepError> {
+        let begins = control.files.labels(control.place.file).numbers(label);
+        let later = begins.partition_point(|line| *line <= control.place.line);
+        if let Some(line) = begins.get(later) {
+            state.coverage.accepted(rule::fanuc_subs::SUB_FOLLOWS);
+            return Ok(control.line(line + 1));
+        }
+        if let Some(line) = begins.last() {
+            let first = control.line(line + 1);
+            let known = control.called.contains(&first);
+            if known && state.choices.is(choice::fanuc_subs::CallItself::Allowed) {
+                return Ok(first);
+            }
+            let message = format!("the subprogram {label} stands before its call");
+            return Err(refuse(rule::fanuc_subs::SUB_FOLLOWS, FaultKind::UnknownSub, message));
+        }
+        let message = format!("the file defines no subprogram {label}");
+        Err(refuse(rule::fanuc_subs::UNKNOWN_NUMBER, FaultKind::UnknownSub, message))
+    }
+
+    /// A turn of a numbered subprogram ends.
+    fn end_turn_of_numbered(
+        &self,
+        control: &Control,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        saved_state::restore_at_return(state, record)?;
+        control.share_back(state);
+        Ok(())
+    }
+}
 
 impl Control {
     /// Rule fanuc-subs.main-number. A block with a number alone may begin the main program; a comment after it has no
@@ -70,32 +140,27 @@ impl Control {
             return Err(refuse(rule::fanuc_subs::NUMBER_MISSING, FaultKind::MissingWord, message));
         };
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
-        quirks::control::count_too_large(turns, state)?;
+        let turns = state.dialect().turns_of_call(turns, state)?;
         // It may lie beyond what an integer of the machine holds.
         let label = format!("{:.0}", counted(*number, "P of M98")?);
-        let turns = saturated(counted(turns, "L of M98")?);
-        let none = turns == 0 && !state.choices.quirk(quirk::rs274::FANUC_ZERO_LOOPS);
         let back = Place { line: self.place.line + 1, ..self.place };
         let free = turns == 0 && state.choices.is(choice::fanuc_subs::ZeroCountUnknown::Accepted);
         if turns > 0 {
-            quirks::skipping::to_numbered(self, &label, state)?;
+            let target = SearchTarget::Numbered { label: &label };
+            state.dialect().pass_over(self, target, None, state)?;
         }
         let first = match self.numbered_program(&label, state) {
             Err(_) if free => back,
             first => first?,
         };
-        if none {
-            state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
-            return Ok(Next::Following);
+        if turns == 0 {
+            return state.dialect().call_no_times(self, label, first, state);
         }
         deeper(rule::fanuc_subs::LEVEL_LIMIT, state)?;
-        self.value_after_call(state);
-        let style = Style::Numbered { first, turns_left: turns.saturating_sub(1) };
-        let frame = shared_frame(Call { label: label.clone(), back, style }, state);
-        if turns == 0 {
-            state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
-            return Ok(quirks::control::level_left_behind(self, frame, state));
-        }
+        state.coverage.accepted(rule::fanuc_subs::NO_RETURN_VALUE);
+        state.dialect().clear_value_at_numbered_call(state);
+        let style = Style::Numbered { first, turns_left: turns - 1 };
+        let frame = shared_frame(Call { label, back, style }, state);
         let nested = state.call_level() > 0;
         state.coverage.accepted(if nested {
             rule::fanuc_subs::NESTED
@@ -104,31 +169,14 @@ impl Control {
         });
         state.coverage.accepted(rule::fanuc_subs::REPEAT_COUNT);
         self.called.insert(first);
-        self.numbers_called.insert(label, first);
-        self.has_called = true;
-        state.frames.push(frame);
-        Ok(Next::At(first))
-    }
-
-    /// Rule fanuc-subs.no-return-value. A call by M98 has none.
-    ///
-    /// Choice fanuc-subs.value-after-call: whether it clears the value of an earlier call.
-    fn value_after_call(&self, state: &mut State) {
-        state.coverage.accepted(rule::fanuc_subs::NO_RETURN_VALUE);
-        let at_return = state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN);
-        if state.choices.is(choice::fanuc_subs::ValueAfterCall::Cleared) && !at_return {
-            clear_value(state);
-        }
+        Ok(state.dialect().enter_call(self, frame, first, state))
     }
 
     /// The first block of a numbered subprogram.
     ///
-    /// Rule fanuc-subs.sub-follows. It stands later in the file than its call.
-    ///
     /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program
     /// cannot take its number.
     ///
-    /// Choice fanuc-subs.call-itself: whether it is enough that it follows an earlier call.
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, StepError> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
@@ -158,25 +206,7 @@ impl Control {
             let why = format!("which one M98 calls where the number {label} stands several times");
             return Err(StepError::Unspecified(why));
         }
-        if let Some(first) = quirks::control::known_number(self, label, state) {
-            return Ok(first);
-        }
-        let later = begins.partition_point(|line| *line <= self.place.line);
-        if let Some(line) = begins.get(later) {
-            state.coverage.accepted(rule::fanuc_subs::SUB_FOLLOWS);
-            return Ok(self.line(line + 1));
-        }
-        if let Some(line) = begins.last() {
-            let first = self.line(line + 1);
-            let known = self.called.contains(&first);
-            if known && state.choices.is(choice::fanuc_subs::CallItself::Allowed) {
-                return Ok(first);
-            }
-            let message = format!("the subprogram {label} stands before its call");
-            return Err(refuse(rule::fanuc_subs::SUB_FOLLOWS, FaultKind::UnknownSub, message));
-        }
-        let message = format!("the file defines no subprogram {label}");
-        Err(refuse(rule::fanuc_subs::UNKNOWN_NUMBER, FaultKind::UnknownSub, message))
+        state.dialect().number_of_call(self, label, state)
     }
 
     /// M99: the end of a numbered subprogram.
@@ -194,11 +224,7 @@ impl Control {
             let message = format!("{} ends with endsub", o_word(&call.label));
             return Err(refuse(rule::fanuc_subs::MIXED_M99, FaultKind::MixedStyles, message));
         };
-        saved_state::restore_at_return(state, record)?;
-        if state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
-            clear_value(state);
-        }
-        self.share_back(state);
+        state.dialect().end_turn_of_numbered(self, state, record)?;
         if turns_left == 0 {
             return Ok(Next::At(call.back));
         }
@@ -210,7 +236,7 @@ impl Control {
 
     /// Rule fanuc-subs.shared-parameters. What a subprogram changed stays for its caller; of local named parameters
     /// that is a choice (fanuc-subs.named-locals).
-    fn share_back(&self, state: &mut State) {
+    pub(crate) fn share_back(&self, state: &mut State) {
         let left = state.frames.pop().expect("control: only a called frame is left");
         let shared = state.choices.is(choice::fanuc_subs::NamedLocals::Shared);
         let caller = state.frame_mut();
@@ -233,7 +259,7 @@ pub(crate) fn enabled(state: &mut State) -> Result<(), StepError> {
 
 /// Rule fanuc-subs.shared-parameters. A subprogram works on its caller's #1 to #30.
 /// Rule fanuc-subs.named-locals. Whether it sees the caller's local named parameters is a choice.
-fn shared_frame(call: Call, state: &mut State) -> Frame {
+pub(crate) fn shared_frame(call: Call, state: &mut State) -> Frame {
     state.coverage.accepted(rule::fanuc_subs::SHARED_PARAMETERS);
     state.coverage.accepted(rule::fanuc_subs::NAMED_LOCALS);
     let shared = state.choices.is(choice::fanuc_subs::NamedLocals::Shared);
@@ -243,7 +269,7 @@ fn shared_frame(call: Call, state: &mut State) -> Frame {
 }
 
 /// A number of a program, or a count of turns: the documents say nothing of others than whole ones.
-fn counted(number: f64, what: &str) -> Result<f64, StepError> {
+pub(crate) fn counted(number: f64, what: &str) -> Result<f64, StepError> {
     let whole = number.round() + 0.0;
     if (number - whole).abs() > 0.0001 || whole < 0.0 {
         return Err(StepError::Unspecified(format!("{what} is {number}")));

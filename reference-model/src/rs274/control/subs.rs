@@ -2,11 +2,9 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::{Call, Control, Frame, MAIN, Next, Place, Style, evaluated, o_word};
-use crate::ids::{Rule, choice, quirk, rule};
+use super::{Call, Control, Frame, MAIN, Next, Place, SearchTarget, Style, evaluated, o_word};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::execute::saved_state;
-use crate::rs274::quirks;
-use crate::rs274::quirks::skipping::SearchTarget;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Expression, Keyword, OWord};
@@ -18,22 +16,15 @@ const LEVELS: u32 = 10;
 /// How many arguments a call takes.
 const ARGUMENTS: usize = 30;
 
-impl Control {
-    /// Rule subroutines.body-skipped. The blocks of a sub are not executed where they are defined.
-    ///
+/// What a controller may do otherwise with subroutines.
+pub(crate) trait SubroutineRules {
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
-    pub(super) fn sub(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
-        if quirks::control::is_head_within(self, state) {
-            return Ok(Next::Following);
-        }
-        if quirks::control::is_reached_again(self.subs.get(label), self.place, state) {
-            let message = format!("{} is known already", o_word(label));
-            return Err(refuse(quirk::rs274::SUB_REACHED_AGAIN, FaultKind::BadBlock, message));
-        }
-        if self.found_later.contains(&self.place) {
-            let message = format!("{} was found by a call before it", o_word(label));
-            return Err(refuse(quirk::rs274::SUB_FOUND_LATER, FaultKind::BadBlock, message));
-        }
+    fn define_sub(
+        &self,
+        control: &mut Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
         if state.call_level() > 0 {
             let message = format!("{} is defined inside another sub", o_word(label));
             return Err(refuse(
@@ -42,17 +33,145 @@ impl Control {
                 message,
             ));
         }
-        if self.subs.get(label).is_some_and(|known| *known != self.place) {
+        if control.subs.get(label).is_some_and(|known| *known != control.place) {
             let message = format!("there is a sub {} already", o_word(label));
             return Err(refuse(rule::subroutines::UNIQUE_NAME, FaultKind::DuplicateSub, message));
         }
-        let end = self.define(label, self.place, state)?;
-        if state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) {
-            quirks::control::value_at_definition(self, end, state)?;
-        }
-        state.coverage.accepted(rule::subroutines::BODY_SKIPPED);
+        let end = control.define(label, control.place, state)?;
+        let next = state.dialect().skip_body(control, end, state)?;
         state.coverage.accepted(rule::subroutines::UNIQUE_NAME);
-        Ok(Next::At(Place { line: end + 1, ..self.place }))
+        Ok(next)
+    }
+
+    /// Rule subroutines.body-skipped. The blocks of a sub are not executed where they are defined: the one behind its
+    /// endsub is next.
+    fn skip_body(
+        &self,
+        control: &mut Control,
+        end: u32,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        state.coverage.accepted(rule::subroutines::BODY_SKIPPED);
+        Ok(Next::At(Place { line: end + 1, ..control.place }))
+    }
+
+    /// Whether an endsub with this label ends the sub: one with the sub's own.
+    fn ends_sub(&self, own: &str, label: &str, _state: &State) -> bool {
+        own == label
+    }
+
+    /// Rule subroutines.return. It goes back to the caller at once, as endsub does.
+    ///
+    /// Rule subroutines.return-label, a choice: whether it must carry the number of its sub.
+    fn return_from(
+        &self,
+        _control: &mut Control,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, StepError> {
+        let own = called_label(rule::subroutines::STRAY_RETURN, state)?;
+        if own != label && state.choices.is(choice::subroutines::ReturnLabel::Own) {
+            let message =
+                format!("a return from {} carries the number {}", o_word(&own), o_word(label));
+            return Err(refuse(rule::subroutines::RETURN_LABEL, FaultKind::UnknownLabel, message));
+        }
+        if own != label {
+            state.coverage.accepted(rule::subroutines::RETURN_LABEL);
+        }
+        state.coverage.accepted(rule::subroutines::RETURN);
+        if !state.frame().open.is_empty() {
+            state.coverage.accepted(rule::subroutines::RETURN_IN_CONTROL);
+        }
+        leave_sub(values, state, record)
+    }
+
+    /// Rule subroutines.value-cleared. Both value parameters are cleared just before a call.
+    fn clear_value_at_call(&self, state: &mut State) {
+        clear_value(state);
+        state.coverage.accepted(rule::subroutines::VALUE_CLEARED);
+    }
+
+    /// A call begins: its first block is next.
+    fn enter_call(
+        &self,
+        _control: &mut Control,
+        frame: Frame,
+        first: Place,
+        state: &mut State,
+    ) -> Next {
+        state.frames.push(frame);
+        Next::At(first)
+    }
+
+    /// The sub of a call that nothing before it defines, and no file.
+    ///
+    /// Rule subroutines.defined-before-call. One that the program defines further on is refused.
+    ///
+    /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
+    ///
+    /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
+    fn sub_behind_call(
+        &self,
+        control: &mut Control,
+        label: &str,
+        arguments: &[f64],
+        state: &mut State,
+    ) -> Result<Place, StepError> {
+        let (later, number) = control.further_on(label);
+        let target = SearchTarget::Called { label, arguments };
+        if control.is_numbered(label) {
+            state.dialect().pass_over(control, target, number, state)?;
+            let message = format!("{} is a numbered program: it is called by M98", o_word(label));
+            let rule = rule::fanuc_subs::MIXED_O_CALL;
+            return Err(refuse(rule, FaultKind::MixedStyles, message));
+        }
+        state.dialect().pass_over(control, target, later, state)?;
+        if later.is_some() {
+            let message = format!("{} is called before its definition", o_word(label));
+            let rule = rule::subroutines::DEFINED_BEFORE_CALL;
+            return Err(refuse(rule, FaultKind::UnknownSub, message));
+        }
+        state.coverage.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
+            rule::subroutines::FILE_NUMBERED
+        } else {
+            rule::subroutines::FILE_CALL
+        });
+        if control.files.has_elsewhere(&format!("{label}.ngc")) {
+            state.coverage.refused(rule::subroutines::FILE_FOLDER);
+        }
+        let message = format!("neither the program nor a file defines {}", o_word(label));
+        Err(refuse(rule::subroutines::UNKNOWN_SUB, FaultKind::UnknownSub, message))
+    }
+
+    /// Rule subroutines.file-one-sub. Whether the file of a sub can define others.
+    fn allows_other_subs(&self, _state: &State) -> bool {
+        false
+    }
+
+    /// Rule subroutines.unpassed-arguments. #1 to #30 where none is passed: the caller's.
+    fn unpassed_arguments(&self, state: &State) -> [f64; 30] {
+        state.frame().arguments
+    }
+
+    /// Rules subroutines.level-limit, fanuc-subs.level-limit: how many calls can be nested.
+    fn most_levels(&self, _state: &State) -> u32 {
+        LEVELS
+    }
+}
+
+impl Control {
+    /// The sub and the numbered program with this label that are further on in this file: the line of each.
+    pub(crate) fn further_on(&self, label: &str) -> (Option<u32>, Option<u32>) {
+        let labels = self.files.labels(self.place.file);
+        let behind = |lines: &[u32]| lines.iter().copied().find(|line| *line > self.place.line);
+        (behind(labels.subs(label)), behind(labels.numbers(label)))
+    }
+
+    /// Whether this file has a numbered program with this label.
+    pub(crate) fn is_numbered(&self, label: &str) -> bool {
+        !self.files.labels(self.place.file).numbers(label).is_empty()
     }
 
     /// Takes up a definition; the line of its endsub.
@@ -62,7 +181,7 @@ impl Control {
     /// Rule subroutines.nested-definition. Its body cannot contain another sub.
     fn define(&mut self, label: &str, place: Place, state: &mut State) -> Result<u32, StepError> {
         let end = self.files.labels_mut(place.file).end_of_defined(label, place.line, state);
-        quirks::skipping::pass_over(self, SearchTarget::EndSub { label }, end, state)?;
+        state.dialect().pass_over(self, SearchTarget::EndSub { label }, end, state)?;
         let labels = self.files.labels(place.file);
         let in_loop = state.frame().open.iter().any(|open| open.structure.head() != Keyword::If);
         let until = end.map_or(u32::MAX, |end| end + 1);
@@ -92,8 +211,6 @@ impl Control {
     ///
     /// Rules subroutines.stray-endsub, subroutines.missing-endsub: it ends the sub that is being executed, and
     /// carries its number.
-    ///
-    /// Quirk rs274.any-endsub: it ends that sub whatever its number.
     pub(super) fn end_sub(
         &mut self,
         label: &str,
@@ -102,43 +219,13 @@ impl Control {
         record: &mut Record,
     ) -> Result<Next, StepError> {
         let own = called_label(rule::subroutines::STRAY_ENDSUB, state)?;
-        if own != label && !state.choices.quirk(quirk::rs274::ANY_ENDSUB) {
+        if !state.dialect().ends_sub(&own, label, state) {
             let message = format!("{} sub cannot end with {} endsub", o_word(&own), o_word(label));
             return Err(refuse(
                 rule::subroutines::MISSING_ENDSUB,
                 FaultKind::UnknownLabel,
                 message,
             ));
-        }
-        leave_sub(values, state, record)
-    }
-
-    /// Rule subroutines.return. It goes back to the caller at once, as endsub does.
-    ///
-    /// Rule subroutines.return-label, a choice: whether it must carry the number of its sub.
-    pub(super) fn return_(
-        &mut self,
-        label: &str,
-        values: &[Expression],
-        state: &mut State,
-        record: &mut Record,
-    ) -> Result<Next, StepError> {
-        if quirks::control::returns_in_main(self, state) {
-            keep_value(values, state)?;
-            return Ok(Next::Following);
-        }
-        let own = called_label(rule::subroutines::STRAY_RETURN, state)?;
-        if own != label && state.choices.is(choice::subroutines::ReturnLabel::Own) {
-            let message =
-                format!("a return from {} carries the number {}", o_word(&own), o_word(label));
-            return Err(refuse(rule::subroutines::RETURN_LABEL, FaultKind::UnknownLabel, message));
-        }
-        if own != label {
-            state.coverage.accepted(rule::subroutines::RETURN_LABEL);
-        }
-        state.coverage.accepted(rule::subroutines::RETURN);
-        if !state.frame().open.is_empty() {
-            state.coverage.accepted(rule::subroutines::RETURN_IN_CONTROL);
         }
         leave_sub(values, state, record)
     }
@@ -153,10 +240,7 @@ impl Control {
         let arguments = arguments(&word.arguments, state)?;
         let sub = self.found(label, &arguments, state)?;
         deeper(rule::subroutines::LEVEL_LIMIT, state)?;
-        if !state.choices.quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
-            clear_value(state);
-            state.coverage.accepted(rule::subroutines::VALUE_CLEARED);
-        }
+        state.dialect().clear_value_at_call(state);
         if state.call_level() > 0 {
             let recursive = state.frames.iter().any(|frame| frame.is_called(label));
             let rule = if recursive {
@@ -168,25 +252,17 @@ impl Control {
         }
         state.coverage.accepted(rule::subroutines::CALL);
         state.coverage.accepted(rule::subroutines::CALL_LEVEL);
-        if state.call_level() == 0 {
-            self.at_last_call = state.frame().arguments;
-        }
         let back = Place { line: self.place.line + 1, ..self.place };
         let call = Call { label: label.to_owned(), back, style: Style::OWord };
         let frame =
             Frame { arguments: passed(&arguments, state), call: Some(call), ..Frame::default() };
-        self.has_called = true;
-        state.frames.push(frame);
-        Ok(Next::At(Place { line: sub.line + 1, ..sub }))
+        let first = Place { line: sub.line + 1, ..sub };
+        Ok(state.dialect().enter_call(self, frame, first, state))
     }
 
     /// The sub with this number or name: one of the program, else one in a file.
     ///
     /// Rule subroutines.defined-before-call. A sub of the program can be called only after its definition.
-    ///
-    /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
-    ///
-    /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
     ///
     /// Whether the subs of a program that has ended are still there for what is entered by hand no document says.
     fn found(
@@ -204,42 +280,10 @@ impl Control {
             state.coverage.accepted(rule::subroutines::UNKNOWN_SUB);
             return Ok(*sub);
         }
-        let labels = self.files.labels(self.place.file);
-        let is_numbered = !labels.numbers(label).is_empty();
-        let behind = |lines: &[u32]| lines.iter().copied().find(|line| *line > self.place.line);
-        let (later, number) = (behind(labels.subs(label)), behind(labels.numbers(label)));
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        let is_found_first = state.choices.quirk(quirk::rs274::SUB_FOUND_LATER)
-            && later.is_some_and(|sub| number.is_none_or(|number| sub < number));
-        if is_numbered && !is_found_first {
-            quirks::skipping::to_called(self, label, arguments, number, state)?;
-            let message = format!("{} is a numbered program: it is called by M98", o_word(label));
-            return Err(refuse(rule::fanuc_subs::MIXED_O_CALL, FaultKind::MixedStyles, message));
-        }
-        quirks::skipping::to_called(self, label, arguments, later, state)?;
-        if let Some(line) = later {
-            if state.choices.quirk(quirk::rs274::SUB_FOUND_LATER) {
-                let sub = Place { line, ..self.place };
-                self.subs.insert(label.to_owned(), sub);
-                self.found_later.insert(sub);
-                return Ok(sub);
-            }
-            let message = format!("{} is called before its definition", o_word(label));
-            let rule = rule::subroutines::DEFINED_BEFORE_CALL;
-            return Err(refuse(rule, FaultKind::UnknownSub, message));
-        }
-        state.coverage.refused(if label.starts_with(|first: char| first.is_ascii_digit()) {
-            rule::subroutines::FILE_NUMBERED
-        } else {
-            rule::subroutines::FILE_CALL
-        });
-        if self.files.has_elsewhere(&format!("{label}.ngc")) {
-            state.coverage.refused(rule::subroutines::FILE_FOLDER);
-        }
-        let message = format!("neither the program nor a file defines {}", o_word(label));
-        Err(refuse(rule::subroutines::UNKNOWN_SUB, FaultKind::UnknownSub, message))
+        state.dialect().sub_behind_call(self, label, arguments, state)
     }
 
     /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program
@@ -263,7 +307,7 @@ impl Control {
             return Err(refuse(rule::subroutines::FILE_CALL, FaultKind::UnknownSub, message));
         };
         let sub = Place { line: subs[own].0, ..first };
-        if subs.len() > 1 && !state.choices.quirk(quirk::rs274::FILE_WITH_TWO_SUBS) {
+        if subs.len() > 1 && !state.dialect().allows_other_subs(state) {
             if own == 0 {
                 self.body_of_file(label, sub, state)?;
             }
@@ -324,22 +368,14 @@ fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepE
 /// Rule subroutines.unpassed-arguments. From the first one not passed, #1 to #30 have the caller's values.
 pub(crate) fn passed(arguments: &[f64], state: &mut State) -> [f64; 30] {
     state.coverage.accepted(rule::subroutines::UNPASSED_ARGUMENTS);
-    let mut all = if state.choices.quirk(quirk::rs274::UNPASSED_ARGUMENTS_ZERO) {
-        [0.0; 30]
-    } else {
-        state.frame().arguments
-    };
+    let mut all = state.dialect().unpassed_arguments(state);
     all[..arguments.len()].copy_from_slice(arguments);
     all
 }
 
 /// Rules subroutines.level-limit, fanuc-subs.level-limit. Calls can be nested ten levels deep and no deeper.
-pub(super) fn deeper(rule: Rule, state: &mut State) -> Result<(), StepError> {
-    let levels = if state.choices.quirk(quirk::rs274::NINE_LEVELS) {
-        quirks::control::levels(LEVELS)
-    } else {
-        LEVELS
-    };
+pub(crate) fn deeper(rule: Rule, state: &mut State) -> Result<(), StepError> {
+    let levels = state.dialect().most_levels(state);
     if state.call_level() >= levels {
         let message = format!("calls can be nested {levels} levels deep");
         return Err(refuse(rule, FaultKind::TooManyLevels, message));
@@ -383,7 +419,7 @@ fn leave_sub(
 
 /// Rules subroutines.return-value, subroutines.no-return-value. The value is evaluated in the sub that ends; without
 /// one both value parameters are 0.
-fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError> {
+pub(crate) fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError> {
     match values {
         [] => {
             clear_value(state);
@@ -404,7 +440,7 @@ fn keep_value(values: &[Expression], state: &mut State) -> Result<(), StepError>
 }
 
 /// Rule subroutines.value-cleared. Both value parameters are cleared just before the next call.
-pub(super) fn clear_value(state: &mut State) {
+pub(crate) fn clear_value(state: &mut State) {
     state.parameters.returned = 0.0;
     state.parameters.has_returned = false;
 }

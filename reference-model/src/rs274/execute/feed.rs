@@ -4,7 +4,6 @@ use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion, Switch};
 
 use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;
-use super::spindle::number;
 use super::word;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
@@ -28,7 +27,7 @@ pub(crate) trait FeedRules {
         if mode == FeedMode::PerRevolution
             && let Some(spindle) = word(words, '$')
         {
-            number(spindle, state, rule::feed::PER_REVOLUTION_SPINDLE)?;
+            state.dialect().named_spindle(spindle, state, rule::feed::PER_REVOLUTION_SPINDLE)?;
             state.coverage.accepted(rule::feed::PER_REVOLUTION_SPINDLE);
         }
         state.coverage.accepted(rule);

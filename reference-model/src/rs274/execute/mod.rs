@@ -24,7 +24,7 @@ pub mod spindle;
 pub mod splines;
 pub mod stop;
 mod target;
-mod threading;
+pub(crate) mod threading;
 pub mod tool;
 pub mod tool_change;
 pub mod tool_length;

@@ -1,18 +1,16 @@
 //! G0, G1, G2, G3, G80, and axis words alone.
 
 use gaugeblock_vocabulary::{
-    Compensation, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
+    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
 };
 
 use super::arc;
 use super::target::{end_point, machine_end_point};
 use super::{cycles, probe, splines, threading, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
-use crate::rs274::quirks::motion::per_revolution;
-use crate::rs274::quirks::{motion as motion_quirks, settings as quirks, splines as spline_quirks};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -86,7 +84,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         });
     }
     if words.g.contains(&530) {
-        machine_coordinates_possible(motion, words, state)?;
+        state.dialect().check_machine_coordinates(motion, words, state)?;
     }
     if state.curve.open.is_some() && !is_spline(motion) {
         return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
@@ -109,7 +107,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         state.curve.continues = continues;
         splines::perform(motion, in_data_block, words, state, record)
     } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
-        threading::perform(motion, words, state, record)
+        state.dialect().move_synchronised(motion, words, state, record)
     } else if motion == Motion::Thread76 {
         threading::thread(words, state, record)
     } else if probe::is_probing(motion) {
@@ -170,6 +168,91 @@ pub(crate) trait MotionRules {
         };
         record.effect(state, effect);
     }
+
+    /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
+    /// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
+    fn check_machine_coordinates(
+        &self,
+        motion: Motion,
+        words: &Words,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        if !matches!(motion, Motion::Traverse | Motion::Feed) {
+            let rule = rule::offsets::MACHINE_NEEDS_MOTION;
+            return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
+        }
+        if !state.dialect().names_machine_point(words, state) {
+            let rule = rule::offsets::MACHINE_NEEDS_AXES;
+            return Err(refuse(rule, FaultKind::MissingWord, "G53 needs an axis word"));
+        }
+        if state.dialect().is_compensated(state) {
+            let rule = rule::offsets::MACHINE_UNDER_COMPENSATION;
+            let message = "G53 while cutter compensation is on";
+            return Err(refuse(rule, FaultKind::CompensationActive, message));
+        }
+        state.dialect().check_machine_distance(state)?;
+        if !words.g.iter().any(|code| [0, 10].contains(code)) {
+            state.coverage.accepted(rule::offsets::MACHINE_MOTION);
+        }
+        state.coverage.accepted(rule::offsets::MACHINE_COORDINATES);
+        state.coverage.accepted(rule::offsets::MACHINE_ONCE);
+        Ok(())
+    }
+
+    /// Rule offsets.machine-needs-axes. Whether a block names a point for G53: by its axis words.
+    fn names_machine_point(&self, words: &Words, _state: &State) -> bool {
+        has_axis_words(words)
+    }
+
+    /// Rule offsets.machine-incremental. In incremental distance mode too G53 goes to the absolute point.
+    fn check_machine_distance(&self, state: &mut State) -> Result<(), StepError> {
+        state.coverage.accepted(rule::offsets::MACHINE_INCREMENTAL);
+        Ok(())
+    }
+
+    /// Whether moves are compensated for the radius of the cutter.
+    fn is_compensated(&self, state: &State) -> bool {
+        state.modes.compensation != Compensation::Off
+    }
+
+    /// Whether a block that feeds needs a feed rate: each does.
+    fn needs_feed_rate(&self, _words: &Words, _state: &State) -> bool {
+        true
+    }
+
+    /// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
+    fn check_spindle_of_feed(&self, _words: &Words, state: &mut State) -> Result<(), StepError> {
+        let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
+        if state.dialect().surface_speed_stands(state) {
+            let message = "a feed move under constant surface speed while the spindle stands";
+            return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+        }
+        state.coverage.accepted(rule);
+        Ok(())
+    }
+
+    /// Whether a spindle under constant surface speed does not turn.
+    fn surface_speed_stands(&self, state: &State) -> bool {
+        let surface = |mode| mode == SpindleMode::SurfaceSpeed;
+        let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
+        spindles.any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented))
+    }
+
+    /// Whether an axis that G53 does not move stays where it is to the last bit.
+    fn keeps_unmoved_axes(&self, _state: &State) -> bool {
+        true
+    }
+
+    /// Rule motion.polar-from-origin. An incremental polar move has no angle at the origin.
+    fn check_polar(&self, _words: &Words, state: &State) -> Result<(), StepError> {
+        let here = state.position;
+        let incremental = state.modes.distance == Distance::Incremental;
+        if incremental && here.x == 0.0 && here.y == 0.0 {
+            let message = "an incremental polar move from the origin, which has no angle";
+            return Err(refuse(rule::motion::POLAR_FROM_ORIGIN, FaultKind::AxisWords, message));
+        }
+        Ok(())
+    }
 }
 
 /// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
@@ -195,7 +278,7 @@ fn move_to(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
+    if state.dialect().is_compensated(state) {
         return Err(StepError::Unsupported("a move under cutter compensation".to_owned()));
     }
     if is_feed(motion) {
@@ -213,45 +296,10 @@ fn move_to(
     Ok(())
 }
 
-/// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
-/// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
-/// Rule offsets.machine-incremental. In incremental distance mode too it goes to the absolute point.
-fn machine_coordinates_possible(
-    motion: Motion,
-    words: &Words,
-    state: &mut State,
-) -> Result<(), StepError> {
-    if spline_quirks::takes_machine_coordinates(words, state) {
-        return Ok(());
-    }
-    if !matches!(motion, Motion::Traverse | Motion::Feed) {
-        let rule = rule::offsets::MACHINE_NEEDS_MOTION;
-        return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
-    }
-    if !has_axis_words(words) && !motion_quirks::machine_without_axes(words, state) {
-        let rule = rule::offsets::MACHINE_NEEDS_AXES;
-        return Err(refuse(rule, FaultKind::MissingWord, "G53 needs an axis word"));
-    }
-    if state.modes.compensation != Compensation::Off && !quirks::moves_as_without_radius(state) {
-        let rule = rule::offsets::MACHINE_UNDER_COMPENSATION;
-        let message = "G53 while cutter compensation is on";
-        return Err(refuse(rule, FaultKind::CompensationActive, message));
-    }
-    quirks::machine_incremental(state)?;
-    state.coverage.accepted(rule::offsets::MACHINE_INCREMENTAL);
-    if !words.g.iter().any(|code| [0, 10].contains(code)) {
-        state.coverage.accepted(rule::offsets::MACHINE_MOTION);
-    }
-    state.coverage.accepted(rule::offsets::MACHINE_COORDINATES);
-    state.coverage.accepted(rule::offsets::MACHINE_ONCE);
-    Ok(())
-}
-
 /// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
 /// was ignored (feed.inverse-time-stray-rate).
 /// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
 /// (feed.rate-after-mode-change).
-/// Rule spindle.surface-speed-while-stopped. Under constant surface speed the spindle must turn.
 /// Rule arcs.needs-feed-rate. All this holds for arcs too.
 pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.feed_mode == FeedMode::InverseTime {
@@ -266,9 +314,7 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Step
         }
         state.coverage.accepted(rule::feed::INVERSE_TIME_NEEDS_RATE);
     }
-    let needs_none =
-        motion_quirks::takes_no_time(state) || spline_quirks::needs_no_feed(words, state);
-    if state.modes.feed_rate == 0.0 && !needs_none {
+    if state.modes.feed_rate == 0.0 && state.dialect().needs_feed_rate(words, state) {
         if state.modes.feed_awaited {
             state.coverage.refused(rule::feed::RATE_AFTER_MODE_CHANGE);
         }
@@ -281,24 +327,7 @@ pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), Step
     state.coverage.accepted(rule::feed::MOVE_WITHOUT_RATE);
     state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
     state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
-    if surface_speed_stands(state) {
-        let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
-        let message = "a feed move under constant surface speed while the spindle stands";
-        return Err(refuse(rule, FaultKind::ZeroSpeed, message));
-    }
-    state.coverage.accepted(rule::spindle::SURFACE_SPEED_WHILE_STOPPED);
-    per_revolution(words, state)
-}
-
-/// Whether a spindle under constant surface speed does not turn.
-///
-/// Quirk rs274.surface-speed-while-stopped: nothing asks.
-pub(super) fn surface_speed_stands(state: &State) -> bool {
-    let surface = |mode| mode == SpindleMode::SurfaceSpeed;
-    let mut spindles = state.modes.spindles.iter().filter(|spindle| surface(spindle.mode));
-    let standing = spindles
-        .any(|spindle| matches!(spindle.turn, SpindleTurn::Stopped | SpindleTurn::Oriented));
-    standing && !state.choices.quirk(quirk::rs274::SURFACE_SPEED_WHILE_STOPPED)
+    state.dialect().check_spindle_of_feed(words, state)
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

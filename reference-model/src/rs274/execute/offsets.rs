@@ -9,10 +9,18 @@ use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, first_parameter};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::{motion as motion_quirks, settings as quirks};
+use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
+
+/// What a controller may do otherwise with offsets.
+pub(crate) trait OffsetRules {
+    /// Rule offsets.set-immediate. A system in force that G10 L2 has set, and can have turned, is read again.
+    fn reload_turned_system(&self, state: &mut State) {
+        reload(state);
+    }
+}
 
 /// Selects a coordinate system.
 ///
@@ -59,7 +67,7 @@ pub(crate) fn use_system(system: u32, state: &mut State) {
 }
 
 /// Reads the origin of the selected system again; the machine stays where it is.
-fn reload(state: &mut State) {
+pub(crate) fn reload(state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     let parameters = &state.parameters;
     state.modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
@@ -151,7 +159,7 @@ fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), 
         if calculated {
             reload(state);
         } else {
-            motion_quirks::turn_system(reload, state);
+            state.dialect().reload_turned_system(state);
         }
     } else {
         state.coverage.accepted(rule::offsets::SET_INACTIVE);

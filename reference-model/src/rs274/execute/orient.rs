@@ -3,60 +3,96 @@
 use gaugeblock_vocabulary::scenario::OrientAnswer;
 use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
 
-use super::spindle::{all, number};
+use super::spindle::all;
 use super::{pass, whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::environment::Orientation;
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::{Record, pins_are_current};
 
-/// Turns a spindle to an angle.
-///
-/// Rule orient.angle. R is the angle in degrees; the machine's offset is added to it (orient.offset).
-/// Rule orient.direction. P says which way: 0 the shortest, 1 clockwise, 2 counterclockwise; 0 when it is not given.
-/// Rule orient.wait. Q is how long the run waits for the spindle, in seconds.
-/// Rule orient.replaces-turning. M19 belongs to the group of M3, M4 and M5: it takes the place of the one in force.
-///
-/// # Errors
-/// Rules orient.needs-angle, orient.angle-range, orient.direction-range, orient.needs-timeout, orient.zero-timeout,
-/// orient.spindle-range, orient.timeout, orient.fault.
-pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    let spindles = spindles(words, state)?;
-    let angle = angle(words, state)?;
-    let direction = direction(words, state)?;
-    let timeout = timeout(words, state)?;
-    quirks::forget_turning(state);
-    if angle.is_some() {
-        for place in &spindles {
-            state.modes.spindles[*place].turn = SpindleTurn::Oriented;
-        }
+/// What a controller may do otherwise with M19.
+pub(crate) trait OrientRules {
+    /// Turns a spindle to an angle.
+    ///
+    /// Rule orient.angle. R is the angle in degrees; the machine's offset is added to it (orient.offset).
+    /// Rule orient.direction. P says which way: 0 the shortest, 1 clockwise, 2 counterclockwise; 0 when it is not
+    /// given. Rule orient.wait. Q is how long the run waits for the spindle, in seconds.
+    /// Rule orient.replaces-turning. M19 belongs to the group of M3, M4 and M5: it takes the place of the one in force.
+    fn orient(
+        &self,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        let spindles = spindles(words, state)?;
+        let angle = angle(words, state)?;
+        let direction = direction(words, state)?;
+        let timeout = timeout(words, state)?;
+        turn_to(&spindles, angle, direction, state, record);
+        pass(0.0, state);
+        wait_for(&spindles, timeout, state, record)
     }
-    for place in &spindles {
+
+    /// Rule orient.pins. The request is set. On its way a spindle is neither locked nor braked, however short the way
+    /// is.
+    fn request_orientation(&self, place: usize, state: &mut State) {
+        let Some(spindle) = index(place) else { return };
+        state.environment.set(Pin::SpindleLocked(spindle), 0.0);
+        state.environment.set(Pin::SpindleOrient(spindle), 1.0);
+        state.environment.begin_orientation(place);
+        brake(place, state);
+    }
+
+    /// Whether the brake of a spindle is applied: of one that is locked.
+    ///
+    /// Rule orient.brake-otherwise. Whether it is applied to any other spindle that stands is a choice.
+    fn applies_brake(&self, place: usize, locked: bool, state: &State) -> bool {
+        let stands = !turns(place, state) && state.environment.orientation(place).is_none();
+        locked || stands && state.choices.is(choice::orient::BrakeOtherwise::WhileStanding)
+    }
+}
+
+/// The spindles begin to turn to the angle.
+pub(crate) fn turn_to(
+    spindles: &[usize],
+    angle: f64,
+    direction: OrientDirection,
+    state: &mut State,
+    record: &mut Record,
+) {
+    for place in spindles {
+        state.modes.spindles[*place].turn = SpindleTurn::Oriented;
+    }
+    for place in spindles {
         // The machine has no more than 255 spindles.
         let Ok(spindle) = u8::try_from(*place) else { continue };
-        if let Some(angle) = angle {
-            state.coverage.accepted(rule::orient::REPLACES_TURNING);
-            begin(*place, angle, direction, state);
-            let spindle = u32::from(spindle);
-            record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
-        }
+        state.coverage.accepted(rule::orient::REPLACES_TURNING);
+        begin(*place, angle, direction, state);
+        let spindle = u32::from(spindle);
+        record.effect(state, Effect::OrientSpindle { spindle, angle, direction });
     }
-    pass(0.0, state);
-    let Some(timeout) = timeout else { return Ok(()) };
+}
+
+/// The run waits until each spindle is at its angle.
+pub(crate) fn wait_for(
+    spindles: &[usize],
+    timeout: f64,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     for place in spindles {
-        let Ok(spindle) = u32::try_from(place) else { continue };
+        let Ok(spindle) = u32::try_from(*place) else { continue };
         record.effect(state, Effect::WaitOrient { spindle, timeout });
-        wait(place, timeout, state, record)?;
+        wait(*place, timeout, state, record)?;
     }
     Ok(())
 }
 
 /// Rule orient.spindle. $ says whose pins carry the orientation.
 /// Choice orient.without-dollar: without $ it is the first spindle or every one.
-fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
+pub(crate) fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
     let Some(value) = word(words, '$') else {
         let rule = rule::orient::WITHOUT_DOLLAR;
         state.coverage.accepted(rule);
@@ -66,20 +102,16 @@ fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
             vec![0]
         });
     };
-    let place = number(value, state, rule::orient::SPINDLE_RANGE)?;
+    let place = state.dialect().named_spindle(value, state, rule::orient::SPINDLE_RANGE)?;
     state.coverage.accepted(rule::orient::SPINDLE_RANGE);
     state.coverage.accepted(rule::orient::SPINDLE);
     Ok(vec![place])
 }
 
 /// Rule orient.needs-angle. R is needed. Rule orient.angle-range. It is 0 to 360 degrees.
-/// Quirk rs274.orient-without-angle: without R the angle is zero if P is there, and else the spindle turns nowhere.
-fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+pub(crate) fn angle(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let offset = state.machine.orient_offset;
     let Some(angle) = word(words, 'r') else {
-        if state.choices.quirk(quirk::rs274::ORIENT_WITHOUT_ANGLE) {
-            return Ok(word(words, 'p').map(|_| offset));
-        }
         let rule = rule::orient::NEEDS_ANGLE;
         return Err(refuse(rule, FaultKind::MissingWord, "M19 needs R, the angle"));
     };
@@ -93,11 +125,11 @@ fn angle(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     if offset != 0.0 {
         state.coverage.accepted(rule::orient::OFFSET);
     }
-    Ok(Some(angle + offset))
+    Ok(angle + offset)
 }
 
 /// Rule orient.direction-range. P is 0, 1 or 2.
-fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepError> {
+pub(crate) fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepError> {
     let value = word(words, 'p').unwrap_or(0.0);
     let direction = match whole(value) {
         Some(0) => OrientDirection::Shortest,
@@ -115,12 +147,8 @@ fn direction(words: &Words, state: &mut State) -> Result<OrientDirection, StepEr
 }
 
 /// Rule orient.needs-timeout. Q is needed. Rule orient.zero-timeout. Whether it may be zero is a choice.
-/// Quirk rs274.orient-without-timeout: without Q the run does not wait.
-fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
+pub(crate) fn timeout(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let Some(seconds) = word(words, 'q') else {
-        if state.choices.quirk(quirk::rs274::ORIENT_WITHOUT_TIMEOUT) {
-            return Ok(None);
-        }
         let rule = rule::orient::NEEDS_TIMEOUT;
         return Err(refuse(rule, FaultKind::MissingWord, "M19 needs Q, the longest wait"));
     };
@@ -132,11 +160,10 @@ fn timeout(words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     if seconds == 0.0 {
         state.coverage.accepted(rule);
     }
-    Ok(Some(seconds))
+    Ok(seconds)
 }
 
-/// Rule orient.pins. The angle and the direction stand on their pins, and the request is set.
-/// Quirk linuxcnc.orient-while-locked: a spindle that is locked is not asked again.
+/// Rule orient.pins. The angle and the direction are on their pins, and the request is set.
 fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State) {
     let Some(spindle) = index(place) else { return };
     let direction = match direction {
@@ -147,15 +174,7 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
     state.environment.set(Pin::SpindleOrientAngle(spindle), angle);
     state.environment.set(Pin::SpindleOrientMode(spindle), direction);
     state.coverage.accepted(rule::orient::PINS);
-    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
-    if locked && state.choices.quirk(quirk::linuxcnc::ORIENT_WHILE_LOCKED) {
-        return;
-    }
-    // On its way it is neither locked nor braked, however short the way is.
-    state.environment.set(Pin::SpindleLocked(spindle), 0.0);
-    state.environment.set(Pin::SpindleOrient(spindle), 1.0);
-    state.environment.begin_orientation(place);
-    brake(place, state);
+    state.dialect().request_orientation(place, state);
 }
 
 /// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
@@ -218,18 +237,15 @@ fn turns(place: usize, state: &State) -> bool {
     matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
 }
 
-/// Rule orient.brake-otherwise. Whether the brake is applied to any other spindle that stands is a choice.
+/// The brake of a spindle is as it is now.
 fn brake(place: usize, state: &mut State) {
     brake_at(state.environment.time(), place, state);
 }
 
 fn brake_at(time: f64, place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
-    let stands = !turns(place, state) && state.environment.orientation(place).is_none();
     let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
-    let standing = state.choices.is(choice::orient::BrakeOtherwise::WhileStanding);
-    let released = state.modes.spindles[place].brake_released;
-    let applied = locked || stands && standing && !released;
+    let applied = state.dialect().applies_brake(place, locked, state);
     if locked {
         state.coverage.accepted(rule::orient::BRAKE_OTHERWISE);
     }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
-use super::spindle::{all, number};
+use super::spindle::all;
 use super::{whole, word};
 use crate::ids::{choice, quirk, rule};
 use crate::rs274::evaluate::Words;
@@ -120,7 +120,7 @@ fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepE
         return Ok(if every { all(state) } else { vec![0] });
     };
     quirks::override_dollar(value, state)?;
-    let place = number(value, state, rule::overrides::OUT_OF_RANGE)?;
+    let place = state.dialect().named_spindle(value, state, rule::overrides::OUT_OF_RANGE)?;
     state.coverage.accepted(rule::overrides::OUT_OF_RANGE);
     state.coverage.accepted(rule::overrides::SPEED_SELECTED);
     Ok(vec![place])

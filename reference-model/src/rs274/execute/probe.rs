@@ -142,7 +142,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
         return Err(refuse(rule::probe::ZERO_FEED, FaultKind::ZeroFeed, message));
     }
     if state.choices.is(choice::probe::StandingSpindle::Refused)
-        && super::motion::surface_speed_stands(state)
+        && state.dialect().surface_speed_stands(state)
     {
         let message = "probing under constant surface speed while the spindle stands";
         let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;

@@ -3,10 +3,9 @@
 use gaugeblock_vocabulary::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
 
 use super::{orient, whole, word};
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::Spindle;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -26,17 +25,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(refuse(rule::spindle::SPEED_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
     let surface = words.g.contains(&960);
-    let mode_too = surface || words.g.contains(&970);
-    let spindles = match word(words, '$') {
-        Some(-1.0) if !mode_too && state.choices.quirk(quirk::rs274::SPEED_OF_ALL_SPINDLES) => {
-            all(state)
-        }
-        Some(number) => vec![one(number, state)?],
-        None => vec![0],
-    };
-    if mode_too {
-        quirks::choose(spindles[0], state);
-    }
+    let spindles = state.dialect().spindles_of_speed(words, state)?;
     if surface {
         surface_speed(words, speed, state)?;
     }
@@ -56,8 +45,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
             *spindle = Spindle { mode: SpindleMode::Rpm, limit, ..*spindle };
         }
         if let Some(speed) = speed {
-            spindle.speed = speed;
-            quirks::speed_while_standing(place, state);
+            state.dialect().set_speed_of(place, speed, state);
         }
     }
     if let Some(speed) = speed {
@@ -131,7 +119,7 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
     for place in spindles {
         let spindle = state.modes.spindles[place];
         let repeated = (spindle.turn == SpindleTurn::Stopped) == (turn == SpindleTurn::Stopped);
-        set_turn(turn, place, state);
+        state.dialect().set_turn(turn, place, state);
         let at_zero = turn != SpindleTurn::Stopped && spindle.speed == 0.0;
         if repeated {
             state.coverage.accepted(rule::spindle::REPEATED);
@@ -141,14 +129,6 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
         }
     }
     Ok(())
-}
-
-/// Starts or stops a spindle, which ends an orientation.
-pub(crate) fn set_turn(turn: SpindleTurn, place: usize, state: &mut State) {
-    state.modes.spindles[place].turn = turn;
-    state.modes.spindles[place].brake_released = false;
-    state.modes.spindles[place].taken_for_stopped = false;
-    orient::clear(place, state);
 }
 
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
@@ -178,21 +158,46 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
 }
 
 /// The spindle that $ names. -1 is none to S, G96 and G97: only M3, M4 and M5 say what it means.
-/// Quirk rs274.speed-of-all-spindles: S without a mode sets the speed of all of them by -1.
 fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
-    let place = self::number(number, state, rule::spindle::OUT_OF_RANGE)?;
+    let place = state.dialect().named_spindle(number, state, rule::spindle::OUT_OF_RANGE)?;
     state.coverage.accepted(rule::spindle::OUT_OF_RANGE);
     state.coverage.accepted(rule::spindle::SELECTED);
     Ok(place)
 }
 
-/// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses it
-/// is given, since other chapters say the same.
-pub(crate) fn number(number: f64, state: &State, rule: Rule) -> Result<usize, StepError> {
-    let number = quirks::spindle_number(number, state);
-    let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
-    place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {
-        let message = format!("the machine has no spindle {number}");
-        refuse(rule, FaultKind::SpindleOutOfRange, message)
-    })
+/// What a controller may do otherwise with its spindles.
+pub(crate) trait SpindleRules {
+    /// The spindles whose mode and speed a block sets: the one that $ names, or spindle 0.
+    fn spindles_of_speed(&self, words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
+        Ok(vec![match word(words, '$') {
+            Some(number) => one(number, state)?,
+            None => 0,
+        }])
+    }
+
+    /// Rule spindle.speed. The S of a spindle holds until another one.
+    fn set_speed_of(&self, place: usize, speed: f64, state: &mut State) {
+        state.modes.spindles[place].speed = speed;
+    }
+
+    /// Starts or stops a spindle, which ends an orientation.
+    fn set_turn(&self, turn: SpindleTurn, place: usize, state: &mut State) {
+        state.modes.spindles[place].turn = turn;
+        orient::clear(place, state);
+    }
+
+    /// How a spindle turns, as far as the interpreter knows.
+    fn known_turn(&self, place: usize, state: &State) -> SpindleTurn {
+        state.modes.spindles[place].turn
+    }
+
+    /// Rule spindle.out-of-range. $ must be the number of a spindle that the machine has, from 0; the rule that refuses
+    /// it is given, since other chapters say the same.
+    fn named_spindle(&self, number: f64, state: &State, rule: Rule) -> Result<usize, StepError> {
+        let place = whole(number).and_then(|whole| usize::try_from(whole).ok());
+        place.filter(|place| *place < state.modes.spindles.len()).ok_or_else(|| {
+            let message = format!("the machine has no spindle {number}");
+            refuse(rule, FaultKind::SpindleOutOfRange, message)
+        })
+    }
 }

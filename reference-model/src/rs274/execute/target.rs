@@ -6,7 +6,6 @@ use super::word;
 use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::motion as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -102,7 +101,7 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
     // An axis that does not move stays where it is to the last bit; in a rotated system X and Y move together.
     let turned = |axis: Axis| state.modes.rotation != 0.0 && matches!(axis, Axis::X | Axis::Y);
     let moves = |axis: Axis| moved.iter().any(|(by, _)| *by == axis || turned(*by) && turned(axis));
-    let stays = |axis: &Axis| !moves(*axis) && !quirks::computes_all_anew(state);
+    let stays = |axis: &Axis| !moves(*axis) && state.dialect().keeps_unmoved_axes(state);
     for axis in Axis::ALL.iter().copied().filter(stays) {
         *there.get_mut(axis) = state.position.get(axis);
     }
@@ -114,7 +113,6 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
 /// Rule motion.polar. @ is the distance from the XY origin, ^ the angle counterclockwise from the X axis.
 /// Rule motion.polar-partial. A word that is left out keeps its value.
 /// Rule motion.polar-incremental. In incremental mode both are added to those of the current point.
-/// Rule motion.polar-from-origin. Which has no angle at the origin.
 /// Rule motion.polar-mixed. X and Y have no place beside them.
 pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, StepError> {
     let (distance, angle) = (word(words, '@'), word(words, '^'));
@@ -125,21 +123,13 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
         let message = "polar words together with X or Y";
         return Err(refuse(rule::motion::POLAR_MIXED, FaultKind::AxisWords, message));
     }
-    quirks::polar_plane(state)?;
-    quirks::polar_angle(words, state)?;
+    state.dialect().check_polar(words, state)?;
     let here = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
-    if incremental && here.x == 0.0 && here.y == 0.0 {
-        let message = "an incremental polar move from the origin, which has no angle";
-        return Err(refuse(rule::motion::POLAR_FROM_ORIGIN, FaultKind::AxisWords, message));
-    }
     let from = if incremental { 1.0 } else { 0.0 };
     let current_distance = math::hypotenuse(here.x, here.y);
     let current_angle = math::degrees_of(here.y, here.x);
     let distance = distance.map_or(current_distance, |value| from * current_distance + value);
-    if angle.is_some() {
-        quirks::polar_end(distance, state)?;
-    }
     let angle = angle.map_or(current_angle, |value| from * current_angle + value);
     state.coverage.accepted(rule::motion::POLAR);
     if incremental {

@@ -72,7 +72,7 @@ pub fn before_moving(state: &mut State) {
         return;
     }
     for place in spindle::all(state) {
-        spindle::set_turn(SpindleTurn::Stopped, place, state);
+        state.dialect().set_turn(SpindleTurn::Stopped, place, state);
     }
     state.coverage.accepted(rule::tool::CHANGE_STOPS_SPINDLE);
 }

@@ -20,7 +20,6 @@ use gaugeblock_vocabulary::{
 };
 
 use super::dialect::ModalMemory;
-use super::quirks::settings::initial_tolerance;
 use crate::Choices;
 use crate::ids::choice::modal_groups::{InitialMotion, InitialRetract};
 use crate::ids::choice::units_planes::InitialUnit;
@@ -108,19 +107,9 @@ pub struct Spindle {
     pub turn: SpindleTurn,
     /// Whether its speed override control is enabled.
     pub speed_override: Switch,
-    /// Whether a speed has released its brake since it was stopped; only a quirk asks for it.
-    pub brake_released: bool,
-    /// Whether the interpreter takes it for stopped, however it turns; only a quirk asks for it.
-    pub taken_for_stopped: bool,
 }
 
 impl Spindle {
-    /// How it turns, as far as the interpreter knows.
-    pub fn known_turn(&self) -> SpindleTurn {
-        let turns = matches!(self.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
-        if turns && self.taken_for_stopped { SpindleTurn::Stopped } else { self.turn }
-    }
-
     /// A spindle before the first block.
     pub const AT_START: Self = Self {
         speed: 0.0,
@@ -128,9 +117,15 @@ impl Spindle {
         limit: SpindleLimit::None,
         turn: SpindleTurn::Stopped,
         speed_override: Switch::On,
-        brake_released: false,
-        taken_for_stopped: false,
     };
+}
+
+/// What a controller may do otherwise with the modes.
+pub(crate) trait ModesRules {
+    /// Rule modal-groups.initial-modes. The blend tolerance before the first block, in millimetres: there is none.
+    fn initial_blend_tolerance(&self, _choices: &Choices) -> f64 {
+        0.0
+    }
 }
 
 impl Modes {
@@ -175,7 +170,8 @@ impl Modes {
             local_applies: false,
             rotation: 0.0,
             path: PathControlMode::Continuous,
-            blend_tolerance: initial_tolerance(choices) / unit_size(initial_unit),
+            blend_tolerance: choices.dialect().initial_blend_tolerance(choices)
+                / unit_size(initial_unit),
             naive_cam_tolerance: 0.0,
             lathe: Lathe::Radius,
             spindles: vec![Spindle::AT_START; usize::from(machine.spindles.max(1))],

@@ -28,6 +28,11 @@ pub enum AfterPhase {
 
 /// What a controller may do otherwise with the order of a block.
 pub(crate) trait OrderRules {
+    /// The phases of a block that is executed.
+    fn phases(&self, words: &Words, _state: &mut State) -> Phases {
+        Phases::of(words)
+    }
+
     /// Whether the next phase of a block is executed after this one: all of them are.
     fn goes_on_after(
         &self,
@@ -119,7 +124,7 @@ fn perform_phase(
         }
         Phase::ChangeTool => execute::tool_change::change(state, record)?,
         Phase::Spindle if words.m.contains(&19) => {
-            execute::orient::perform(words, state, record)?;
+            state.dialect().orient(words, state, record)?;
         }
         Phase::Spindle => execute::spindle::turn(words, state)?,
         Phase::SavedState => execute::saved_state::perform(words, state)?,

@@ -74,7 +74,7 @@ const PREDEFINED: &[Predefined] = &[
     }),
     Predefined("_spindle_on", rule::parameters::SPINDLE_STATUS, spindle_on),
     Predefined("_spindle_cw", rule::parameters::SPINDLE_STATUS, |state| {
-        flag(spindle(state).known_turn() == SpindleTurn::Clockwise)
+        flag(state.dialect().known_turn(0, state) == SpindleTurn::Clockwise)
     }),
     Predefined("_mist", rule::parameters::COOLANT, |state| flag(state.modes.mist == Switch::On)),
     Predefined("_flood", rule::parameters::COOLANT, |state| flag(state.modes.flood == Switch::On)),
@@ -215,11 +215,10 @@ fn spindle(state: &State) -> Spindle {
 /// Rule parameters.spindle-status. `_spindle_on` is 1 after M3 or M4.
 /// Choice parameters.spindle-on-at-zero: as commanded, or as it turns, which it does not at a speed of zero.
 fn spindle_on(state: &State) -> f64 {
-    let spindle = spindle(state);
-    let commanded =
-        matches!(spindle.known_turn(), SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
+    let turn = state.dialect().known_turn(0, state);
+    let commanded = matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise);
     let by_command = state.choices.is(choice::parameters::SpindleOnAtZero::Commanded);
-    flag(commanded && (by_command || spindle.speed > 0.0))
+    flag(commanded && (by_command || spindle(state).speed > 0.0))
 }
 
 /// Rule parameters.motion-mode. `_motion_mode` is ten times the number of the active motion code; 800 for G80.

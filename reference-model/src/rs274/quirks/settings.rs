@@ -1,42 +1,15 @@
 //! Quirks of modes, offsets, spindle, overrides and the program end.
 
-use std::borrow::Cow;
+use gaugeblock_vocabulary::{FaultKind, Motion, Switch};
 
-use gaugeblock_vocabulary::{
-    Distance, FaultKind, Motion, Position, SpindleLimit, SpindleMode, Switch,
-};
-
-use crate::Choices;
 use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::motion_of;
-use crate::rs274::execute::{spindle, whole};
-use crate::rs274::modes::{ModalGroup, Modes, Spindle};
+use crate::rs274::execute::whole;
+use crate::rs274::modes::ModalGroup;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-
-/// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch. In
-/// millimetres.
-pub(crate) fn initial_tolerance(choices: &Choices) -> f64 {
-    if choices.quirk(quirk::linuxcnc::INITIAL_TOLERANCE) { 0.0254 } else { 0.0 }
-}
-
-/// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is told as revolutions per minute. Returns
-/// what is told.
-pub(crate) fn reported_modes(state: &State) -> Cow<'_, Modes> {
-    let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
-    let any = state.modes.spindles.iter().any(limited);
-    if !any || !state.choices.quirk(quirk::rs274::SURFACE_LIMIT_ZERO) {
-        return Cow::Borrowed(&state.modes);
-    }
-    let mut modes = state.modes.clone();
-    for spindle in modes.spindles.iter_mut().filter(|spindle| limited(spindle)) {
-        spindle.mode = SpindleMode::Rpm;
-        spindle.limit = SpindleLimit::None;
-    }
-    Cow::Owned(modes)
-}
 
 /// Quirk rs274.override-any-p. Any P but zero enables.
 pub(crate) fn switch_of_any_p(value: f64) -> Switch {
@@ -77,43 +50,6 @@ pub(crate) fn uses_no_dollar(g_code: u32, state: &State) -> bool {
     }
 }
 
-/// Quirk rs274.chosen-spindle. A block with G33, G33.1 or G76 and a $, and one with G93 to G97, where no $ means
-/// spindle 0, choose the spindle that cycles, synchronised moves and feeds per revolution follow where they have no
-/// $.
-pub(crate) fn choose(place: usize, state: &mut State) {
-    if state.choices.quirk(quirk::rs274::CHOSEN_SPINDLE) {
-        state.chosen_spindle = place;
-    }
-}
-
-/// Quirk rs274.chosen-spindle. The codes of the feed mode choose too, be $ another code's.
-///
-/// # Errors
-/// $ names no spindle of the machine.
-pub(crate) fn choose_by_feed_mode(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let rule = quirk::rs274::CHOSEN_SPINDLE;
-    if state.choices.quirk(rule) {
-        let dollar = words.letters.get(&'$').copied();
-        let named = dollar.map(|number| spindle::number(number, state, rule.into())).transpose()?;
-        state.chosen_spindle = named.unwrap_or(0);
-    }
-    Ok(())
-}
-
-/// Quirk rs274.spindle-number-cut. The fraction of $ is cut off.
-pub(crate) fn spindle_number(number: f64, state: &State) -> f64 {
-    if state.choices.quirk(quirk::rs274::SPINDLE_NUMBER_CUT) { number.trunc() } else { number }
-}
-
-/// Quirk rs274.stored-rotation. Where the machine stands at the start is told without the stored rotation.
-pub(crate) fn start(modes: &Modes, choices: &Choices) -> Position {
-    let mut seen = modes.clone();
-    if choices.quirk(quirk::rs274::STORED_ROTATION) {
-        seen.rotation = 0.0;
-    }
-    seen.program_point(Position::default())
-}
-
 /// Quirk rs274.same-system-kept. Whether a coordinate system stays as it is, since it is selected already.
 pub(crate) fn keeps_system(system: u32, state: &State) -> bool {
     state.modes.work_offset == system && state.choices.quirk(quirk::rs274::SAME_SYSTEM_KEPT)
@@ -138,50 +74,6 @@ pub(crate) fn group_of_g(g_code: u32, state: &State) -> Option<ModalGroup> {
     let clears = (921..=923).contains(&g_code);
     (clears && state.choices.quirk(quirk::rs274::G92_CODES_APART))
         .then_some(ModalGroup::LocalOffset)
-}
-
-/// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
-pub(crate) fn machine_incremental(state: &State) -> Result<(), StepError> {
-    let rule = quirk::rs274::MACHINE_INCREMENTAL;
-    if state.modes.distance == Distance::Incremental && state.choices.quirk(rule) {
-        let message = "G53 in incremental distance mode";
-        return Err(refuse(rule, FaultKind::ModalConflict, message));
-    }
-    Ok(())
-}
-
-/// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.
-pub(crate) fn moves_as_without_radius(state: &State) -> bool {
-    state.modes.compensation_radius == 0.0
-        && state.choices.quirk(quirk::rs274::MACHINE_UNDER_ZERO_RADIUS)
-}
-
-/// Quirks rs274.spindle-mode-at-end and rs274.feed-zero-at-end.
-pub(crate) fn program_end(state: &mut State) {
-    if state.choices.quirk(quirk::rs274::SPINDLE_MODE_AT_END) {
-        for spindle in &mut state.modes.spindles {
-            spindle.mode = SpindleMode::Rpm;
-            spindle.limit = SpindleLimit::None;
-        }
-    }
-    if state.choices.quirk(quirk::rs274::FEED_ZERO_AT_END) {
-        state.modes.feed_rate = 0.0;
-    }
-}
-
-/// Quirk rs274.orient-forgets-turning. After M19 every spindle is taken for stopped, until it is started again.
-pub(crate) fn forget_turning(state: &mut State) {
-    if state.choices.quirk(quirk::rs274::ORIENT_FORGETS_TURNING) {
-        for spindle in &mut state.modes.spindles {
-            spindle.taken_for_stopped = true;
-        }
-    }
-}
-
-/// Quirk linuxcnc.speed-releases-brake. A speed releases the brake of a spindle that stands, until the next stop.
-pub(crate) fn speed_while_standing(place: usize, state: &mut State) {
-    let quirk = state.choices.quirk(quirk::linuxcnc::SPEED_RELEASES_BRAKE);
-    state.modes.spindles[place].brake_released |= quirk;
 }
 
 /// Quirk rs274.cancel-beside-offset. G80 is refused beside G43.1 and G43.2 with axis words.

@@ -1,25 +1,11 @@
 //! Quirks of splines.
 
-use gaugeblock_vocabulary::{FaultKind, FeedMode};
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::ids::quirk;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::motion::{is_spline, motion_of};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-
-/// Quirk rs274.spline-per-revolution. Under G95 splines need no feed rate.
-pub(crate) fn needs_no_feed(words: &Words, state: &State) -> bool {
-    state.modes.feed_mode == FeedMode::PerRevolution
-        && motion_of(words, state).is_some_and(is_spline)
-        && state.choices.quirk(quirk::rs274::SPLINE_PER_REVOLUTION)
-}
-
-/// Quirk rs274.nurbs-machine-coordinates. G53 may stand with G5.2. What it does there, no controller shows: no spline
-/// of a point alone ends.
-pub(crate) fn takes_machine_coordinates(words: &Words, state: &State) -> bool {
-    words.g.contains(&52) && state.choices.quirk(quirk::rs274::NURBS_MACHINE_COORDINATES)
-}
 
 /// Quirk rs274.spline-not-modal. G5 and G5.1 leave the motion mode as it was.
 pub(crate) fn is_not_modal(state: &State) -> bool {

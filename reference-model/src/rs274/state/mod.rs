@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::{Machine, Plane, Position, Rs274State, Settings, Shared};
+use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared};
 
 use super::control::Frame;
 use super::dialect::Memory;
@@ -53,10 +53,6 @@ pub struct State {
     pub cycle_dwell: f64,
     /// What the next spline may need of the one before.
     pub curve: Curve,
-    /// Spindle that cycles and synchronised moves follow without $; another than the first only by a quirk.
-    pub chosen_spindle: usize,
-    /// The plane in force before the block that is executed; only a quirk asks for it.
-    pub plane_before: Plane,
     /// What the dialect remembers; nothing by the documents.
     pub(crate) memory: Memory,
     /// Whether a log file is open.
@@ -192,8 +188,6 @@ impl State {
             frames: vec![Frame::default()],
             line: 1,
             cycle_dwell: 0.0,
-            chosen_spindle: 0,
-            plane_before: Plane::Xy,
             memory: Memory::default(),
             log_open: false,
             probe_log_open: false,

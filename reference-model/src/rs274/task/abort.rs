@@ -7,7 +7,6 @@ use super::{ModelRun, Record};
 use crate::ids::{choice, rule};
 use crate::rs274::execute;
 use crate::rs274::modes::converted;
-use crate::rs274::quirks::task as quirks;
 use crate::rs274::state::State;
 
 impl ModelRun<'_> {
@@ -31,8 +30,7 @@ impl ModelRun<'_> {
         execute::saved_state::run_is_over(&mut self.state);
         self.forget_waiting();
         self.switch_off();
-        if let Some(modes) = &self.at_last_motion {
-            quirks::modes_of_last_motion(modes, self.has_moved, &mut self.state);
+        if self.state.dialect().change_modes_at_abort(&mut self.state) {
             self.switch_off();
         }
         end
@@ -59,7 +57,8 @@ impl ModelRun<'_> {
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;
             for place in execute::spindle::all(&self.state) {
-                execute::spindle::set_turn(SpindleTurn::Stopped, place, &mut self.state);
+                let dialect = self.state.dialect();
+                dialect.set_turn(SpindleTurn::Stopped, place, &mut self.state);
             }
         }
         self.update_pins(None);
@@ -91,8 +90,6 @@ impl ModelRun<'_> {
             pause_asked: false,
             at_block: None,
             waits_for_machine: false,
-            at_last_motion: self.at_last_motion.clone(),
-            has_moved: self.has_moved,
             is_within_block: false,
             before_block: None,
         };

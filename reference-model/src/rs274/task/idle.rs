@@ -10,7 +10,6 @@ use super::{ModelRun, open_entries};
 use crate::ids::rule;
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::execute;
-use crate::rs274::quirks::task as quirks;
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Line;
 
@@ -65,9 +64,7 @@ impl ModelRun<'_> {
         self.change_mode_to(ControllerMode::Auto);
         self.begin_anew();
         execute::saved_state::run_is_over(&mut self.state);
-        if !quirks::keeps_value(&self.state) {
-            self.state.parameters.returned = 0.0;
-        }
+        self.state.dialect().forget_returned_value(&mut self.state);
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
     }

@@ -22,10 +22,12 @@ mod record;
 mod request;
 mod wait;
 
+use std::borrow::Cow;
+
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
-    BlockLocation, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome, Plane,
-    Program, Scenario, Settings, Shared,
+    BlockLocation, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome,
+    Position, Program, Scenario, Settings, Shared,
 };
 
 pub use pins::PinSnapshot;
@@ -39,13 +41,12 @@ use super::environment::EnvironmentState;
 use super::execute;
 use super::modes::{Modes, Rounding};
 use super::parameters::{self, Name, Parameters};
-use super::quirks::settings;
 use super::refusal::{Refusal, StepError};
 use super::state::{Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
 use crate::Choices;
 use crate::RuleCoverage;
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 
 /// What a run leaves for the next one, so that it need not be made again.
 #[derive(Debug, Default)]
@@ -116,6 +117,45 @@ fn leaves_nothing(end: &End) -> bool {
     }
 }
 
+/// What a controller may do otherwise when it runs programs.
+pub(crate) trait TaskRules {
+    /// Before the first block the machine is at its zero.
+    fn stand_at_start(&self, state: &mut State) {
+        state.position = state.modes.program_point(Position::default());
+    }
+
+    /// The modes as they are recorded.
+    fn reported_modes<'s>(&self, state: &'s State) -> Cow<'s, Modes> {
+        Cow::Borrowed(&state.modes)
+    }
+
+    /// Rule parameters.returned-value. What the last program's subs have returned is 0 when a program starts.
+    fn forget_returned_value(&self, state: &mut State) {
+        state.parameters.returned = 0.0;
+    }
+
+    /// An abort leaves the modes as they are. Whether it changes them.
+    fn change_modes_at_abort(&self, _state: &mut State) -> bool {
+        false
+    }
+
+    /// Somebody requests the mode in which the controller is: nothing changes.
+    fn request_same_mode(&self, _is_running: bool, _state: &State) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Rule pause.pallet-restart. Whether cycle start lets the program go on after M60.
+    fn goes_on_after_pallets(&self, _state: &State) -> bool {
+        true
+    }
+
+    /// Rule fanuc-subs.shared-parameters. #1 to #30 of the main program, once the run is over in a subprogram that
+    /// shares them.
+    fn arguments_left(&self, called: &Frame, _control: &Control, _choices: &Choices) -> [f64; 30] {
+        called.arguments
+    }
+}
+
 /// The state before the first block.
 fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> State {
     let machine = scenario.machine.clone();
@@ -125,8 +165,8 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
     }
     let environment = EnvironmentState::new(&scenario.environment, modes.spindles.len(), &choices);
     let tool = in_pocket_zero(&machine);
-    State {
-        position: settings::start(&modes, &choices),
+    let mut state = State {
+        position: Position::default(),
         modes,
         parameters: Parameters::new(&machine, &choices),
         choices,
@@ -142,8 +182,6 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
         frames: vec![Frame::default()],
         line: 1,
         cycle_dwell: 0.0,
-        chosen_spindle: 0,
-        plane_before: Plane::Xy,
         memory: Memory::default(),
         log_open: false,
         probe_log_open: false,
@@ -152,7 +190,9 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
         pin_snapshot: None,
         room: Room::default(),
         coverage: RuleCoverage::default(),
-    }
+    };
+    state.dialect().stand_at_start(&mut state);
+    state
 }
 
 /// The outcome of a scenario that is out of this model's reach as a whole.
@@ -186,10 +226,6 @@ struct ModelRun<'a> {
     at_block: Option<Box<State>>,
     /// Whether the block that is executed waits for what the machine answers.
     waits_for_machine: bool,
-    /// The modes in force at the last motion, or before the first block; none where that motion was in a sub.
-    at_last_motion: Option<Modes>,
-    /// Whether anything has moved.
-    has_moved: bool,
     /// Whether a block is being executed, so that some of what it does may be done.
     is_within_block: bool,
     /// The state before the block, where the operator has acted as it began.
@@ -200,7 +236,6 @@ impl<'a> ModelRun<'a> {
     fn new(scenario: &'a Scenario, mut state: State, record: Record) -> Self {
         let mut control = Control::new(&scenario.program, &mut state);
         let entries = open_entries(scenario, &mut control, &mut state);
-        let at_last_motion = Some(state.modes.clone());
         Self {
             scenario,
             state,
@@ -213,8 +248,6 @@ impl<'a> ModelRun<'a> {
             pause_asked: false,
             at_block: None,
             waits_for_machine: false,
-            at_last_motion,
-            has_moved: false,
             is_within_block: false,
             before_block: None,
         }
@@ -320,18 +353,16 @@ impl<'a> ModelRun<'a> {
 
     /// Once the run is over every call is over, so that local parameters are the main program's, which a numbered
     /// subprogram shares.
-    ///
-    /// Quirk rs274.fanuc-changes-at-end: what a subprogram changed of #1 to #30 is lost.
     fn leave_calls(&mut self) {
         let mut called = self.state.frames.split_off(1);
         let shares = |frame: &&mut Frame| frame.shares_parameters();
         let Some(sharing) = called.iter_mut().take_while(shares).last() else { return };
         let main = &mut self.state.frames[0];
-        main.arguments = if self.state.choices.quirk(quirk::rs274::FANUC_CHANGES_AT_END) {
-            self.control.at_last_call
-        } else {
-            sharing.arguments
-        };
+        main.arguments = self.state.choices.dialect().arguments_left(
+            sharing,
+            &self.control,
+            &self.state.choices,
+        );
         if self.state.choices.is(choice::fanuc_subs::NamedLocals::Shared) {
             main.locals = std::mem::take(&mut sharing.locals);
         }

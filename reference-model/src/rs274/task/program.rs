@@ -107,7 +107,6 @@ impl ModelRun<'_> {
             return Ok(next);
         }
         check::check(&words, &mut self.state)?;
-        self.state.plane_before = self.state.modes.plane;
         self.is_within_block = true;
         let after_phase = self.execute(&words)?;
         stub::after_block(self.record.moves(), &mut self.state)?;
@@ -157,7 +156,7 @@ impl ModelRun<'_> {
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
         let before_words = settings.is_some()
             && self.state.choices.is(choice::parameters::SettingTime::BeforeWords);
-        let phases = Phases::of(words);
+        let phases = self.state.dialect().phases(words, &mut self.state);
         for phase in phases.iter() {
             if before_words
                 && phase != Phase::Comment
@@ -191,13 +190,10 @@ impl ModelRun<'_> {
                 }
                 Err(error) => return Err(error),
             };
-            if phase == Phase::Motion && refused.is_none() {
-                let in_main = self.state.call_level() == 0;
-                self.at_last_motion = in_main.then(|| self.state.modes.clone());
-                self.has_moved = true;
-            }
             self.update_pins(Some(phase));
-            if !self.state.dialect().goes_on_after(phase, phases, words, &mut self.state)? {
+            if refused.is_none()
+                && !self.state.dialect().goes_on_after(phase, phases, words, &mut self.state)?
+            {
                 is_whole = false;
                 break;
             }

@@ -14,7 +14,6 @@ use crate::rs274::execute::feed::Speed;
 use crate::rs274::execute::{outputs, pass};
 use crate::rs274::modes::Modes;
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::state::State;
 
 /// As many steps as most programs of cases and campaigns have.
@@ -268,7 +267,7 @@ impl Record {
         if state.modes == self.modes {
             return;
         }
-        let reported = quirks::reported_modes(state);
+        let reported = state.dialect().reported_modes(state);
         let changed = reported.settings_since(&self.modes);
         self.modes.clone_from(&reported);
         if changed != Settings::default() {
@@ -288,7 +287,8 @@ impl Record {
     pub fn is_idle(&self, state: &State) -> bool {
         self.events.is_empty()
             && (state.modes == self.modes
-                || quirks::reported_modes(state).settings_since(&self.modes) == Settings::default())
+                || state.dialect().reported_modes(state).settings_since(&self.modes)
+                    == Settings::default())
     }
 
     /// What the stub of a machine is told of the moves of the block that is being executed.

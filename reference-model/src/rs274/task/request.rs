@@ -5,8 +5,7 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 
 use super::ModelRun;
 use super::operator::Happening;
-use crate::ids::{choice, quirk, rule};
-use crate::rs274::quirks::task as quirks;
+use crate::ids::{choice, rule};
 use crate::rs274::refusal::StepError;
 
 /// What the controller is doing.
@@ -128,7 +127,7 @@ impl ModelRun<'_> {
             }
             Activity::Idle => return Ok(Answer::Begins),
             Activity::Paused(By::Pallets) => {
-                if !self.state.choices.quirk(quirk::linuxcnc::CYCLE_START_WHILE_PAUSED) {
+                if self.state.dialect().goes_on_after_pallets(&self.state) {
                     self.state.coverage.accepted(rule::pause::PALLET_RESTART);
                     return Ok(Answer::GoesOn);
                 }
@@ -151,8 +150,8 @@ impl ModelRun<'_> {
             return Err(self.open("a mode"));
         }
         if mode == self.state.modes.controller_mode {
-            let drops = activity == Activity::Running && quirks::drops_program(mode, &self.state);
-            return if drops { Err(StepError::Ended(End::Aborted)) } else { Ok(()) };
+            let is_running = activity == Activity::Running;
+            return self.state.dialect().request_same_mode(is_running, &self.state);
         }
         if activity == Activity::Idle {
             self.state.coverage.accepted(rule::task::MODE_KEPT);

@@ -5,10 +5,10 @@ use gaugeblock_vocabulary::{
 };
 
 use super::{Cycle, Kind, axes_of};
-use crate::ids::{Rule, quirk, rule};
+use crate::ids::{Rule, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::moved;
-use crate::rs274::execute::{spindle, word};
+use crate::rs274::execute::word;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -107,7 +107,7 @@ pub(super) fn find(
         clear: clear(initial, retract_at, state),
         dwell: dwell.unwrap_or_default(),
         peck: peck.unwrap_or_default(),
-        spindle: spindle_of(words, state)?,
+        spindle: state.dialect().spindle_of_cycle(words, state)?,
     };
     Ok((series, cycle))
 }
@@ -157,15 +157,4 @@ fn unchanged(
         return Err(StepError::Unspecified(what.to_owned()));
     }
     Ok(())
-}
-
-/// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0, unless quirk
-/// rs274.chosen-spindle holds. Where no cycle takes $ (quirk rs274.cycle-dollar), it is another code's.
-fn spindle_of(words: &Words, state: &mut State) -> Result<usize, StepError> {
-    let rule = rule::cycles::SPINDLE;
-    let dollar = word(words, '$').filter(|_| !state.choices.quirk(quirk::rs274::CYCLE_DOLLAR));
-    let Some(number) = dollar else { return Ok(state.chosen_spindle) };
-    let place = spindle::number(number, state, rule)?;
-    state.coverage.accepted(rule);
-    Ok(place)
 }

@@ -142,6 +142,15 @@ pub(super) fn perform(
 
 /// What a controller may do otherwise in a canned cycle.
 pub(crate) trait CycleRules {
+    /// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0.
+    fn spindle_of_cycle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {
+        let rule = rule::cycles::SPINDLE;
+        let Some(number) = word(words, '$') else { return Ok(0) };
+        let place = state.dialect().named_spindle(number, state, rule)?;
+        state.coverage.accepted(rule);
+        Ok(place)
+    }
+
     /// Executes a cycle at each of its places.
     fn perform_repeats(
         &self,

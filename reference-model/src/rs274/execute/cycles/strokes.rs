@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
 use super::{Cycle, Kind, feed_along, tapping, traverse_along};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::{spindle, word};
+use crate::rs274::execute::word;
 use crate::rs274::order::Phase;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
@@ -90,7 +90,7 @@ pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError
         Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
         Kind::BoreSpindleStop => {
             let rule = rule::cycles::BORE_NEEDS_SPINDLE;
-            let turn = state.modes.spindles[cycle.spindle].known_turn();
+            let turn = state.dialect().known_turn(cycle.spindle, state);
             if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
                 let message = "G86 while the spindle does not turn";
                 return Err(refuse(rule, FaultKind::ZeroSpeed, message));
@@ -150,7 +150,7 @@ pub(super) fn perform(
 
 /// The cycle starts or stops its spindle, which the pins show at once.
 pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
-    spindle::set_turn(turn, cycle.spindle, state);
+    state.dialect().set_turn(turn, cycle.spindle, state);
     update_pins(state, Some(Phase::Motion));
 }
 

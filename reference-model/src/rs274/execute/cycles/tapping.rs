@@ -20,7 +20,7 @@ pub(super) fn possible(
     if state.choices.is(choice::cycles::TapDirection::Any) {
         return Ok(());
     }
-    let kind = match state.modes.spindles[cycle.spindle].known_turn() {
+    let kind = match state.dialect().known_turn(cycle.spindle, state) {
         turn if turn == cutting => return Ok(()),
         SpindleTurn::Stopped | SpindleTurn::Oriented => FaultKind::ZeroSpeed,
         SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => FaultKind::ModalConflict,

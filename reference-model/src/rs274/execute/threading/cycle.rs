@@ -1,25 +1,24 @@
 //! G76: a thread in several passes, each deeper than the one before.
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, Distance, Effect, FaultKind, Lathe, Plane, Position, Switch,
+    Axis, Compensation, Distance, Effect, FaultKind, Lathe, Plane, Position,
 };
 
-use super::{number, selected_spindle, turning_spindle};
-use crate::ids::{choice, quirk, rule};
+use super::{number, turning_spindle};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::{letter, whole, word};
-use crate::rs274::quirks::threading as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// A thread, all its numbers found; lengths are radii, active length unit.
 #[derive(Clone, Copy, Debug)]
-struct Thread {
+pub(crate) struct Thread {
     /// The controlled point before it: X is the drive line, Z where the thread begins.
-    start: Position,
+    pub(crate) start: Position,
     /// Where the thread ends along Z.
-    end: f64,
+    pub(crate) end: f64,
     /// Length unit per revolution.
     pitch: f64,
     /// From the drive line to the thread's crest.
@@ -27,7 +26,7 @@ struct Thread {
     /// Depth of the first pass.
     first: f64,
     /// Full depth.
-    full: f64,
+    pub(crate) full: f64,
     /// 1 for passes of constant depth, 2 for those of constant area.
     degression: f64,
     /// Degrees by which a pass moves along the drive line with its depth.
@@ -39,7 +38,7 @@ struct Thread {
     /// Whether it ends with one.
     tapers_out: bool,
     /// Passes at full depth after the last.
-    springs: i32,
+    pub(crate) springs: i32,
     /// The spindle, as effects tell it.
     spindle: usize,
 }
@@ -60,29 +59,11 @@ pub(in crate::rs274::execute) fn perform(
 ) -> Result<(), StepError> {
     let thread = find(words, state)?;
     state.modes.motion = gaugeblock_vocabulary::Motion::Thread76;
-    let mut count = 1.0;
-    let mut left = thread.springs;
-    while left >= 0 || thread.springs < 0 {
-        if record.is_full() {
-            return Err(StepError::TooManyEffects);
-        }
-        let depth = thread.depth(count);
-        count += 1.0;
-        if depth >= thread.full {
-            left -= 1;
-        }
-        if depth >= thread.full && thread.springs < 0 {
-            // Quirk rs274.thread-negative-springs: the last pass is left out.
-            break;
-        }
-        pass(&thread, depth, state, record);
-    }
+    state.dialect().cut_passes(&thread, state, record)?;
     if thread.springs > 0 {
         state.coverage.accepted(rule::threading::SPRING_PASSES);
     }
-    if let Some(end) = quirks::after_thread(words, thread.start, thread.end, state)? {
-        traverse(end, state, record);
-    }
+    state.dialect().leave_thread(&thread, words, state, record)?;
     state.coverage.accepted(rule::threading::THREAD);
     state.coverage.accepted(rule::threading::DEGRESSION);
     Ok(())
@@ -91,7 +72,7 @@ pub(in crate::rs274::execute) fn perform(
 impl Thread {
     /// How far beyond the crest a pass is, counted from 1. One that is at K but for its rounding is the last one:
     /// three times 0.3 is 0.9.
-    fn depth(&self, pass: f64) -> f64 {
+    pub(crate) fn depth(&self, pass: f64) -> f64 {
         let deeper = if self.degression > 1.0 { crate::math::square_root(pass) } else { pass };
         let depth = self.first * deeper;
         let rounding = 8.0 * f64::EPSILON * self.full;
@@ -102,54 +83,169 @@ impl Thread {
 /// Rule threading.thread-slide. The slide angle Q moves a pass along the drive line, the deeper the further; how it
 /// moves the pass's end is a choice.
 fn ends(thread: &Thread, depth: f64, state: &State) -> [f64; 2] {
-    let direction = quirks::direction(thread.end - thread.start.z, state);
+    let direction = state.dialect().thread_direction(thread.end - thread.start.z, state);
     let along = direction * crate::math::tangent_of_degrees(thread.slide);
     let both = state.choices.is(choice::threading::SlideEnd::WithDepth);
     let behind = if both { (thread.full - depth) * along } else { 0.0 };
     [thread.start.z + depth * along, thread.end - behind]
 }
 
-/// One pass.
-///
-/// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further
-/// out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each revolution
-/// everywhere.
-fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
+/// A pass of a thread, active length unit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pass {
+    /// Where it begins on the drive line.
+    line: Position,
+    /// X at its depth.
+    cut: f64,
+    /// X where a taper begins or ends.
+    out: f64,
+    /// Z where it begins.
+    from: f64,
+    /// Z where it ends.
+    to: f64,
+    /// Length of a taper along Z.
+    taper: f64,
+}
+
+impl Pass {
+    fn at(&self, x: f64, z: f64) -> Position {
+        Position { x, z, ..self.line }
+    }
+}
+
+/// One pass: it traverses to its depth, feeds, and traverses out to the drive line. At an end with a taper it feeds
+/// from the drive line instead.
+pub(crate) fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut Record) {
+    let dialect = state.dialect();
     let inward = thread.peak.signum();
-    let clearance = quirks::clearance(thread.full - depth, state);
+    let clearance = dialect.clearance_of_pass(thread, depth, state);
     let [from, to] = ends(thread, depth, state);
-    let taper = thread.taper * quirks::direction(to - from, state);
+    let taper = thread.taper * dialect.thread_direction(to - from, state);
     let line = Position { x: thread.start.x - inward * clearance, z: from, ..thread.start };
     let cut = thread.start.x + thread.peak + inward * depth;
     let out = cut - inward * thread.full;
-    let at = |x: f64, z: f64| Position { x, z, ..line };
-    if state.position != line || state.choices.quirk(quirk::rs274::THREAD_CLEARANCE) {
-        traverse(line, state, record);
-    }
+    let pass = Pass { line, cut, out, from, to, taper };
+    dialect.begin_pass(line, state, record);
     if !thread.tapers_in {
-        traverse(at(cut, from), state, record);
+        traverse(pass.at(cut, from), state, record);
     }
-    let feed_override = state.modes.feed_override;
-    if state.choices.quirk(quirk::rs274::THREAD_FEED_OVERRIDE) {
-        state.modes.feed_override = Switch::Off;
+    dialect.feed_pass(thread, &pass, state, record);
+}
+
+/// What a controller may do otherwise with a thread.
+pub(crate) trait ThreadRules {
+    /// The passes of a thread, each deeper than the one before.
+    ///
+    /// Rule threading.spring-passes. H passes more are at full depth.
+    fn cut_passes(
+        &self,
+        thread: &Thread,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        let mut count = 1.0;
+        let mut left = thread.springs;
+        while left >= 0 {
+            if record.is_full() {
+                return Err(StepError::TooManyEffects);
+            }
+            let depth = thread.depth(count);
+            count += 1.0;
+            if depth >= thread.full {
+                left -= 1;
+            }
+            pass(thread, depth, state, record);
+        }
+        Ok(())
     }
-    let aslant = thread.pitch * crate::math::hypotenuse(thread.full, thread.taper) / thread.taper;
-    if thread.tapers_in {
-        synchronise(thread, aslant, state, record);
-        feed(at(out, from), state, record);
-        feed(at(cut, from + taper), state, record);
+
+    /// After the last pass the controlled point stays where that ended.
+    fn leave_thread(
+        &self,
+        _thread: &Thread,
+        _words: &Words,
+        _state: &mut State,
+        _record: &mut Record,
+    ) -> Result<(), StepError> {
+        Ok(())
     }
-    synchronise(thread, thread.pitch, state, record);
-    if thread.tapers_out {
-        feed(at(cut, to - taper), state, record);
-        synchronise(thread, aslant, state, record);
-        feed(at(out, to), state, record);
-    } else {
-        feed(at(cut, to), state, record);
+
+    /// Which way along Z something of this length leads.
+    fn thread_direction(&self, way: f64, _state: &State) -> f64 {
+        way.signum()
     }
-    record.effect(state, Effect::StopSpindleSynchronisation {});
-    traverse(at(line.x, to), state, record);
-    state.modes.feed_override = quirks::feed_override_after(feed_override, state);
+
+    /// How far outside of the drive line a pass begins and ends: on it.
+    fn clearance_of_pass(&self, _thread: &Thread, _depth: f64, _state: &State) -> f64 {
+        0.0
+    }
+
+    /// A pass begins on the drive line, to which it traverses from elsewhere.
+    fn begin_pass(&self, line: Position, state: &mut State, record: &mut Record) {
+        if state.position != line {
+            traverse(line, state, record);
+        }
+    }
+
+    /// Feeds along a pass, and traverses out.
+    ///
+    /// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further
+    /// out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each
+    /// revolution everywhere.
+    fn feed_pass(&self, thread: &Thread, pass: &Pass, state: &mut State, record: &mut Record) {
+        let Pass { line, cut, out, from, to, taper } = *pass;
+        let longest = crate::math::hypotenuse(thread.full, thread.taper);
+        let aslant = thread.pitch * longest / thread.taper;
+        if thread.tapers_in {
+            synchronise(thread, aslant, state, record);
+            feed(pass.at(out, from), state, record);
+            feed(pass.at(cut, from + taper), state, record);
+        }
+        synchronise(thread, thread.pitch, state, record);
+        if thread.tapers_out {
+            feed(pass.at(cut, to - taper), state, record);
+            synchronise(thread, aslant, state, record);
+            feed(pass.at(out, to), state, record);
+        } else {
+            feed(pass.at(cut, to), state, record);
+        }
+        record.effect(state, Effect::StopSpindleSynchronisation {});
+        traverse(pass.at(line.x, to), state, record);
+    }
+
+    /// Rule threading.thread-taper. Whether a taper is too long for a thread: longer than half of it.
+    fn is_long_taper(&self, taper: f64, way: f64, _state: &State) -> bool {
+        taper > way.abs() / 2.0
+    }
+
+    /// Rule threading.thread-plane. G76 is in the ZX plane.
+    fn check_thread_plane(&self, state: &State) -> Result<(), StepError> {
+        if state.modes.plane != Plane::Zx {
+            let message = "G76 in another plane than ZX";
+            return Err(refuse(rule::threading::THREAD_PLANE, FaultKind::ModalConflict, message));
+        }
+        Ok(())
+    }
+
+    /// Rule threading.thread-axis-words. Whether an axis word or a polar word can be in the block: Z is its only one.
+    fn takes_axis_word(&self, letter: char, _state: &State) -> bool {
+        letter == 'z'
+    }
+
+    /// Rule threading.thread-negative. The words that are not negative.
+    fn not_negative(&self, _state: &State) -> &'static str {
+        "pjkh"
+    }
+
+    /// Rule threading.thread-degression. R is not less than 1.
+    fn thread_degression(&self, programmed: f64, _state: &State) -> Result<f64, StepError> {
+        if programmed < 1.0 {
+            let message = "a degression of less than 1";
+            let rule = rule::threading::THREAD_DEGRESSION;
+            return Err(refuse(rule, FaultKind::WordOutOfRange, message));
+        }
+        Ok(programmed)
+    }
 }
 
 fn synchronise(thread: &Thread, pitch: f64, state: &mut State, record: &mut Record) {
@@ -162,7 +258,7 @@ fn feed(end: Position, state: &mut State, record: &mut Record) {
     record.effect(state, Effect::StraightFeed { end });
 }
 
-fn traverse(end: Position, state: &mut State, record: &mut Record) {
+pub(crate) fn traverse(end: Position, state: &mut State, record: &mut Record) {
     state.position = end;
     record.effect(state, Effect::StraightTraverse { end });
 }
@@ -175,11 +271,11 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// Rule threading.thread-taper. E is not more than half the drive line.
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
 fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
-    refused_words(words, state)?;
+    let degression = check_words(words, state)?;
     let spindle = if state.choices.is(choice::threading::CycleSpindle::Turning) {
         turning_spindle(words, state)?
     } else {
-        selected_spindle(words, state)?
+        state.dialect().selected_spindle(words, state)?
     };
     let value = |letter| word(words, letter).unwrap_or(0.0);
     let diameter = state.modes.lathe == Lathe::Diameter;
@@ -187,18 +283,13 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     let start = state.position;
     let incremental = state.modes.distance == Distance::Incremental;
     let end = if incremental { start.z + value('z') } else { value('z') };
-    let any_taper = state.choices.quirk(quirk::rs274::THREAD_LONG_TAPER);
-    if value('e') > (end - start.z).abs() / 2.0 && !any_taper {
+    if state.dialect().is_long_taper(value('e'), end - start.z, state) {
         let message = "a taper of more than half the thread";
         return Err(refuse(rule::threading::THREAD_TAPER, FaultKind::WordOutOfRange, message));
     }
     if diameter {
         state.coverage.accepted(rule::threading::THREAD_DIAMETER);
     }
-    let degression = word(words, 'r').unwrap_or_else(|| {
-        let areas = state.choices.is(choice::threading::WithoutDegression::ConstantArea);
-        if areas { 2.0 } else { 1.0 }
-    });
     let springs = word(words, 'h').map_or(Some(0), whole);
     let tapers = word(words, 'l').map_or(Some(0), whole).filter(|ends| (0..=3).contains(ends));
     let Some(_) = tapers else {
@@ -211,30 +302,25 @@ fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
         peak: radius('i'),
         first: radius('j'),
         full: radius('k'),
-        degression: degression.max(1.0),
+        degression,
         slide: value('q'),
         taper: value('e'),
         tapers_in: matches!(tapers, Some(1 | 3)),
         tapers_out: matches!(tapers, Some(2 | 3)),
         springs: springs.unwrap_or(-2),
-        spindle: quirks::reported_spindle(spindle, words, state),
+        spindle: state.dialect().reported_spindle(spindle, words, state),
     };
     open(&thread, state)?;
     Ok(thread)
 }
 
-fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
-    if state.modes.plane != Plane::Zx && !state.choices.quirk(quirk::rs274::THREAD_ANY_PLANE) {
-        let message = "G76 in another plane than ZX";
-        return Err(refuse(rule::threading::THREAD_PLANE, FaultKind::ModalConflict, message));
-    }
-    let x_and_y = state.choices.quirk(quirk::rs274::THREAD_OTHER_AXES);
-    let other = |axis: &Axis| {
-        let allowed = *axis == Axis::Z || x_and_y && matches!(axis, Axis::X | Axis::Y);
-        !allowed && word(words, letter(*axis)).is_some()
-    };
-    let polar = ['@', '^'].iter().any(|polar| word(words, *polar).is_some());
-    if Axis::ALL.iter().any(other) || polar && !x_and_y {
+/// The words are those of a thread; its degression.
+fn check_words(words: &Words, state: &mut State) -> Result<f64, StepError> {
+    let dialect = state.dialect();
+    dialect.check_thread_plane(state)?;
+    let axes = Axis::ALL.iter().map(|axis| letter(*axis)).chain(['@', '^']);
+    let mut others = axes.filter(|letter| !dialect.takes_axis_word(*letter, state));
+    if others.any(|letter| word(words, letter).is_some()) {
         let message = "G76 with another axis word than Z";
         return Err(refuse(rule::threading::THREAD_AXIS_WORDS, FaultKind::AxisWords, message));
     }
@@ -242,18 +328,17 @@ fn refused_words(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = format!("G76 needs {}", missing.to_ascii_uppercase());
         return Err(refuse(rule::threading::THREAD_WORDS, FaultKind::MissingWord, message));
     }
-    let below = |letter: char, least: f64| word(words, letter).is_some_and(|value| value < least);
-    let any_springs = state.choices.quirk(quirk::rs274::THREAD_NEGATIVE_SPRINGS);
-    let not_negative = if any_springs { "pjk" } else { "pjkh" };
-    if let Some(negative) = not_negative.chars().find(|letter| below(*letter, 0.0)) {
+    let below_zero = |letter: &char| word(words, *letter).is_some_and(|value| value < 0.0);
+    if let Some(negative) = dialect.not_negative(state).chars().find(below_zero) {
         let message = format!("a negative {} of G76", negative.to_ascii_uppercase());
-        return Err(refuse(rule::threading::THREAD_NEGATIVE, FaultKind::WordOutOfRange, message));
+        let rule = rule::threading::THREAD_NEGATIVE;
+        return Err(refuse(rule, FaultKind::WordOutOfRange, message));
     }
-    if below('r', 1.0) && !state.choices.quirk(quirk::rs274::THREAD_LOW_DEGRESSION) {
-        let message = "a degression of less than 1";
-        return Err(refuse(rule::threading::THREAD_DEGRESSION, FaultKind::WordOutOfRange, message));
+    if let Some(programmed) = word(words, 'r') {
+        return dialect.thread_degression(programmed, state);
     }
-    Ok(())
+    let areas = state.choices.is(choice::threading::WithoutDegression::ConstantArea);
+    Ok(if areas { 2.0 } else { 1.0 })
 }
 
 /// What the manual leaves open: how deep passes are under another degression than 1 and 2, and what numbers mean that

@@ -7,86 +7,93 @@ use gaugeblock_vocabulary::{
 };
 
 use super::target::end_point;
-use super::{spindle, word};
+use super::word;
 use crate::ids::rule;
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::{settings, threading as quirks};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 pub(super) use cycle::perform as thread;
+pub(crate) use cycle::{Pass, Thread, ThreadRules, pass, traverse};
 
-/// Moves synchronised with a spindle.
-///
-/// Rule threading.synchronised. G33 moves to its end point, K per revolution of the spindle, and ends there.
-/// Rule threading.rigid-tap. G33.1 moves there and back, and ends where it began.
-///
-/// # Errors
-/// Rules threading.axis-words-missing, threading.needs-pitch, threading.needs-spindle, threading.spindle,
-/// threading.velocity.
-pub(super) fn perform(
-    motion: Motion,
-    words: &Words,
-    state: &mut State,
-    record: &mut Record,
-) -> Result<(), StepError> {
-    if !has_axis_words(words) {
-        let message = "a synchronised move without an axis word";
-        return Err(refuse(rule::threading::AXIS_WORDS_MISSING, FaultKind::MissingWord, message));
+/// What a controller may do otherwise with motion in step with a spindle.
+pub(crate) trait ThreadingRules {
+    /// Moves synchronised with a spindle.
+    ///
+    /// Rule threading.synchronised. G33 moves to its end point, K per revolution of the spindle, and ends there.
+    /// Rule threading.rigid-tap. G33.1 moves there and back, and ends where it began.
+    fn move_synchronised(
+        &self,
+        motion: Motion,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        if !has_axis_words(words) {
+            let message = "a synchronised move without an axis word";
+            return Err(refuse(
+                rule::threading::AXIS_WORDS_MISSING,
+                FaultKind::MissingWord,
+                message,
+            ));
+        }
+        let place = turning_spindle(words, state)?;
+        let Some(pitch) = word(words, 'k') else {
+            let message = "a synchronised move without K, its way per revolution";
+            return Err(refuse(rule::threading::NEEDS_PITCH, FaultKind::MissingWord, message));
+        };
+        if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
+            let what = "a way per revolution, or a factor of the way back, that is not positive";
+            return Err(StepError::Unspecified(what.to_owned()));
+        }
+        if state.modes.compensation != Compensation::Off {
+            return Err(StepError::Unsupported(
+                "a synchronised move under cutter compensation".to_owned(),
+            ));
+        }
+        let end = end_point(words, state)?;
+        within_velocities(place, pitch, end, state)?;
+        state.modes.motion = motion;
+        let spindle = number(state.dialect().reported_spindle(place, words, state));
+        record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
+        if motion == Motion::SpindleSynchronised {
+            state.position = end;
+            record.effect(state, Effect::StraightFeed { end });
+            state.coverage.accepted(rule::threading::SYNCHRONISED);
+        } else {
+            record.effect(state, Effect::RigidTap { end });
+            state.coverage.accepted(rule::threading::RIGID_TAP);
+        }
+        record.effect(state, Effect::StopSpindleSynchronisation {});
+        state.coverage.accepted(rule::threading::AXIS_WORDS_MISSING);
+        Ok(())
     }
-    quirks::feed_word(words, state)?;
-    let place = turning_spindle(words, state)?;
-    let Some(pitch) = word(words, 'k') else {
-        let message = "a synchronised move without K, its way per revolution";
-        return Err(refuse(rule::threading::NEEDS_PITCH, FaultKind::MissingWord, message));
-    };
-    if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
-        let what = "a way per revolution, or a factor of the way back, that is not positive";
-        return Err(StepError::Unspecified(what.to_owned()));
-    }
-    if state.modes.compensation != Compensation::Off {
-        return Err(StepError::Unsupported(
-            "a synchronised move under cutter compensation".to_owned(),
-        ));
-    }
-    let end = end_point(words, state)?;
-    within_velocities(place, pitch, end, state)?;
-    state.modes.motion = motion;
-    let spindle = number(quirks::reported_spindle(place, words, state));
-    record.effect(state, Effect::StartSpindleSynchronisation { spindle, pitch });
-    if motion == Motion::SpindleSynchronised {
-        state.position = end;
-        record.effect(state, Effect::StraightFeed { end });
-        state.coverage.accepted(rule::threading::SYNCHRONISED);
-    } else {
-        record.effect(state, Effect::RigidTap { end });
-        state.coverage.accepted(rule::threading::RIGID_TAP);
-    }
-    record.effect(state, Effect::StopSpindleSynchronisation {});
-    state.coverage.accepted(rule::threading::AXIS_WORDS_MISSING);
-    Ok(())
-}
 
-/// The spindle that $ names; without $ it is spindle 0, unless quirk rs274.chosen-spindle holds.
-///
-/// Rule threading.spindle. It is one that the machine has.
-fn selected_spindle(words: &Words, state: &mut State) -> Result<usize, StepError> {
-    let Some(number) = word(words, '$') else { return Ok(state.chosen_spindle) };
-    let place = spindle::number(number, state, rule::threading::SPINDLE)?;
-    settings::choose(place, state);
-    state.coverage.accepted(rule::threading::SPINDLE);
-    Ok(place)
+    /// The spindle that $ names, or spindle 0.
+    ///
+    /// Rule threading.spindle. It is one that the machine has.
+    fn selected_spindle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {
+        let Some(number) = word(words, '$') else { return Ok(0) };
+        let place = state.dialect().named_spindle(number, state, rule::threading::SPINDLE)?;
+        state.coverage.accepted(rule::threading::SPINDLE);
+        Ok(place)
+    }
+
+    /// The spindle that an effect names: that one.
+    fn reported_spindle(&self, place: usize, _words: &Words, _state: &State) -> usize {
+        place
+    }
 }
 
 /// The same, which must turn.
 ///
 /// Rule threading.needs-spindle. It turns; whether G76 too needs that is choice threading.cycle-spindle.
 fn turning_spindle(words: &Words, state: &mut State) -> Result<usize, StepError> {
-    let place = selected_spindle(words, state)?;
-    let turn = state.modes.spindles[place].known_turn();
+    let place = state.dialect().selected_spindle(words, state)?;
+    let turn = state.dialect().known_turn(place, state);
     if matches!(turn, SpindleTurn::Stopped | SpindleTurn::Oriented) {
         let message = "a synchronised move while the spindle does not turn";
         return Err(refuse(rule::threading::NEEDS_SPINDLE, FaultKind::ZeroSpeed, message));

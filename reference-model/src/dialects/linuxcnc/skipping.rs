@@ -3,41 +3,18 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::Shows;
+use super::control::{count_too_large, known_number, leave, value_behind, with_zeros};
 use crate::ids::{Quirk, quirk, rule};
 use crate::math;
-use crate::rs274::control::{Call, Control, Frame, Place, Style, enabled, label_of, passed};
-use crate::rs274::evaluate;
-use crate::rs274::quirks::control::{
-    count_too_large, known_number, leave, value_behind, with_zeros,
+use crate::rs274::control::{
+    Call, Control, Frame, Place, SearchTarget, Style, enabled, label_of, passed,
 };
+use crate::rs274::evaluate;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
 use crate::rs274::text::Line;
-
-/// What is looked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SearchTarget<'a> {
-    /// The next branch or the end of a condition or loop.
-    Structure {
-        /// Its label.
-        label: &'a str,
-        /// What it may end with, or go on with.
-        ends: &'a [Keyword],
-    },
-    /// The endsub of the sub that is defined.
-    EndSub {
-        /// The label of that sub.
-        label: &'a str,
-    },
-    /// A sub that is called.
-    Called {
-        /// Its label.
-        label: &'a str,
-    },
-    /// A numbered program that is called.
-    Numbered,
-}
 
 /// Without any of these, what is passed over is not looked at.
 const QUIRKS: [Quirk; 3] =
@@ -48,18 +25,33 @@ const QUIRKS: [Quirk; 3] =
 /// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are
 /// checked. Quirk rs274.skipped-labels. So is a label that is the one of the condition or loop whose end is looked
 /// for. Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another one.
-///
-/// # Errors
-/// A line that is refused.
-pub(crate) fn pass_over(
+pub(super) fn pass_over(
     control: &mut Control,
     target: SearchTarget<'_>,
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.choices.quirk(*quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.shows(*quirk)) {
         return Ok(());
     }
+    match target {
+        SearchTarget::Numbered { label } => to_numbered(control, label, state),
+        SearchTarget::Called { label, arguments } => {
+            to_called(control, (label, arguments), end, state)
+        }
+        SearchTarget::Structure { .. } | SearchTarget::EndSub { .. } => {
+            read_over(control, target, end, state)
+        }
+    }
+}
+
+/// The same, line by line.
+fn read_over(
+    control: &mut Control,
+    target: SearchTarget<'_>,
+    end: Option<u32>,
+    state: &mut State,
+) -> Result<(), StepError> {
     let start = control.place;
     for line in start.line + 1..end.unwrap_or(u32::MAX) {
         let place = Place { line, ..start };
@@ -74,48 +66,35 @@ pub(crate) fn pass_over(
     Ok(())
 }
 
-/// On the way to the numbered program that M98 calls; to one that was called before nobody looks for a way.
-///
-/// # Errors
-/// A line that is refused.
-pub(crate) fn to_numbered(
-    control: &mut Control,
-    label: &str,
-    state: &mut State,
-) -> Result<(), StepError> {
+/// On the way to the numbered program that M98 calls; for one that was called before there is no search.
+fn to_numbered(control: &mut Control, label: &str, state: &mut State) -> Result<(), StepError> {
     if control.is_called_before(label) || known_number(control, label, state).is_some() {
         return Ok(());
     }
     let ends = [Keyword::ProgramNumber, Keyword::Sub];
     let end = control.next_in_file(label, &ends);
-    pass_over(control, SearchTarget::Numbered, end, state)
+    read_over(control, SearchTarget::Numbered { label }, end, state)
 }
 
-/// On the way to a sub that stands behind its call: what is evaluated there is evaluated as within the sub.
-///
-/// # Errors
-/// A line that is refused.
-pub(crate) fn to_called(
+/// On the way to a sub that is behind its call: what is evaluated there is evaluated as within the sub.
+fn to_called(
     control: &mut Control,
-    label: &str,
-    arguments: &[f64],
+    (label, arguments): (&str, &[f64]),
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.choices.quirk(*quirk)) {
-        return Ok(());
-    }
     let call = Call { label: label.to_owned(), back: control.place, style: Style::OWord };
-    let arguments = passed(arguments, state);
-    state.frames.push(Frame { arguments, call: Some(call), ..Frame::default() });
-    let passed_over = pass_over(control, SearchTarget::Called { label }, end, state);
+    let passed = passed(arguments, state);
+    state.frames.push(Frame { arguments: passed, call: Some(call), ..Frame::default() });
+    let target = SearchTarget::Called { label, arguments };
+    let passed_over = read_over(control, target, end, state);
     state.frames.pop();
     passed_over
 }
 
 /// A line that is passed over.
 fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(), StepError> {
-    let reads = state.choices.quirk(quirk::rs274::SKIPPED_IS_READ);
+    let reads = state.shows(quirk::rs274::SKIPPED_IS_READ);
     let in_sub = matches!(target, SearchTarget::EndSub { .. });
     let read = match syntax::passed_over(text, state) {
         Ok(read) => read,
@@ -147,14 +126,13 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
     };
     match target {
         SearchTarget::Structure { label: own, ends }
-            if label.as_deref() == Some(own)
-                && state.choices.quirk(quirk::rs274::SKIPPED_LABELS) =>
+            if label.as_deref() == Some(own) && state.shows(quirk::rs274::SKIPPED_LABELS) =>
         {
             own_label(word.keyword, ends)
         }
         SearchTarget::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
-                && state.choices.quirk(quirk::rs274::NUMBER_IN_SUB) =>
+                && state.shows(quirk::rs274::NUMBER_IN_SUB) =>
         {
             let message = "a number alone within a sub that is defined";
             Err(refuse(quirk::rs274::NUMBER_IN_SUB, FaultKind::NestedSub, message))
@@ -166,21 +144,21 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
         SearchTarget::EndSub { label: own }
             if label.as_deref() == Some(own)
                 && word.keyword == Keyword::Return
-                && state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
+                && state.shows(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(true, text, state)
         }
-        SearchTarget::Called { label: own }
+        SearchTarget::Called { label: own, .. }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
-                && state.choices.quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
+                && state.shows(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(false, text, state)
         }
         SearchTarget::Structure { .. }
         | SearchTarget::EndSub { .. }
         | SearchTarget::Called { .. }
-        | SearchTarget::Numbered => Ok(()),
+        | SearchTarget::Numbered { .. } => Ok(()),
     }
 }
 

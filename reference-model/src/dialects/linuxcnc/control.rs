@@ -1,0 +1,487 @@
+//! Quirks of subroutines, conditions and loops.
+
+use gaugeblock_vocabulary::FaultKind;
+
+use super::skipping;
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::ids::rule;
+use crate::rs274::control::{
+    Call, ConditionRules, Control, ControlRules, Frame, LoopRules, Next, NumberedRules, Open,
+    Place, SearchTarget, Structure, Style, SubroutineRules, clear_value, deeper, is_repeat,
+    keep_value, o_word, shared_frame, turns,
+};
+use crate::rs274::dialect::Documented;
+use crate::rs274::evaluate;
+use crate::rs274::parameters::{self, Name};
+use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::state::State;
+use crate::rs274::syntax::{self, Expression, Keyword, Parameter};
+use crate::rs274::task::Record;
+use crate::rs274::text::Line;
+
+impl ControlRules for LinuxCnc {
+    fn pass_over(
+        &self,
+        control: &mut Control,
+        target: SearchTarget<'_>,
+        end: Option<u32>,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        skipping::pass_over(control, target, end, state)
+    }
+
+    /// Quirk rs274.ends-in-other-subs. It can be in whichever sub, before a numbered program begins.
+    fn end_further_on(
+        &self,
+        control: &Control,
+        label: &str,
+        keywords: &[Keyword],
+        after: u32,
+        state: &mut State,
+    ) -> Option<u32> {
+        if state.shows(quirk::rs274::ENDS_IN_OTHER_SUBS) {
+            let labels = control.files.labels(control.place.file);
+            return labels.find_in_any_sub(label, keywords, after, state);
+        }
+        Documented.end_further_on(control, label, keywords, after, state)
+    }
+
+    /// Quirk rs274.ends-in-other-subs. Where a sub ends does not count.
+    fn has_computed_subs(&self, control: &Control, after: u32, until: u32, state: &State) -> bool {
+        !state.shows(quirk::rs274::ENDS_IN_OTHER_SUBS)
+            && Documented.has_computed_subs(control, after, until, state)
+    }
+}
+
+impl SubroutineRules for LinuxCnc {
+    /// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is
+    /// executed. Quirk rs274.sub-found-later. So it is within a sub of the main program, which nothing has looked at
+    /// where it was found by its call; and its own definition is refused when it is reached.
+    /// Quirk rs274.sub-reached-again. A definition that is reached a second time, as in a loop, is refused.
+    fn define_sub(
+        &self,
+        control: &mut Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if is_head_within(control, state) {
+            return Ok(Next::Following);
+        }
+        let rule = quirk::rs274::SUB_REACHED_AGAIN;
+        if control.subs.get(label) == Some(&control.place) && state.shows(rule) {
+            let message = format!("{} is known already", o_word(label));
+            return Err(refuse(rule, FaultKind::BadBlock, message));
+        }
+        if control.memory.found_later.contains(&control.place) {
+            let message = format!("{} was found by a call before it", o_word(label));
+            return Err(refuse(quirk::rs274::SUB_FOUND_LATER, FaultKind::BadBlock, message));
+        }
+        Documented.define_sub(control, label, state)
+    }
+
+    /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined.
+    fn skip_body(
+        &self,
+        control: &mut Control,
+        end: u32,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if state.shows(quirk::rs274::VALUE_AT_DEFINITION) {
+            value_at_definition(control, end, state)?;
+        }
+        Documented.skip_body(control, end, state)
+    }
+
+    /// Quirk rs274.any-endsub. It ends that sub whatever its number.
+    fn ends_sub(&self, own: &str, label: &str, state: &State) -> bool {
+        state.shows(quirk::rs274::ANY_ENDSUB) || Documented.ends_sub(own, label, state)
+    }
+
+    /// Quirk rs274.return-after-call. Once something was called, a return in the main program is no error: it keeps
+    /// its value as a sub's would, and the program goes on behind it.
+    fn return_from(
+        &self,
+        control: &mut Control,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<Next, StepError> {
+        let in_main = state.frame().call.is_none();
+        if in_main && control.memory.has_called && state.shows(quirk::rs274::RETURN_AFTER_CALL) {
+            keep_value(values, state)?;
+            return Ok(Next::Following);
+        }
+        Documented.return_from(control, label, values, state, record)
+    }
+
+    /// Quirk rs274.value-cleared-at-return. A call clears nothing.
+    fn clear_value_at_call(&self, state: &mut State) {
+        if !state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+            Documented.clear_value_at_call(state);
+        }
+    }
+
+    fn enter_call(
+        &self,
+        control: &mut Control,
+        frame: Frame,
+        first: Place,
+        state: &mut State,
+    ) -> Next {
+        control.memory.has_called = true;
+        match &frame.call {
+            Some(Call { label, style: Style::Numbered { .. }, .. }) => {
+                control.memory.numbers_called.insert(label.clone(), first);
+            }
+            Some(_) | None if state.call_level() == 0 => {
+                control.memory.at_last_call = state.frame().arguments;
+            }
+            Some(_) | None => {}
+        }
+        Documented.enter_call(control, frame, first, state)
+    }
+
+    /// Quirk rs274.sub-found-later. One that the program defines further on, before a numbered program of the same
+    /// number, is found.
+    fn sub_behind_call(
+        &self,
+        control: &mut Control,
+        label: &str,
+        arguments: &[f64],
+        state: &mut State,
+    ) -> Result<Place, StepError> {
+        let (later, number) = control.further_on(label);
+        let first = later.filter(|sub| number.is_none_or(|number| *sub < number));
+        let found = if control.is_numbered(label) { first } else { later };
+        if let Some(line) = found.filter(|_| state.shows(quirk::rs274::SUB_FOUND_LATER)) {
+            let target = SearchTarget::Called { label, arguments };
+            state.dialect().pass_over(control, target, later, state)?;
+            let sub = Place { line, ..control.place };
+            control.subs.insert(label.to_owned(), sub);
+            control.memory.found_later.insert(sub);
+            return Ok(sub);
+        }
+        Documented.sub_behind_call(control, label, arguments, state)
+    }
+
+    /// Quirk rs274.file-with-two-subs. It can.
+    fn allows_other_subs(&self, state: &State) -> bool {
+        state.shows(quirk::rs274::FILE_WITH_TWO_SUBS) || Documented.allows_other_subs(state)
+    }
+
+    /// Quirk rs274.unpassed-arguments-zero. They are zero.
+    fn unpassed_arguments(&self, state: &State) -> [f64; 30] {
+        if state.shows(quirk::rs274::UNPASSED_ARGUMENTS_ZERO) {
+            return [0.0; 30];
+        }
+        Documented.unpassed_arguments(state)
+    }
+
+    /// Quirk rs274.nine-levels. The main program counts as a level.
+    fn most_levels(&self, state: &State) -> u32 {
+        let levels = Documented.most_levels(state);
+        if state.shows(quirk::rs274::NINE_LEVELS) { levels - 1 } else { levels }
+    }
+}
+
+impl NumberedRules for LinuxCnc {
+    fn turns_of_call(&self, programmed: f64, state: &State) -> Result<u64, StepError> {
+        count_too_large(programmed, state)?;
+        Documented.turns_of_call(programmed, state)
+    }
+
+    /// Quirk rs274.fanuc-zero-loops. A call with L0 leaves a call level behind: what follows is executed as if it
+    /// belonged to the subprogram.
+    fn call_no_times(
+        &self,
+        control: &mut Control,
+        label: String,
+        first: Place,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if !state.shows(quirk::rs274::FANUC_ZERO_LOOPS) {
+            return Documented.call_no_times(control, label, first, state);
+        }
+        deeper(rule::fanuc_subs::LEVEL_LIMIT, state)?;
+        state.coverage.accepted(rule::fanuc_subs::NO_RETURN_VALUE);
+        state.dialect().clear_value_at_numbered_call(state);
+        let back = Place { line: control.place.line + 1, ..control.place };
+        let style = Style::Numbered { first, turns_left: 0 };
+        let frame = shared_frame(Call { label, back, style }, state);
+        state.coverage.accepted(rule::fanuc_subs::ZERO_COUNT);
+        state.frames.push(frame);
+        Ok(Next::At(back))
+    }
+
+    /// Quirk rs274.value-cleared-at-return. It does not clear it.
+    fn clear_value_at_numbered_call(&self, state: &mut State) {
+        if !state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+            Documented.clear_value_at_numbered_call(state);
+        }
+    }
+
+    /// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it
+    /// is in.
+    fn number_of_call(
+        &self,
+        control: &Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Place, StepError> {
+        if let Some(first) = known_number(control, label, state) {
+            return Ok(first);
+        }
+        Documented.number_of_call(control, label, state)
+    }
+
+    /// Quirk rs274.value-cleared-at-return. The end clears the value of an earlier call.
+    fn end_turn_of_numbered(
+        &self,
+        control: &Control,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        Documented.end_turn_of_numbered(control, state, record)?;
+        if state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+            clear_value(state);
+        }
+        Ok(())
+    }
+}
+
+impl ConditionRules for LinuxCnc {
+    /// Quirk rs274.later-conditions-evaluated. The condition of an elseif is evaluated even after a true one.
+    fn skip_elseif(
+        &self,
+        control: &mut Control,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if !state.shows(quirk::rs274::LATER_CONDITIONS_EVALUATED) {
+            return Documented.skip_elseif(control, label, values, state);
+        }
+        values.iter().try_for_each(|value| evaluate::value_of(value, state).map(|_| ()))?;
+        control.at_branch(label, state)
+    }
+
+    /// Quirk rs274.fanuc-zero-loops. What is executed can belong to a level left behind, where the labels of the
+    /// program around it are not known.
+    fn labels_are_of_call(&self, state: &State) -> bool {
+        let left_behind =
+            state.frame().shares_parameters() && state.shows(quirk::rs274::FANUC_ZERO_LOOPS);
+        !left_behind && Documented.labels_are_of_call(state)
+    }
+}
+
+/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends, which begins
+/// again then. A while tests its condition once more, which changes something only where it is broken.
+/// Quirk rs274.break-remembered. A break of a while is remembered until a do loop tests its condition, which ends then.
+impl LoopRules for LinuxCnc {
+    fn leave_while(&self, control: &mut Control, label: &str, end: u32, state: &mut State) -> Next {
+        control.memory.continue_remembered = false;
+        breaks_skipped(control, label, end, state);
+        Documented.leave_while(control, label, end, state)
+    }
+
+    fn repeats_do(&self, control: &mut Control, condition: bool) -> bool {
+        let ends = std::mem::take(&mut control.memory.break_remembered);
+        !ends && Documented.repeats_do(control, condition)
+    }
+
+    /// Quirk rs274.repeat-counter-shared. All invocations of a sub share the counter of a repeat. The head takes a turn
+    /// from the counter when it finds one, whichever invocation left it there; a counter that is used up ends the loop
+    /// and is gone, so that the next head that is reached begins again.
+    fn begin_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        values: &[Expression],
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if !state.shows(quirk::rs274::REPEAT_COUNTER_SHARED) {
+            return Documented.begin_repeat(control, label, values, state);
+        }
+        let turns_left = match control.memory.shared_counters.remove(&control.place) {
+            Some(left) => left,
+            None => turns(values, state)?,
+        };
+        if turns_left == 0 {
+            return state.dialect().skip_repeat(control, label, state);
+        }
+        control.memory.shared_counters.insert(control.place, turns_left - 1);
+        control.enter(label, Structure::Repeat { turns_left: 0 }, state);
+        Ok(Next::Following)
+    }
+
+    /// Quirk rs274.repeat-counter-shared. The head decides.
+    fn end_turn_of_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        place: usize,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if !state.shows(quirk::rs274::REPEAT_COUNTER_SHARED) {
+            return Documented.end_turn_of_repeat(control, label, place, state);
+        }
+        let first = state.frame().open[place].line;
+        control.leave(label, is_repeat, state)?;
+        Ok(Next::At(control.line(first)))
+    }
+
+    fn leave_repeat(&self, control: &mut Control, first: u32) -> Next {
+        if std::mem::take(&mut control.memory.continue_remembered) {
+            return Next::At(control.line(first));
+        }
+        Documented.leave_repeat(control, first)
+    }
+
+    fn skip_repeat(
+        &self,
+        control: &mut Control,
+        label: &str,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if std::mem::take(&mut control.memory.continue_remembered) {
+            return Ok(Next::At(control.place));
+        }
+        Documented.skip_repeat(control, label, state)
+    }
+
+    fn leave_by_break(
+        &self,
+        control: &mut Control,
+        left: Vec<Open>,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if let Some(Open { structure: Structure::While, line, .. }) = left.first() {
+            control.memory.break_remembered |= state.shows(quirk::rs274::BREAK_REMEMBERED);
+            if std::mem::take(&mut control.memory.continue_remembered) {
+                return Ok(Next::At(control.line(*line)));
+            }
+        }
+        Documented.leave_by_break(control, left, state)
+    }
+
+    fn continue_do(
+        &self,
+        control: &mut Control,
+        label: &str,
+        line: u32,
+        state: &mut State,
+    ) -> Next {
+        control.memory.continue_remembered = state.shows(quirk::rs274::CONTINUE_REMEMBERED);
+        breaks_skipped(control, label, line, state);
+        Documented.continue_do(control, label, line, state)
+    }
+
+    /// Quirk rs274.continue-seeks-end. It looks for the end of the loop before that, so that it is refused where there
+    /// is none.
+    fn continue_while(
+        &self,
+        control: &mut Control,
+        label: &str,
+        first: u32,
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        if state.shows(quirk::rs274::CONTINUE_SEEKS_END) {
+            control.end_of_skipped(label, &[Keyword::EndWhile], control.place.line, state)?;
+        }
+        Documented.continue_while(control, label, first, state)
+    }
+}
+
+/// Quirks rs274.file-with-two-subs and rs274.sub-found-later. Whether the head of a sub is within another one that is
+/// executed.
+fn is_head_within(control: &Control, state: &State) -> bool {
+    let quirk = if control.place.file == 0 {
+        state.frame().is_sub() && state.shows(quirk::rs274::SUB_FOUND_LATER)
+    } else {
+        state.shows(quirk::rs274::FILE_WITH_TWO_SUBS)
+    };
+    state.call_level() > 0 && quirk
+}
+
+/// Quirk rs274.break-remembered. A break that is skipped before line `end` counts.
+fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut State) {
+    if state.shows(quirk::rs274::BREAK_REMEMBERED) {
+        let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
+        control.memory.break_remembered |= skipped.is_some_and(|line| line < end);
+    }
+}
+
+/// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
+/// do not exist there count as zero.
+fn value_at_definition(
+    control: &mut Control,
+    end: u32,
+    state: &mut State,
+) -> Result<(), StepError> {
+    control.place.line = end;
+    let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
+    let value = value_behind(text, state)?.map(|value| with_zeros(&value, state));
+    leave(value.as_ref(), state)
+}
+
+/// The value behind an endsub or a return; nothing looks at what is behind that.
+pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
+    let word = match syntax::parse(text, state) {
+        Ok(block) => block.o_word,
+        Err(StepError::Refused(refusal)) if refusal.rule == rule::control::UNRELATED_WORDS => {
+            syntax::o_word_of(text, state)
+        }
+        Err(error) => return Err(error),
+    };
+    Ok(word.and_then(|word| word.arguments.into_iter().next()))
+}
+
+/// A value is left as if a sub had returned it; none, where there is none.
+pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), StepError> {
+    let value = value.map(|value| evaluate::value_of(value, state)).transpose()?;
+    state.parameters.returned = value.unwrap_or(0.0);
+    state.parameters.has_returned = value.is_some();
+    Ok(())
+}
+
+/// An expression with zero for each named parameter that does not exist.
+pub(super) fn with_zeros(expression: &Expression, state: &State) -> Expression {
+    let inside = |inner: &Expression| Box::new(with_zeros(inner, state));
+    match expression {
+        Expression::Parameter(Parameter::Named(name))
+            if !parameters::exists(&Name::Named(name.clone()), state) =>
+        {
+            Expression::Number(0.0)
+        }
+        Expression::Parameter(Parameter::Numbered(number)) => {
+            Expression::Parameter(Parameter::Numbered(inside(number)))
+        }
+        Expression::Negate(inner) => Expression::Negate(inside(inner)),
+        Expression::Function(function, inner) => Expression::Function(*function, inside(inner)),
+        Expression::ArcTangent(y, x) => Expression::ArcTangent(inside(y), inside(x)),
+        Expression::Binary(operator, left, right) => {
+            Expression::Binary(*operator, inside(left), inside(right))
+        }
+        Expression::Number(_)
+        | Expression::Parameter(Parameter::Named(_))
+        | Expression::Exists(_) => expression.clone(),
+    }
+}
+
+/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it
+/// stands in.
+pub(super) fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
+    let first = control.memory.numbers_called.get(label).copied();
+    first.filter(|_| state.shows(quirk::rs274::NUMBERS_OF_ALL_FILES))
+}
+
+/// Quirk rs274.fanuc-count-too-large. L of M98 is refused, as if it were negative, from 2147483648 on.
+pub(super) fn count_too_large(turns: f64, state: &State) -> Result<(), StepError> {
+    let rule = quirk::rs274::FANUC_COUNT_TOO_LARGE;
+    if turns.round() > f64::from(i32::MAX) && state.shows(rule) {
+        return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
+    }
+    Ok(())
+}
