@@ -9,6 +9,7 @@ mod fuzz;
 mod known_issues;
 mod linuxcnc;
 mod motion;
+mod not_a_report;
 mod offers;
 mod offline;
 mod printed;

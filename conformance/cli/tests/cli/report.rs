@@ -72,7 +72,7 @@ fn suite() -> Suite {
         .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report").join(name);
     let _absent = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a folder for the test");
@@ -222,51 +222,6 @@ fn a_report_of_another_version_is_refused() {
             let message = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(2), "{message}");
             assert!(message.contains(words) && message.contains("hint:"), "{message}");
-        }
-    }
-}
-
-#[test]
-fn a_wrong_file_in_the_place_of_a_report_is_named_as_such() {
-    let here = folder("no-report");
-    let path = |name: &str| here.join(name).to_str().expect("UTF-8").to_owned();
-    let binary = b"\xff\xfe\0".as_slice();
-    let files: [(&str, &[u8]); 5] = [
-        ("empty", b""),
-        ("program.ngc", b"g0 x1\nm2\n"),
-        ("cut-off.json", b"{\"gaugeblock\":\"report\",\"sch"),
-        ("other.json", b"{\"cases\":[]}"),
-        ("binary", binary),
-    ];
-    for (name, content) in files {
-        std::fs::write(here.join(name), content).expect("a file");
-    }
-    let is_refused = |call: &[&str], words: &[&str]| {
-        let message = gaugeblock(call).stderr;
-        let message = String::from_utf8_lossy(&message);
-        assert!(words.iter().all(|word| message.contains(word)), "{call:?}: {message}");
-        assert!(!message.contains("shard"), "{call:?}: {message}");
-    };
-    let hint = "hint: name the report.json of an earlier run";
-    let commands: [&[&str]; 4] = [
-        &["certify", "--controller", "reference", "--only", "coolant", "--baseline"],
-        &["report", "merge"],
-        &["suite", "matrix", "--report"],
-        &["fuzz", "--programs", "1", "--known"],
-    ];
-    for command in commands {
-        for (name, _) in files {
-            // Plain text is asked for by these two before anything else.
-            if name == "binary" && ["suite", "fuzz"].contains(&command[0]) {
-                continue;
-            }
-            let of_fuzz = format!("{name} is not a report of `gaugeblock fuzz` (JSON)");
-            let of_certify = format!("{name} is not a Gaugeblock report (JSON)");
-            let message = if command[0] == "fuzz" { of_fuzz } else { of_certify };
-            is_refused(&[command, &[path(name).as_str()]].concat(), &[&message, hint]);
-        }
-        if ["certify", "report"].contains(&command[0]) {
-            is_refused(&[command, &[path("absent").as_str()]].concat(), &["absent: No such", hint]);
         }
     }
 }
