@@ -208,6 +208,6 @@ fn a_program_that_it_refuses_leaves_no_samples() {
     ]);
     let output = command.arg(&samples).output().expect("gaugeblock runs");
     let text = ends_with(&output, 2);
-    assert!(text.contains("does not come to its end"), "{text}");
+    assert!(text.contains("does not reach its end"), "{text}");
     assert!(!samples.exists());
 }

@@ -214,7 +214,7 @@ fn where_nobody_listens_the_command_says_what_to_do() {
     drop(free);
     for (controller, status, words) in [
         (format!("tcp:{address}"), 3, "no connection to"),
-        ("tcp:127.0.0.1".to_owned(), 2, "names no host and port"),
+        ("tcp:127.0.0.1".to_owned(), 2, "expected tcp:HOST:PORT"),
         ("tcp:no-such-host.invalid:1".to_owned(), 3, "no connection to"),
     ] {
         let output = gaugeblock(&["certify", "--controller", &controller]);

@@ -218,7 +218,10 @@ fn sheets_of_another_suite_or_edition_are_refused() {
     name_control(&folder);
     let paper = controller(&folder);
     let said = ends_with(2, &["certify", "--controller", &paper, "--edition", "linuxcnc-2.8"]);
-    assert!(said.contains("was asked by linuxcnc-2.9") && said.contains("hint:"), "{said}");
+    assert!(
+        said.contains("collected for edition linuxcnc-2.9") && said.contains("hint:"),
+        "{said}"
+    );
     let file = folder.join("manifest.json");
     let before = fs::read_to_string(&file).expect("the manifest");
     let suite = manifest(&folder).suite;
@@ -243,11 +246,11 @@ fn nothing_is_overwritten_and_nothing_half_written() {
     let folder = campaign("kept", PROFILE);
     let export = |more: &[&str]| ends_with(2, &[&["offline", "export"], more].concat());
     let said = export(&["--out", path(&folder)]);
-    assert!(said.contains("it is not empty") && said.contains("hint:"), "{said}");
+    assert!(said.contains("is not empty") && said.contains("hint:"), "{said}");
     let new = folder.join("new");
     for (more, words) in [
-        (["--profile", "no-such"], "there is no profile `no-such`"),
-        (["--edition", "no-such"], "there is no edition `no-such`"),
+        (["--profile", "no-such"], "unknown profile `no-such`"),
+        (["--edition", "no-such"], "unknown edition `no-such`"),
         (["--edition", "nct-99m"], "another language"),
     ] {
         let said = export(&[&["--out", path(&new)], more.as_slice()].concat());
