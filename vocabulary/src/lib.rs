@@ -12,7 +12,7 @@
 //! | `toml` | TOML files of scenarios, paths, limits and scripts |
 //! | `schema` | JSON schemas, generated from the types |
 //!
-//! In source, read `words`, `position` and `field` first; everything else is declared with them.
+//! In source, read `words`, `position`, `field` and `record` first; everything else is declared with them.
 //!
 //! **Invariant:** this crate interprets nothing. It holds no block parser, no table of codes, no unit conversion and
 //! no arithmetic on positions. The reference model and the interpreter share this crate and no other of the workspace.
@@ -35,6 +35,7 @@ pub mod motion;
 mod outcome;
 mod pin;
 mod position;
+mod record;
 pub mod scenario;
 #[cfg(feature = "schema")]
 pub mod schema;

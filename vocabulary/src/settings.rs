@@ -6,7 +6,7 @@ use core::fmt;
 
 #[cfg(feature = "text")]
 use crate::error::TextError;
-use crate::field::{Entry, Scalar, Value, record};
+use crate::field::{Entry, Scalar, Value};
 use crate::indexed::Indexed;
 use crate::language::Language;
 use crate::modes::{
@@ -14,6 +14,7 @@ use crate::modes::{
     Plane, ReturnMode, SpindleMode, SpindleTurn, Switch,
 };
 use crate::position::Position;
+use crate::record::record;
 #[cfg(feature = "text")]
 use crate::text::value::FromText;
 use crate::words::words;

@@ -95,14 +95,18 @@ impl Controller {
             }
             moves |= matches!(letter, 'x' | 'y' | 'z');
         }
+        if !moves {
+            return Ok(Ok(None));
+        }
         let end = self.point;
-        let effect = match self.motion {
-            Motion::Traverse => Effect::StraightTraverse { end },
-            Motion::Feed if self.feed_rate > 0.0 => Effect::StraightFeed { end },
-            _ if moves => return Ok(Err("no motion mode, or no feed rate".to_owned())),
-            _ => return Ok(Ok(None)),
+        let effect = if self.motion == Motion::Traverse {
+            Effect::StraightTraverse { end }
+        } else if self.motion == Motion::Feed && self.feed_rate > 0.0 {
+            Effect::StraightFeed { end }
+        } else {
+            return Ok(Err("no motion mode, or no feed rate".to_owned()));
         };
-        Ok(Ok(moves.then_some(effect)))
+        Ok(Ok(Some(effect)))
     }
 
     fn state(&self) -> State {

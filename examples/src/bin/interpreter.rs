@@ -32,11 +32,8 @@ impl Sink for Printer {
         let arguments: Vec<_> =
             effect.arguments().iter().map(|(name, value)| format!(" {name}={value}")).collect();
         println!("{line:3}  {}{}", effect.name(), arguments.concat());
-        match effect {
-            // An input has to be answered. This machine has none: the wait ends without a signal.
-            Effect::WaitInput { .. } => Reply::Input(-1.0),
-            _ => Reply::Done,
-        }
+        // An input has to be answered. This machine has none: the wait ends without a signal.
+        if let Effect::WaitInput { .. } = effect { Reply::Input(-1.0) } else { Reply::Done }
     }
 }
 

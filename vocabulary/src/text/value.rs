@@ -1,5 +1,6 @@
 //! The text form of single values: `100`, `clockwise`, `"free text"`, `(x1 y2.5)`.
 
+use alloc::borrow::ToOwned as _;
 use alloc::collections::BTreeSet;
 use alloc::format;
 use alloc::string::{String, ToString as _};
@@ -27,7 +28,7 @@ impl Entry {
     pub fn name(&self) -> String {
         match &self.index {
             Some(index) => format!("{}[{}]", self.field, index_text(index)),
-            None => self.field.to_string(),
+            None => self.field.to_owned(),
         }
     }
 }
@@ -49,7 +50,7 @@ pub(super) fn name_text(name: &str) -> String {
 
 fn plain_or_quoted(text: &str, besides: impl Fn(char) -> bool) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-') || besides(c);
-    if !text.is_empty() && text.chars().all(plain) { text.to_string() } else { quoted(text) }
+    if !text.is_empty() && text.chars().all(plain) { text.to_owned() } else { quoted(text) }
 }
 
 /// A single value that can be read from its text form.
