@@ -22,3 +22,4 @@ mod shards;
 mod template;
 mod told;
 mod tutorial;
+mod wrong_reports;
