@@ -39,7 +39,12 @@ fn most_programs_are_accepted_and_long() {
             End::Unsupported { .. } => unsupported += 1,
             End::Unspecified { .. } => unspecified += 1,
             End::Fault(fault) => *faults.entry(format!("{:?}", fault.kind)).or_default() += 1,
-            _ => accepted += 1,
+            End::ProgramEnd
+            | End::PercentEnd
+            | End::Endless
+            | End::Paused
+            | End::Aborted
+            | End::BudgetExhausted { .. } => accepted += 1,
         }
     }
     println!(

@@ -22,10 +22,11 @@ macro_rules! ids {
 
         #[expect(
             non_camel_case_types,
+            clippy::upper_case_acronyms,
             dead_code,
-            reason = "each but the last is named as the constant that it numbers"
+            reason = "each is named as the constant that it numbers; the last two have both forms of a name"
         )]
-        enum Numbering { $($name,)* Past_End }
+        enum Numbering { $($name,)* Past_End, PAST }
 
         $($(#[doc = $doc])* pub const $name: $kind = $kind($first + Numbering::$name as u16);)*
     };

@@ -197,7 +197,7 @@ impl Session<'_> {
         let workspace = Workspace::in_memory("rs274")?;
         workspace.write_machine(self.machine, &self.source.listed())?;
         for (file, (name, lines)) in self.source.files().iter().enumerate() {
-            workspace.write(name, &text(file, lines))?;
+            workspace.write(name, text(file, lines))?;
         }
         let start = self.start(how);
         let forked = match from {

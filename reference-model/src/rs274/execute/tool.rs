@@ -105,11 +105,7 @@ pub(crate) fn loaded(state: &State) -> Option<&Tool> {
 ///
 /// # Errors
 /// The tool table does not hold it; refused by the rule that is given.
-pub(crate) fn named<'a>(
-    tool: i32,
-    rule: Rule,
-    state: &'a State,
-) -> Result<Option<&'a Tool>, StepError> {
+pub(crate) fn named(tool: i32, rule: Rule, state: &State) -> Result<Option<&Tool>, StepError> {
     let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;
     let tool = if zero_is_spindle { state.known_tool } else { tool };
     if zero_is_spindle && tool == 0 {
