@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_linuxcnc::Rs274;
-use gaugeblock_offline::Manifest;
+use gaugeblock_offline::{Asked, Manifest};
 use gaugeblock_suite::Suite;
 use serde_json::Value;
 
@@ -54,7 +54,12 @@ fn manifest(folder: &Path) -> Manifest {
 
 /// Changes a file of the first program.
 fn change(folder: &Path, file: &str, old: &str, new: &str) {
-    let file = folder.join("0001").join(file);
+    change_in(&folder.join("0001"), file, old, new);
+}
+
+/// Changes a file in the folder of a program.
+fn change_in(folder: &Path, file: &str, old: &str, new: &str) {
+    let file = folder.join(file);
     let before = fs::read_to_string(&file).expect("a file of the campaign");
     assert!(before.contains(old), "{old:?} is not in {before}");
     fs::write(&file, before.replacen(old, new, 1)).expect("it can be written");
@@ -167,17 +172,25 @@ fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
     assert!(open >= cases, "{open} of {cases}");
     let said = ends_with(3, &["certify", "--controller", &paper]);
     assert!(said.contains("0 of "), "{said}");
+    // A program that is accepted and sets #31.
+    let program = |asked: &Asked| {
+        let file = folder.join(&asked.folder).join("main.ngc");
+        fs::read_to_string(file).expect("the program")
+    };
+    let sets = "#<absolute> = #<_absolute>\ng91 f5";
+    let asked = asked.iter().find(|asked| program(asked).contains(sets)).expect("the program");
+    let sheet = folder.join(&asked.folder);
     // How it ended says nothing of what this rule demands.
-    change(&folder, "answer.toml", "ended = \"\"", "ended = \"program end\"");
+    change_in(&sheet, "answer.toml", "ended = \"\"", "ended = \"program end\"");
     let one = verdicts(&[&paper, "--only", CHAPTER]);
     assert_eq!((count(&one, "pass"), count(&one, "diverges")), (0, 0), "{one:?}");
-    assert_eq!(count(&one, "not run"), open - asked[0].cases);
+    assert_eq!(count(&one, "not run"), open - asked.cases);
     // With its variable it is judged; a wrong one departs.
-    change(&folder, "answer.toml", "\"#31\" = \"\"", "\"#31\" = \"0.0004\"");
+    change_in(&sheet, "answer.toml", "\"#31\" = \"\"", "\"#31\" = \"0.0004\"");
     let judged = verdicts(&[&paper, "--only", CHAPTER]);
-    assert_eq!((count(&judged, "pass") + count(&judged, "diverges")), asked[0].cases);
-    change(&folder, "answer.toml", "\"#31\" = \"0.0004\"", "\"#31\" = 77");
-    assert_eq!(count(&verdicts(&[&paper, "--only", CHAPTER]), "diverges"), asked[0].cases);
+    assert_eq!((count(&judged, "pass") + count(&judged, "diverges")), asked.cases);
+    change_in(&sheet, "answer.toml", "\"#31\" = \"0.0004\"", "\"#31\" = 77");
+    assert_eq!(count(&verdicts(&[&paper, "--only", CHAPTER]), "diverges"), asked.cases);
 }
 
 #[test]
