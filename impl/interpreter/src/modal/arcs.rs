@@ -162,7 +162,7 @@ impl Modal {
     }
 
     /// The arc from a point to where the point is now, as the words say.
-    #[inline]
+    #[inline(always)]
     pub(super) fn arc(
         &self,
         words: &Words,
