@@ -20,8 +20,8 @@ const EXIT: &str = "Exit status:
   0  every judged case passes or is a known divergence
   1  a divergence, a stale expectation, or a known divergence that changed
   2  wrong call or wrong input
-  3  could not finish: controller missing or of an unknown version, crash, timeout, nondeterministic or inconclusive
-     result, or nothing could be judged";
+  3  could not finish: controller missing or of an unknown version, crash, timeout,
+     nondeterministic or inconclusive result, or nothing could be judged";
 
 /// Checks CNC controllers against the documents of their language, rule by rule.
 #[derive(Debug, Parser)]
