@@ -22,4 +22,3 @@ mod shards;
 mod template;
 mod told;
 mod tutorial;
-mod wrong_reports;
