@@ -5,8 +5,10 @@
 //! post-processors, [`nct`] custom macros; [`splice`] joins parts of the suite's cases; [`metamorphic`] writes pairs of
 //! programs with equal effects.
 
+mod config;
 mod entropy;
 pub mod gpp;
+mod kind;
 pub mod malformed;
 pub mod metamorphic;
 mod mutate;
@@ -22,58 +24,19 @@ mod writer;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::scenario::{Budget, Start};
+use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{Language, Program, Scenario};
 
+pub use config::{BUDGET, GeneratorConfig};
 pub use entropy::Entropy;
+pub use kind::StatementKind;
 pub use setup::Setups;
-pub use table::{Statement, StatementKind, TABLE};
+pub use table::TABLE;
 pub use ulp_perturbation::ulp_perturbed;
+pub use writer::Statement;
 
 use state::{State, Sub};
 use writer::Writer;
-
-/// Budget of a generated scenario: loops in loops end soon enough.
-pub const BUDGET: Budget = Budget { steps: 400, effects: 400, time: 10_000.0 };
-
-/// What is generated.
-#[derive(Clone, Debug)]
-pub struct GeneratorConfig {
-    /// The language. The fields below apply to RS-274, except for the mutated programs.
-    pub language: Language,
-    /// Whether programs of a post-processor have words of the old GPP.
-    pub old_words: bool,
-    /// Fewest and most blocks of the main program.
-    pub blocks: (u32, u32),
-    /// Percentage of programs with mutated blocks.
-    pub mutated_programs: u32,
-    /// Percentage of blocks that are mutated in such a program.
-    pub mutated_blocks: u32,
-    /// Percentage of programs that consist of one kind of statement.
-    pub single_kind_programs: u32,
-    /// Percentage of programs that may use statements which end a run as unsupported.
-    pub unsupported_programs: u32,
-    /// Only statements whose name begins with one of these; all when empty.
-    pub only: Vec<String>,
-    /// Which machines, environments and operators.
-    pub setups: Setups,
-}
-
-impl Default for GeneratorConfig {
-    fn default() -> Self {
-        Self {
-            language: Language::Rs274,
-            old_words: false,
-            blocks: (4, 62),
-            mutated_programs: 10,
-            mutated_blocks: 5,
-            single_kind_programs: 12,
-            unsupported_programs: 4,
-            only: Vec::new(),
-            setups: Setups::Any,
-        }
-    }
-}
 
 /// A scenario. Its options are empty: the caller knows which documents apply.
 pub fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
@@ -95,12 +58,12 @@ pub fn scenario_and_kinds(
     if config.only.is_empty() && entropy.chance(15) {
         let name = *entropy.pick(&["cave", "drill_row", "x1"]);
         let blocks = entropy.range(1, 6);
-        let text = Writer::new(entropy, config, state.clone()).sub_file(name, blocks);
+        let text = Writer::new(entropy, config, TABLE, state.clone()).sub_file(name, blocks);
         files.insert(format!("{name}.ngc"), text);
         state.subs.push(Sub { label: format!("<{name}>"), numbered: false });
     }
     let block_delete = entropy.chance(30);
-    let mut writer = Writer::new(entropy, config, state);
+    let mut writer = Writer::new(entropy, config, TABLE, state);
     let main = writer.main();
     let kinds = writer.into_kinds();
     let by_hand = matches!(config.setups, Setups::Any | Setups::Operated)

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::GeneratorConfig;
+use super::config::GeneratorConfig;
 use super::entropy::Entropy;
+use super::kind::StatementKind;
 use super::mutate;
 use super::state::{State, Sub};
-use super::table::{Statement, StatementKind, TABLE};
 
 /// Room for the text of most programs.
 const MOST_TEXT: usize = 1024;
@@ -16,6 +16,44 @@ const KIND_PERCENT: u32 = 70;
 
 /// Deepest nesting of loops, branches and subs.
 const DEEPEST: u32 = 4;
+
+/// A statement that the generator can write.
+#[derive(Debug)]
+pub struct Statement {
+    /// Its name; [`GeneratorConfig::only`](super::GeneratorConfig::only) selects statements by the start of it.
+    pub name: &'static str,
+    /// Its kind.
+    pub kind: StatementKind,
+    /// How often it is chosen, in proportion to the others.
+    pub weight: u32,
+    /// Whether it is allowed in a state of the program.
+    pub(crate) possible: fn(&State) -> bool,
+    /// Writes it and updates the state.
+    pub(crate) write: fn(&mut Writer<'_, '_>),
+}
+
+impl Statement {
+    /// A statement that is allowed everywhere.
+    pub(crate) const fn any(
+        name: &'static str,
+        kind: StatementKind,
+        weight: u32,
+        write: fn(&mut Writer<'_, '_>),
+    ) -> Self {
+        Self { name, kind, weight, possible: |_| true, write }
+    }
+
+    /// A statement that is allowed in some states.
+    pub(crate) const fn when(
+        name: &'static str,
+        kind: StatementKind,
+        weight: u32,
+        possible: fn(&State) -> bool,
+        write: fn(&mut Writer<'_, '_>),
+    ) -> Self {
+        Self { name, kind, weight, possible, write }
+    }
+}
 
 /// How a program is spelled.
 #[derive(Clone, Copy, Debug, Default)]
@@ -46,10 +84,11 @@ pub(crate) struct Writer<'d, 'b> {
 }
 
 impl<'d, 'b> Writer<'d, 'b> {
-    /// Before the first block.
+    /// Before the first block; `table` has the statements to choose from.
     pub(crate) fn new(
         entropy: &'d mut Entropy<'b>,
         config: &GeneratorConfig,
+        table: &[&'static [Statement]],
         state: State,
     ) -> Self {
         let left = entropy.range(config.blocks.0, config.blocks.1);
@@ -65,7 +104,8 @@ impl<'d, 'b> Writer<'d, 'b> {
             total += statement.weight;
             (total, statement)
         };
-        let statements = chosen_statements(entropy, config).into_iter().map(with_sum).collect();
+        let statements =
+            chosen_statements(entropy, config, table).into_iter().map(with_sum).collect();
         let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
         Self {
             entropy,
@@ -254,8 +294,9 @@ impl<'d, 'b> Writer<'d, 'b> {
 fn chosen_statements(
     entropy: &mut Entropy<'_>,
     config: &GeneratorConfig,
+    table: &[&'static [Statement]],
 ) -> Vec<&'static Statement> {
-    let all = || TABLE.iter().copied().flatten();
+    let all = || table.iter().copied().flatten();
     if !config.only.is_empty() {
         let named = |name: &str| config.only.iter().any(|only| name.starts_with(only.as_str()));
         return all().filter(|statement| named(statement.name)).collect();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Search;
+use super::search::Search;
 
 fn lines_of(text: &str) -> Vec<String> {
     text.lines().map(str::to_owned).collect()

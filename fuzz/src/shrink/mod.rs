@@ -5,12 +5,15 @@
 //! where a word begins and ends.
 
 mod lines;
+mod search;
 mod setup;
 mod words;
 
 use gaugeblock_vocabulary::{Options, Scenario};
 
 pub use words::shape;
+
+use search::Search;
 
 /// The result of shrinking.
 #[derive(Clone, Debug)]
@@ -21,54 +24,6 @@ pub struct Shrunk {
     pub attempts: u32,
     /// Whether no smaller scenario was left to test.
     pub finished: bool,
-}
-
-/// A search for a smaller scenario.
-struct Search<'a> {
-    best: Scenario,
-    holds: &'a mut dyn FnMut(&Scenario) -> bool,
-    attempts: u32,
-    most: u32,
-}
-
-impl Search<'_> {
-    /// Keeps a smaller scenario if it still has the property.
-    fn attempt(&mut self, smaller: Scenario) -> bool {
-        if self.attempts >= self.most || smaller == self.best {
-            return false;
-        }
-        self.attempts += 1;
-        let holds = (self.holds)(&smaller);
-        if holds {
-            self.best = smaller;
-        }
-        holds
-    }
-
-    /// Attempts another text of a file; the main program is the one without a name.
-    fn attempt_text(&mut self, file: Option<&str>, text: String) -> bool {
-        let mut smaller = self.best.clone();
-        match file {
-            None => smaller.program.main = text,
-            Some(name) => {
-                smaller.program.files.insert(name.to_owned(), text);
-            }
-        }
-        self.attempt(smaller)
-    }
-
-    fn text(&self, file: Option<&str>) -> String {
-        match file {
-            None => self.best.program.main.clone(),
-            Some(name) => self.best.program.files.get(name).cloned().unwrap_or_default(),
-        }
-    }
-
-    /// The main program and the names of the files.
-    fn files(&self) -> Vec<Option<String>> {
-        let names = self.best.program.files.keys().cloned().map(Some);
-        std::iter::once(None).chain(names).collect()
-    }
 }
 
 /// Shrinks a scenario of which something holds, with at most so many attempts. Options go back to `options`.

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::scenario::{Environment, Machine};
 use gaugeblock_vocabulary::{Options, Scenario};
 
-use super::Search;
+use super::search::Search;
 
 /// Leaves out subroutine files.
 pub(super) fn files(search: &mut Search<'_>) {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::Search;
+use super::search::Search;
 
 /// What kind of block a line is: its codes, letters and keywords, without numbers and order.
 pub fn shape(line: &str) -> String {

@@ -10,6 +10,7 @@ mod program;
 mod statements;
 mod toolpath;
 mod values;
+mod variable;
 
 use std::collections::BTreeMap;
 
@@ -19,18 +20,6 @@ use gaugeblock_vocabulary::{Language, Program, Scenario};
 use super::{BUDGET, Entropy, GeneratorConfig};
 
 pub use metamorphic::{Pair, modality};
-
-/// A variable that a program may use.
-#[derive(Clone, Debug)]
-struct Known {
-    name: String,
-    /// Whether it is a text.
-    text: bool,
-    /// How many members it has, where it is an array.
-    size: Option<u32>,
-    /// Whether the toolpath declares it.
-    system: bool,
-}
 
 /// A scenario. Its options are empty: the caller knows which documents apply.
 pub(super) fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use super::statements::Writer;
 use super::toolpath::FORMATS;
-use super::{Known, values};
+use super::values;
+use super::variable::Variable;
 use crate::generate::Entropy;
 
 /// Names of user variables.
@@ -13,7 +14,7 @@ const NAMES: &[&str] = &["A", "B", "C", "N", "SEQ", "X2", "AR", "BR", "T", "NAME
 /// A program for the blocks of a toolpath. The first block gives most variables a value.
 pub(super) fn program(
     entropy: &mut Entropy<'_>,
-    systems: Vec<Known>,
+    systems: Vec<Variable>,
     headings: &[&str],
     old_words: bool,
 ) -> String {
@@ -52,7 +53,7 @@ pub(super) fn program(
     text
 }
 
-fn formats(entropy: &mut Entropy<'_>, known: &mut Vec<Known>, text: &mut String) {
+fn formats(entropy: &mut Entropy<'_>, known: &mut Vec<Variable>, text: &mut String) {
     let mut names = NAMES.to_vec();
     for _ in 0..entropy.range(1, 4) {
         let is_text = entropy.chance(25);
@@ -70,13 +71,13 @@ fn formats(entropy: &mut Entropy<'_>, known: &mut Vec<Known>, text: &mut String)
             if let Some(size) = size {
                 let _infallible = write!(text, "[{size}]");
             }
-            known.push(Known { name: name.to_owned(), text: is_text, size, system: false });
+            known.push(Variable { name: name.to_owned(), text: is_text, size, system: false });
         }
         text.push_str(";\n");
     }
 }
 
-fn modalities(entropy: &mut Entropy<'_>, known: &[Known], old_words: bool, text: &mut String) {
+fn modalities(entropy: &mut Entropy<'_>, known: &[Variable], old_words: bool, text: &mut String) {
     for (word, chance) in [("MODAL", 40), ("NON_MODAL", if old_words { 20 } else { 0 })] {
         let named: Vec<_> = known.iter().filter(|_| entropy.chance(chance)).collect();
         if named.is_empty() {
@@ -90,7 +91,7 @@ fn modalities(entropy: &mut Entropy<'_>, known: &[Known], old_words: bool, text:
     }
 }
 
-fn identical(entropy: &mut Entropy<'_>, known: &[Known], text: &mut String) {
+fn identical(entropy: &mut Entropy<'_>, known: &[Variable], text: &mut String) {
     for _ in 0..entropy.below(3) {
         let is_text = entropy.chance(30);
         let joined: Vec<_> = known

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::{Known, values};
+use super::values;
+use super::variable::Variable;
 use crate::generate::Entropy;
 
 const COMPARISONS: &[&str] =
@@ -11,7 +12,7 @@ const COMPARISONS: &[&str] =
 /// Writes statements, a line each.
 pub(super) struct Writer<'w, 'd> {
     entropy: &'w mut Entropy<'d>,
-    known: &'w [Known],
+    known: &'w [Variable],
     /// The symbol of the newline procedure, where it may stand.
     symbol: Option<&'w str>,
     old_words: bool,
@@ -21,7 +22,7 @@ pub(super) struct Writer<'w, 'd> {
 impl<'w, 'd> Writer<'w, 'd> {
     pub(super) fn new(
         entropy: &'w mut Entropy<'d>,
-        known: &'w [Known],
+        known: &'w [Variable],
         symbol: Option<&'w str>,
         old_words: bool,
     ) -> Self {
@@ -77,7 +78,7 @@ impl<'w, 'd> Writer<'w, 'd> {
 
     /// A variable of a type, with its index where it is an array.
     fn variable(&mut self, text: Option<bool>) -> Option<String> {
-        let fitting: Vec<&Known> =
+        let fitting: Vec<&Variable> =
             self.known.iter().filter(|known| text.is_none_or(|text| known.text == text)).collect();
         if fitting.is_empty() {
             return None;

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::{Known, values};
+use super::values;
+use super::variable::Variable;
 use crate::generate::Entropy;
 
 /// Formats of numbers that variables have here.
@@ -40,7 +41,7 @@ const SYSTEMS: &[(&str, &str, bool)] = &[
 ];
 
 /// A toolpath, its variables, and the headings of its blocks.
-pub(super) fn toolpath(entropy: &mut Entropy<'_>) -> (String, Vec<Known>, Vec<&'static str>) {
+pub(super) fn toolpath(entropy: &mut Entropy<'_>) -> (String, Vec<Variable>, Vec<&'static str>) {
     let mut text = String::new();
     if entropy.chance(60) {
         let mut left = FORMATS.to_vec();
@@ -60,7 +61,7 @@ pub(super) fn toolpath(entropy: &mut Entropy<'_>) -> (String, Vec<Known>, Vec<&'
             let name = values::spelled(name, entropy);
             let _infallible = writeln!(text, "system {name} {class} {format}");
             let name = name.to_ascii_uppercase();
-            known.push(Known { name, text: *is_text, size: None, system: true });
+            known.push(Variable { name, text: *is_text, size: None, system: true });
         }
     }
     let mut headings = vec!["START"];

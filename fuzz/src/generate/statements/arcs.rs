@@ -1,7 +1,8 @@
 //! Arcs, splines and polar words.
 
+use super::super::kind::StatementKind;
 use super::super::state::State;
-use super::super::table::{Statement, StatementKind};
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when(

@@ -1,7 +1,8 @@
 //! Cutter compensation, and the moves under it, which end a run as unsupported.
 
+use super::super::kind::StatementKind;
 use super::super::state::State;
-use super::super::table::{Statement, StatementKind};
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when("compensation.move", StatementKind::CompensatedMove, 40, State::has_xy, |w| {

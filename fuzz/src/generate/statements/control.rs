@@ -1,8 +1,8 @@
 //! Branches, loops, subs, numbered programs.
 
+use super::super::kind::StatementKind;
 use super::super::state::Sub;
-use super::super::table::{Statement, StatementKind};
-use super::super::writer::Writer;
+use super::super::writer::{Statement, Writer};
 
 /// Parameters that loops count in begin here; nothing else sets them.
 const COUNTERS: u32 = 200;

@@ -1,6 +1,7 @@
 //! Canned cycles, probing, spindle-synchronised motion and threads.
 
-use super::super::table::{Statement, StatementKind};
+use super::super::kind::StatementKind;
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when(

@@ -1,6 +1,7 @@
 //! Units, planes, distance modes, feed, work coordinate systems, saved modes.
 
-use super::super::table::{Statement, StatementKind};
+use super::super::kind::StatementKind;
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("mode.units", StatementKind::Mode, 14, |w| {

@@ -1,7 +1,7 @@
 //! Straight moves, dwells, path control.
 
-use super::super::table::{Statement, StatementKind};
-use super::super::writer::Writer;
+use super::super::kind::StatementKind;
+use super::super::writer::{Statement, Writer};
 
 /// Room for most axis words of a block.
 const MOST_WORDS: usize = 64;

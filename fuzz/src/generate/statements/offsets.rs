@@ -1,6 +1,7 @@
 //! G28 and G30, axis offsets, and the offsets and tools that G10 writes.
 
-use super::super::table::{Statement, StatementKind};
+use super::super::kind::StatementKind;
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("predefined.go", StatementKind::Predefined, 8, |w| {

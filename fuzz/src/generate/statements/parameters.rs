@@ -1,6 +1,7 @@
 //! Settings of parameters.
 
-use super::super::table::{Statement, StatementKind};
+use super::super::kind::StatementKind;
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("parameter.number", StatementKind::Parameter, 25, |w| {

@@ -1,7 +1,7 @@
 //! Spindles, coolant, overrides.
 
-use super::super::table::{Statement, StatementKind};
-use super::super::writer::Writer;
+use super::super::kind::StatementKind;
+use super::super::writer::{Statement, Writer};
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("spindle.speed", StatementKind::Spindle, 12, |w| {

@@ -1,7 +1,8 @@
 //! Messages, logs, comments, blocks that do nothing, and blocks that are often refused.
 
+use super::super::kind::StatementKind;
 use super::super::malformed;
-use super::super::table::{Statement, StatementKind};
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::any("message.plain", StatementKind::Message, 6, |w| {

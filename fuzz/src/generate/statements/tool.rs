@@ -1,6 +1,7 @@
 //! Tools and their lengths.
 
-use super::super::table::{Statement, StatementKind};
+use super::super::kind::StatementKind;
+use super::super::writer::Statement;
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when(
