@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{StepError, open, refuse};
-use super::run::Run;
+use super::state::Run;
 use super::variables::Locals;
 use super::words::Words;
 use crate::ids::{choice, rule};

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{StepError, open, refuse, refuse_form};
-use super::run::Run;
+use super::state::Run;
 use super::syntax::{Comparison, Condition, Expression, Function, Operator};
 use super::variables::VariableValue;
 use crate::ids::{choice, rule};

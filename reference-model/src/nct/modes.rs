@@ -8,7 +8,6 @@ use gaugeblock_vocabulary::{
 };
 
 use super::refusal::{StepError, refuse, refuse_form};
-use super::words::Codes;
 use crate::ids::rule;
 
 /// What is in force.
@@ -40,6 +39,15 @@ pub struct Modes {
     pub flood: Switch,
     /// T since the last change, or the tool that was changed last.
     pub tool: i32,
+}
+
+/// The codes of a block.
+#[derive(Clone, Debug, Default)]
+pub struct Codes {
+    /// G codes in tenths: 661 for G66.1.
+    pub g: Vec<i64>,
+    /// M codes.
+    pub m: Vec<i64>,
 }
 
 /// The codes of a block by what they do.

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{
     State, Step, Vacancy,
 };
 
-use super::calls::ModalCall;
+use super::frames::ModalCall;
 use super::modes::Modes;
 use super::refusal::StepError;
 use super::variables::{COMMON_COUNT, Locals, VariableValue, Variables};

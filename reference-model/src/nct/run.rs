@@ -1,52 +1,24 @@
 //! The run: block by block.
 
-use gaugeblock_vocabulary::scenario::Machine;
 use gaugeblock_vocabulary::{
     BlockLocation as Place, Effect, End, Fault, FaultKind, Language, Outcome, Program as Files,
     Scenario,
 };
 
-use super::calls::{Frame, Kind, ModalCall, Reach};
 use super::evaluate::rounded;
-use super::modes::{Block as Codes, Modes};
+use super::frames::{Frame, Kind, Reach};
+use super::modes::{Block, Codes, Modes};
 use super::motion::{self, OF_ARC, axis, is_arc};
 use super::programs::Programs;
 use super::record::Record;
 use super::refusal::{Refusal, StepError, open, refuse, refuse_form};
+use super::state::{Flow, Run};
 use super::syntax::{Content, Expression, Word};
 use super::variables::Variables;
-use super::words::{self, Words, word};
+use super::words::{Words, word};
 use crate::Choices;
 use crate::RuleCoverage;
 use crate::ids::{choice, rule};
-
-/// A program that runs.
-pub(super) struct Run<'a> {
-    pub(super) programs: &'a Programs,
-    pub(super) choices: Choices,
-    pub(super) coverage: &'a mut RuleCoverage,
-    pub(super) variables: Variables,
-    /// The modal calls in force, the one that was commanded last at the end.
-    pub(super) modal_calls: Vec<ModalCall>,
-    /// The programs in progress, the main program first.
-    pub(super) frames: Vec<Frame>,
-    modes: Modes,
-    machine: &'a Machine,
-    record: Record,
-    /// Where a fault would be.
-    at: u32,
-}
-
-/// What comes after a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flow {
-    /// The next one.
-    On,
-    /// Nothing: the program has ended.
-    Ended,
-    /// The main program would begin again.
-    Endless,
-}
 
 /// What the documents say about a scenario in this language, and the rules that were reached.
 pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
@@ -214,7 +186,7 @@ impl Run<'_> {
             self.end()?;
             return Ok(Flow::On);
         }
-        self.executed(&words, &words::Codes { g, m })
+        self.executed(&words, &Codes { g, m })
     }
 
     /// Whether a block is taken as the arguments of a modal call. One without words is not, and neither is M99.
@@ -229,7 +201,7 @@ impl Run<'_> {
     }
 
     /// A block that is executed: modes, F, S, T, tool change, dwell, motion, then a call, a return or the end.
-    fn executed(&mut self, words: &Words, codes: &words::Codes) -> Result<Flow, StepError> {
+    fn executed(&mut self, words: &Words, codes: &Codes) -> Result<Flow, StepError> {
         let block = self.modes.set(codes)?;
         if !codes.g.is_empty() {
             self.coverage.accepted(rule::nct::MODES);
@@ -260,7 +232,7 @@ impl Run<'_> {
     }
 
     /// What comes after the rest of a block.
-    fn ended(&mut self, words: &Words, block: Codes, reached: usize) -> Result<Flow, StepError> {
+    fn ended(&mut self, words: &Words, block: Block, reached: usize) -> Result<Flow, StepError> {
         let mut flow = Flow::On;
         if block.sub {
             self.call_sub(words)?;
@@ -281,14 +253,14 @@ impl Run<'_> {
     }
 
     /// Whether a block moves: it has a word of an axis, or goes round a circle.
-    fn moves(&self, words: &Words, block: Codes) -> bool {
+    fn moves(&self, words: &Words, block: Block) -> bool {
         let motion = block.motion.unwrap_or(self.modes.motion);
         let has_axis = words.iter().any(|(letter, _)| axis(*letter).is_some());
         has_axis || is_arc(motion) && words.iter().any(|(letter, _)| OF_ARC.contains(*letter))
     }
 
     /// Each letter but G and M stands once, and something in the block uses it.
-    fn used(&self, words: &Words, block: Codes, moves: bool) -> Result<(), StepError> {
+    fn used(&self, words: &Words, block: Block, moves: bool) -> Result<(), StepError> {
         let motion = block.motion.unwrap_or(self.modes.motion);
         let of_p = [block.dwell, block.sub, block.back].iter().filter(|uses| **uses).count();
         if of_p > 1 && word(words, 'P').is_some() {

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::evaluate::rounded;
 use super::refusal::{StepError, refuse};
-use super::run::Run;
+use super::state::Run;
 use super::syntax::Word;
 use crate::ids::rule;
 
@@ -15,15 +15,6 @@ pub type Words = Vec<(char, f64)>;
 const LARGEST_G: i64 = 999;
 /// Largest number of an M code.
 const LARGEST_M: i64 = 999;
-
-/// The codes of a block.
-#[derive(Clone, Debug, Default)]
-pub struct Codes {
-    /// G codes in tenths: 661 for G66.1.
-    pub g: Vec<i64>,
-    /// M codes.
-    pub m: Vec<i64>,
-}
 
 impl Run<'_> {
     /// The words of a block, evaluated from the left.

@@ -2,40 +2,12 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::block::{Comparison, Condition, Content, Word};
 use super::expression::Expression;
 use super::reader::{Reader, bad};
-use super::{Content, Word};
 use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::nct::refusal::{StepError, open, refuse, refuse_form};
-
-/// `[a EQ b]` and its like.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Condition {
-    /// The left side.
-    pub left: Expression,
-    /// How the sides are compared.
-    pub comparison: Comparison,
-    /// The right side.
-    pub right: Expression,
-}
-
-/// How two values are compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Comparison {
-    /// EQ.
-    Equal,
-    /// NE.
-    NotEqual,
-    /// GT.
-    Greater,
-    /// LT.
-    Less,
-    /// GE.
-    GreaterOrEqual,
-    /// LE.
-    LessOrEqual,
-}
 
 const COMPARISONS: &[(&str, Comparison)] = &[
     ("EQ", Comparison::Equal),
