@@ -44,7 +44,7 @@ impl Run<'_> {
             let name = self.variables.shown_name(reference.variable, cell);
             return Err(refuse_form(FaultKind::NoValue, format!("{name} has no value")));
         }
-        let is_text = self.variables.refers_to_text(reference);
+        let is_text = reference.is_text(&self.variables);
         Ok(if is_text { Value::Text(String::new()) } else { Value::Number(0.0) })
     }
 

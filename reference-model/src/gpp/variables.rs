@@ -7,7 +7,6 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{self, CHARACTER, Format};
 use super::refusal::{StepError, refuse_form};
-use super::syntax::Reference;
 use crate::Choices;
 use crate::ids::choice::gpp::Tie;
 
@@ -138,11 +137,6 @@ impl Variables {
     /// Whether a variable holds texts.
     pub fn is_text(&self, variable: usize) -> bool {
         self.all[variable].format == CHARACTER
-    }
-
-    /// Whether a reference is to a text.
-    pub fn refers_to_text(&self, reference: &Reference) -> bool {
-        self.is_text(reference.variable)
     }
 
     /// Lets two variables share value and flag, and all that are identical to either of them.

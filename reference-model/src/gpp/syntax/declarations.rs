@@ -4,13 +4,15 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::is_keyword;
 use super::reader::Reader;
-use super::statements::SYMBOLS;
 use crate::gpp::formats::{CHARACTER, NAMES};
 use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::syntax::Statement;
 use crate::gpp::text::Token;
 use crate::gpp::variables::{MOST_VARIABLES, is_user_name};
 use crate::ids::{choice, rule};
+
+/// The signs that `NEW_LINE_IS` can name.
+const SYMBOLS: &[&str] = &["!", "#", "$", "%", "&", "@", "?", "^", "~"];
 
 impl Reader<'_> {
     pub(super) fn declarations(&mut self) -> Result<(), StepError> {

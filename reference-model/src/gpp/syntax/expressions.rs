@@ -114,7 +114,7 @@ impl Reader<'_> {
     pub(super) fn is_text(&self, side: &Side) -> bool {
         match side {
             Side::Text(_) => true,
-            Side::Variable(reference) => self.variables.refers_to_text(reference),
+            Side::Variable(reference) => reference.is_text(&self.variables),
             Side::Expression(_) => false,
         }
     }
@@ -150,7 +150,7 @@ impl Reader<'_> {
 
     fn is_number(&self, expression: &Expression) -> Result<(), StepError> {
         let is_text = match expression {
-            Expression::Variable(reference) => self.variables.refers_to_text(reference),
+            Expression::Variable(reference) => reference.is_text(&self.variables),
             Expression::Number(_) | Expression::Negated(_) | Expression::Chain(..) => false,
         };
         self.same_type(is_text, false)

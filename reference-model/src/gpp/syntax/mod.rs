@@ -136,6 +136,13 @@ pub struct Reference {
     pub index: Option<Box<Expression>>,
 }
 
+impl Reference {
+    /// Whether it refers to a text.
+    pub fn is_text(&self, variables: &Variables) -> bool {
+        variables.is_text(self.variable)
+    }
+}
+
 /// What is assigned or compared.
 #[derive(Clone, Debug)]
 pub enum Side {

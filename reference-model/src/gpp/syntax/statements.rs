@@ -8,9 +8,6 @@ use crate::gpp::refusal::{StepError, refuse};
 use crate::gpp::text::Token;
 use crate::ids::{choice, rule};
 
-/// The signs that `NEW_LINE_IS` can name.
-pub(super) const SYMBOLS: &[&str] = &["!", "#", "$", "%", "&", "@", "?", "^", "~"];
-
 impl Reader<'_> {
     /// The statements up to the next heading, the end of the program, or a word that ends or divides the statement
     /// around them.
@@ -58,7 +55,7 @@ impl Reader<'_> {
         self.expect("=")?;
         let side = self.side()?;
         self.expect(";")?;
-        self.same_type(self.variables.refers_to_text(&to), self.is_text(&side))?;
+        self.same_type(to.is_text(&self.variables), self.is_text(&side))?;
         Ok(Action::Assign(to, side))
     }
 
