@@ -5,7 +5,6 @@ use std::array;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Shape;
 
-use super::bound::Bounds;
 use super::vector::{self, AxisVector, distance, from_segment, minus, plus};
 use crate::math;
 
@@ -44,6 +43,13 @@ impl Counted {
         let parts = &vector[first..first + 3];
         math::square_root(parts.iter().map(|part| part * part).sum())
     }
+}
+
+/// Bounds of the size of derivatives over a whole curve, axis by axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) third: AxisVector,
+    pub(super) fourth: AxisVector,
 }
 
 /// The part of an arc that is not a straight line: a turn about an axis of space.

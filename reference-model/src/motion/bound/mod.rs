@@ -25,7 +25,6 @@ mod trapezoid;
 use gaugeblock_vocabulary::motion::{Feed, MotionLimits, PathMode, ProgrammedPath};
 
 use self::relaxation::Gate;
-pub(in crate::motion) use self::smooth::Bounds;
 use self::smooth::Smooth;
 pub(in crate::motion) use self::stopping::{
     Shortest, Stop, shortest_stopping, stopping, stopping_on_blend,

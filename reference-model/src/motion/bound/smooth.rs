@@ -1,14 +1,7 @@
 //! What the bound needs to know of a curve.
 
-use crate::motion::curve::Curve;
+use crate::motion::curve::{Bounds, Curve};
 use crate::motion::vector::AxisVector;
-
-/// Bounds of the size of derivatives over a whole curve, axis by axis.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::motion) struct Bounds {
-    pub(in crate::motion) third: AxisVector,
-    pub(in crate::motion) fourth: AxisVector,
-}
 
 /// A curve over a parameter from 0 to 1, with three derivatives and bounds of the third and fourth.
 pub(super) trait Smooth {

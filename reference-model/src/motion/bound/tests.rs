@@ -6,9 +6,10 @@ use gaugeblock_vocabulary::motion::{
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, BlockLocation, Position};
 
-use super::smooth::{Bounds, Smooth};
+use super::smooth::Smooth;
 use super::{Kind, TimeBound, least_time, reach};
 use crate::math;
+use crate::motion::curve::Bounds;
 use crate::motion::envelope::Envelope;
 use crate::motion::vector::{AxisVector, length};
 
