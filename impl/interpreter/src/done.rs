@@ -4,9 +4,8 @@ use core::fmt;
 
 use gaugeblock_vocabulary::{Position, Rs274State, Settings};
 
-use crate::control::Parameters;
 use crate::modal::Modal;
-use crate::parameters::Names;
+use crate::parameters::{Names, Parameters};
 
 /// What kind of block was executed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -11,12 +11,12 @@ use gaugeblock_vocabulary::{
 };
 
 use crate::canon::Sink;
-use crate::control::{Calculator, Cursor, LOOP, Logs, Parameters, Reader, STREAM, Scopes};
+use crate::control::{Calculator, Cursor, LOOP, Logs, Reader, STREAM, Scopes};
 use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
-use crate::parameters::{ItemName, NameId, Named, Numbered, is_stored};
+use crate::parameters::{ItemName, NameId, Named, Numbered, Parameters, is_stored};
 use crate::readings::Readings;
 use crate::source::Source;
 use crate::syntax::packed::{Block, Kind, NONE};

@@ -6,64 +6,13 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
-use crate::parameters::{NameId, Named, Numbered, Own, Slot};
+use crate::parameters::{NameId, Parameters, Slot};
 use crate::quirks;
 use crate::syntax::packed::Op;
 use crate::syntax::{Packer, arithmetic, code_number, is_position, is_told, parameter_number};
 use crate::words::Words;
 
-/// The version of the manual, as `_vmajor` tells it.
-const VERSION: f64 = 2.9;
-
-/// All parameters.
-#[derive(Clone, Debug)]
-pub(crate) struct Parameters {
-    /// `#1` and so on.
-    pub(crate) numbered: Numbered,
-    /// `#<name>`.
-    pub(crate) named: Named,
-    /// `_line`.
-    pub(crate) line: u32,
-    /// `_call_level`.
-    pub(crate) call_level: u32,
-    /// `_task`: whether the interpreter drives a machine.
-    pub(crate) drives: bool,
-    /// `_value`.
-    pub(crate) value: f64,
-    /// `_value_returned`.
-    pub(crate) value_returned: bool,
-    /// `_hal[…]`: HAL items, as the caller has set them last.
-    pub(crate) items: Vec<f64>,
-}
-
 impl Parameters {
-    /// What the interpreter tells of itself.
-    pub(crate) fn own(&self, name: Own) -> f64 {
-        match name {
-            Own::Line => f64::from(self.line),
-            Own::Value => self.value,
-            Own::ValueReturned => f64::from(u8::from(self.value_returned)),
-            Own::CallLevel => f64::from(self.call_level),
-            Own::Task => f64::from(u8::from(self.drives)),
-            Own::RemapLevel | Own::VersionMinor => 0.0,
-            Own::VersionMajor => VERSION,
-            Own::Item(place) => self.item(place),
-        }
-    }
-
-    /// The value of a HAL item, by its place.
-    fn item(&self, place: u32) -> f64 {
-        let item = usize::try_from(place).ok().and_then(|place| self.items.get(place));
-        item.copied().unwrap_or(0.0)
-    }
-
-    /// The values of HAL items.
-    pub(crate) fn set_items(&mut self, values: &[f64]) {
-        for (item, value) in self.items.iter_mut().zip(values) {
-            *item = *value;
-        }
-    }
-
     /// A numbered parameter, also one that the modes keep.
     #[inline]
     pub(crate) fn numbered(&self, number: u16, modal: &Modal) -> f64 {

@@ -6,9 +6,9 @@ use core::fmt::Write as _;
 use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
-use crate::control::evaluate::Parameters;
 use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
+use crate::parameters::Parameters;
 use crate::syntax::packed::{Act, Comment, Piece, Segment};
 use crate::syntax::{AbsentName, Packer};
 

@@ -19,7 +19,7 @@ mod refuse;
 mod scope;
 mod seek;
 
-pub(crate) use evaluate::{Calculator, Parameters};
+pub(crate) use evaluate::Calculator;
 pub(crate) use message::{Logs, View};
 pub(crate) use reader::Reader;
 pub(crate) use scope::{Cursor, Definition, Frame, FrameKind, LOOP, PROGRAMS, STREAM, Scopes};

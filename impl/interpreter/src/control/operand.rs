@@ -2,7 +2,7 @@
 //!
 //! Reading a value changes nothing, so that whatever is unusual or wrong is left to the long way, which begins anew.
 
-use crate::control::evaluate::Parameters;
+use crate::parameters::Parameters;
 use crate::syntax::packed::{Binary, Function};
 use crate::syntax::{
     Packer, Place, arithmetic, group, is_position, parameter_number, plain_number,

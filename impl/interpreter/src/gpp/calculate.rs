@@ -4,7 +4,6 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{Format, REAL};
 use super::program::{Operation, Part, Place, Program, Source, Sum, Test};
-use super::run::Runner;
 use super::variables::Variables;
 use super::words::Compare;
 use crate::faults::{Fault, planted};
@@ -174,18 +173,5 @@ fn operate(operation: Sum, left: f64, right: f64) -> Result<f64, Refused> {
         Ok(value)
     } else {
         Err((FaultKind::OutOfDomain, "a result that is beyond all numbers"))
-    }
-}
-
-impl Runner {
-    /// What answers for the variables now.
-    pub(super) fn calculator(&self) -> Calculator<'_> {
-        Calculator {
-            program: &self.program,
-            variables: &self.variables,
-            formats: &self.formats,
-            absent_zero: self.choices.absent_zero,
-            tie_even: self.choices.tie_even,
-        }
     }
 }

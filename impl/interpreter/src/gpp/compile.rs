@@ -10,7 +10,6 @@ use super::choices::Choices;
 use super::formats::{self, Format};
 use super::lexer::{self, Lexer, Placed, Token};
 use super::program::{Program, Statement};
-use super::structures::Opened;
 use super::toolpath::{System, heading};
 use super::variables::Variables;
 use super::words::{self, Keyword};
@@ -48,6 +47,21 @@ enum Section {
     Declarations,
     Newline,
     Blocks,
+}
+
+/// An IF or REPEAT whose end has not come yet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Opened {
+    pub(super) line: u32,
+    pub(super) structure: Structure,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Structure {
+    /// The statement that tests, and the jump before the ELSE if that has come.
+    If { test: usize, jump: Option<usize> },
+    /// The statement after REPEAT.
+    Repeat { first: usize },
 }
 
 /// A program that is being compiled.

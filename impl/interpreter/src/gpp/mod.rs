@@ -28,6 +28,7 @@ mod lexer;
 mod print;
 mod program;
 mod run;
+mod runner;
 mod statements;
 mod structures;
 #[cfg(test)]
@@ -47,7 +48,7 @@ use crate::error::Error;
 use choices::Choices;
 use compile::Stop;
 use done::File;
-use run::{Line, Runner};
+use runner::{Line, Runner};
 use toolpath::Toolpath;
 
 pub use done::{StatementDone, TOOLPATH};

@@ -1,35 +1,15 @@
 //! OUTPUT and PRINT, and the newline procedure in between.
 
 use alloc::format;
-use alloc::string::String;
-use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::Refused;
 use super::program::{Item, Part, Place};
-use super::run::{Runner, tell};
+use super::run::tell;
+use super::runner::{Printing, Runner};
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
-
-/// An OUTPUT or PRINT.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Printing {
-    pub(super) line: u32,
-    /// Where in the program it stands.
-    pub(super) at: usize,
-    /// Whether it waits for the end of the newline procedure.
-    pub(super) waits: bool,
-    is_output: bool,
-    /// Whether it has let the newline procedure run.
-    has_run: bool,
-    /// The items that are left.
-    items: Part,
-    /// Slots that go off when it is done.
-    goes_off: Vec<usize>,
-    /// The text of the item that let the newline procedure run.
-    carried: String,
-}
 
 impl Runner {
     /// An OUTPUT or PRINT up to its end or to the newline procedure; whether it is done. One within the procedure has

@@ -7,102 +7,18 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::{Refused, Stack, too_long};
-use super::choices::{AssignedAgain, Choices};
+use super::choices::AssignedAgain;
 use super::done::{File, StatementDone};
-use super::formats::Format;
-use super::print::Printing;
-use super::program::{Part, Place, Program, Source, Statement, Target, Test};
-use super::toolpath::{System, Value};
-use super::variables::Variables;
+use super::program::{Part, Place, Source, Statement, Target, Test};
+use super::runner::{Next, Runner};
+use super::toolpath::Value;
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
-
-/// A line of the toolpath, ready to be processed.
-#[derive(Clone, Debug)]
-pub(super) struct Line {
-    pub(super) line: u32,
-    /// System variables by place, and their values.
-    pub(super) sets: Vec<(usize, Value)>,
-    /// Where the statements of its block begin.
-    pub(super) block: Option<usize>,
-}
-
-/// What comes next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Next {
-    /// A warning of compilation.
-    Warning(usize),
-    /// A line of the toolpath.
-    Line(usize),
-    /// A statement, and the line of the toolpath after its block.
-    Statement {
-        at: usize,
-        line: usize,
-    },
-    /// The rest of an OUTPUT behind the newline procedure.
-    Rest {
-        line: usize,
-    },
-    Over,
-}
-
-/// A compiled program and all that its run needs.
-#[derive(Debug)]
-pub(super) struct Runner {
-    pub(super) program: Program,
-    pub(super) variables: Variables,
-    pub(super) formats: [Format; 19],
-    pub(super) choices: Choices,
-    pub(super) systems: Vec<System>,
-    pub(super) lines: Vec<Line>,
-    next: Next,
-    /// Whether a newline waits for something that is printed.
-    pub(super) newline_waits: bool,
-    pub(super) printing: Printing,
-    /// The one within the newline procedure.
-    pub(super) within: Printing,
-    /// What the step prints.
-    pub(super) text: String,
-    /// Items that the step has printed or tried to.
-    pub(super) printed: u64,
-    pub(super) stack: Stack,
-    /// Whether the newline procedure has no statement.
-    pub(super) procedure_is_empty: bool,
-    /// Whether a step has been executed.
-    has_shown: bool,
-}
 
 /// Where a statement was refused, and why.
 pub(super) type RefusedAt = (File, u32, Refused);
 
 impl Runner {
-    pub(super) fn new(
-        program: Program,
-        variables: Variables,
-        formats: [Format; 19],
-        choices: Choices,
-        (systems, lines): (Vec<System>, Vec<Line>),
-    ) -> Self {
-        let first = program.newline.and_then(|at| program.statements.get(at));
-        Self {
-            procedure_is_empty: matches!(first, Some(Statement::End)),
-            program,
-            variables,
-            formats,
-            choices,
-            systems,
-            lines,
-            next: Next::Warning(0),
-            newline_waits: false,
-            printing: Printing::default(),
-            within: Printing::default(),
-            text: String::new(),
-            printed: 0,
-            stack: Stack::new(),
-            has_shown: false,
-        }
-    }
-
     /// Goes on to the next step; whether there is one.
     pub(super) fn advance(&mut self) -> bool {
         loop {

@@ -1,23 +1,8 @@
 //! Statements by their keyword, and the structures that IF and REPEAT open.
 
-use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Stop, too_deep};
+use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Opened, Stop, Structure, too_deep};
 use super::program::{Part, Statement};
 use super::words::Keyword;
-
-/// An IF or REPEAT whose end has not come yet.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Opened {
-    pub(super) line: u32,
-    structure: Structure,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Structure {
-    /// The statement that tests, and the jump before the ELSE if that has come.
-    If { test: usize, jump: Option<usize> },
-    /// The statement after REPEAT.
-    Repeat { first: usize },
-}
 
 impl Compiler<'_> {
     /// A statement that begins with a keyword.

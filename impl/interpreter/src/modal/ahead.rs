@@ -1,25 +1,12 @@
 //! Reading ahead of what is executed: modes and parameters change, the machine does not.
 
 use alloc::boxed::Box;
-use alloc::vec::Vec;
-
-use gaugeblock_vocabulary::Tool;
 
 use crate::parameters::Numbered;
 
 use super::Modal;
 use super::coordinates::Coordinates;
-
-/// What of the machine a program that is only read does not change: where it stands and which tools it has.
-#[derive(Clone, Debug)]
-pub(super) struct Stands {
-    /// The controlled point, machine coordinates and unit.
-    point: Coordinates,
-    tool: i32,
-    prepared: Option<i32>,
-    selected: Option<i32>,
-    tools: Vec<Tool>,
-}
+use super::snapshots::Stands;
 
 impl Modal {
     /// From here on nothing is executed; the point stands here, program coordinates.

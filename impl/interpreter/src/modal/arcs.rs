@@ -13,13 +13,10 @@ use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
-use super::letters::{F, I, J, K, P, R, X, Y, Z};
+use super::letters::{F, I, J, K, R, X, Y, Z};
 use super::refusal::{Flow, Refusal, refuse};
 use super::units::checked_feed;
 use super::values::integer_in;
-
-/// The letters of an arc besides its axis words.
-pub(super) const ARC_WORDS: u32 = I | J | K | P | R;
 
 /// A point in the selected plane, or a distance in it: along the first and along the second axis.
 #[derive(Clone, Copy, Debug)]

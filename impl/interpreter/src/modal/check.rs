@@ -15,7 +15,7 @@ use super::codes::{
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
 use super::letters::{AXES, F, H, I, J, K, S, T, X, Y, first_letter};
-use super::named::code_of;
+use super::motion_codes::code_of;
 use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).

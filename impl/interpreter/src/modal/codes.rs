@@ -2,8 +2,7 @@
 
 use crate::math;
 
-use super::arcs::ARC_WORDS;
-use super::letters::{AXES, D, E, H, I, J, K, L, P, Q, R, S};
+use super::letters::{ARC_WORDS, AXES, D, E, H, I, J, K, L, P, Q, R, S};
 
 /// A modal group of G codes: its number in table 11.7 of the 2.9 manual.
 pub(crate) type GGroup = u8;

@@ -9,8 +9,8 @@ use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
+use super::modes::FIRST;
 use super::refusal::Refusal;
-use super::spindle::FIRST;
 
 impl Modal {
     /// A code of group 4, the last phase of a block; whether the program is over.

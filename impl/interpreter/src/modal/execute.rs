@@ -9,14 +9,13 @@ use crate::parameters::Numbered;
 use crate::words::Words;
 
 use super::Modal;
-use super::arcs::ARC_WORDS;
 use super::check::Block;
 use super::codes::{
     ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, NON_MODAL, PATH, PLANE, RETRACT,
     STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
 use super::coordinates::Coordinates;
-use super::letters::{AXES, F};
+use super::letters::{ARC_WORDS, AXES, F};
 use super::refusal::{Flow, Refusal, refuse};
 use super::units::checked_feed;
 
@@ -286,7 +285,7 @@ impl Modal {
     fn feed(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         if let Some(code) = block.g(FEED_MODE) {
             if code == 950 {
-                let which = self.selected(block, super::spindle::FIRST)?;
+                let which = self.selected(block, super::modes::FIRST)?;
                 self.feed_spindle = which.trailing_zeros();
             }
             self.select_feed_mode(code);

@@ -16,6 +16,9 @@ letters! {
 /// The nine axis letters.
 pub(crate) const AXES: u32 = A | B | C | U | V | W | X | Y | Z;
 
+/// The letters of an arc besides its axis words.
+pub(crate) const ARC_WORDS: u32 = I | J | K | P | R;
+
 impl Words {
     /// Whether the block has an axis word.
     pub(crate) fn has_axes(&self) -> bool {

@@ -5,12 +5,15 @@ use gaugeblock_vocabulary::{
     Settings, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
-use crate::canon::Sink;
-
 use super::coordinates::Coordinates;
 
 /// Most spindles that a machine has.
 pub(crate) const SPINDLES: usize = 8;
+
+/// A set of spindles: bit n for spindle n.
+pub(crate) type Spindles = u8;
+/// Spindle 0.
+pub(crate) const FIRST: Spindles = 1;
 
 /// What is set for one spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,13 +112,13 @@ impl Default for Modes {
 #[derive(Clone, Debug)]
 pub(crate) struct InForce {
     /// As they are now.
-    now: Modes,
+    pub(super) now: Modes,
     /// As the sink knows them, where `changed` is set.
-    told: Modes,
+    pub(super) told: Modes,
     /// Whether anything but F was touched since the sink was told.
-    changed: bool,
+    pub(super) changed: bool,
     /// Whether F was.
-    feed_changed: bool,
+    pub(super) feed_changed: bool,
     /// As they were before the block, where `noted` is set.
     before: Modes,
     /// Whether the block has set anything but F.
@@ -123,7 +126,7 @@ pub(crate) struct InForce {
     /// F before the block.
     feed_before: f64,
     /// How many spindles the machine has.
-    spindles: usize,
+    pub(super) spindles: usize,
 }
 
 impl InForce {
@@ -191,33 +194,6 @@ impl InForce {
         self.set_feed_rate(feed);
     }
 
-    /// Tells the sink what it does not know yet.
-    #[inline]
-    pub(crate) fn tell<K: Sink>(&mut self, line: u32, sink: &mut K) {
-        if self.changed {
-            self.tell_changes(line, sink);
-        } else if self.feed_changed {
-            self.tell_feed(line, sink);
-        }
-    }
-
-    fn tell_feed<K: Sink>(&mut self, line: u32, sink: &mut K) {
-        self.feed_changed = false;
-        if let Some(feed_rate) = since(self.now.feed_rate, self.told.feed_rate, |rate| rate) {
-            self.told.feed_rate = feed_rate;
-            sink.set(line, &Settings { feed_rate: Some(feed_rate), ..Settings::default() });
-        }
-    }
-
-    fn tell_changes<K: Sink>(&mut self, line: u32, sink: &mut K) {
-        self.changed = false;
-        self.feed_changed = false;
-        if self.now != self.told {
-            sink.set(line, &difference(&self.now, &self.told, self.spindles));
-            self.told = self.now;
-        }
-    }
-
     /// All settings.
     pub(crate) fn settings(&self) -> Settings {
         everything(&self.now, self.spindles)
@@ -225,13 +201,13 @@ impl InForce {
 }
 
 /// The value where it is another one.
-fn since<T: PartialEq, U>(now: T, told: T, record: impl Fn(T) -> U) -> Option<U> {
+pub(super) fn since<T: PartialEq, U>(now: T, told: T, record: impl Fn(T) -> U) -> Option<U> {
     (now != told).then(|| record(now))
 }
 
 macro_rules! settings {
     ($($field:ident => $record:expr),* ; $($indexed:ident => $spindle:ident),*) => {
-        fn difference(now: &Modes, told: &Modes, spindles: usize) -> Settings {
+        pub(super) fn difference(now: &Modes, told: &Modes, spindles: usize) -> Settings {
             let mut settings = Settings::default();
             $(settings.$field = since(now.$field, told.$field, $record);)*
             if now.spindles != told.spindles {

@@ -10,7 +10,7 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::codes::{MOTION, NON_MODAL};
-use super::motions::mode_of;
+use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
 use super::values::not_negative;
 

@@ -1,6 +1,6 @@
 //! Motion codes other than G0 to G3 and G80, each handed to where it is done.
 
-use gaugeblock_vocabulary::{Distance, Effect, Lathe, Motion};
+use gaugeblock_vocabulary::{Distance, Effect, Lathe};
 
 use crate::canon::Sink;
 use crate::parameters::Numbered;
@@ -9,9 +9,8 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
-use super::modes::Spindle;
+use super::modes::{Spindle, Spindles};
 use super::refusal::Refusal;
-use super::spindle::Spindles;
 use super::target::with_radius;
 
 impl Modal {
@@ -106,37 +105,5 @@ impl Modal {
         let [first, ..] = self.in_force.now().spindles;
         let number = usize::try_from(which.trailing_zeros()).unwrap_or(0);
         self.in_force.now().spindles.get(number).copied().unwrap_or(first)
-    }
-}
-
-/// The motion mode that a code in tenths sets.
-pub(super) const fn mode_of(code: u16) -> Motion {
-    match code {
-        0 => Motion::Traverse,
-        10 => Motion::Feed,
-        20 => Motion::ArcClockwise,
-        30 => Motion::ArcCounterclockwise,
-        50 => Motion::CubicSpline,
-        51 => Motion::QuadraticSpline,
-        52 => Motion::Nurbs,
-        330 => Motion::SpindleSynchronised,
-        331 => Motion::RigidTap,
-        382 => Motion::ProbeTowardError,
-        383 => Motion::ProbeToward,
-        384 => Motion::ProbeAwayError,
-        385 => Motion::ProbeAway,
-        730 => Motion::Cycle73,
-        740 => Motion::Cycle74,
-        760 => Motion::Thread76,
-        810 => Motion::Cycle81,
-        820 => Motion::Cycle82,
-        830 => Motion::Cycle83,
-        840 => Motion::Cycle84,
-        850 => Motion::Cycle85,
-        860 => Motion::Cycle86,
-        870 => Motion::Cycle87,
-        880 => Motion::Cycle88,
-        890 => Motion::Cycle89,
-        _ => Motion::None,
     }
 }

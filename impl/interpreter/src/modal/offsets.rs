@@ -1,18 +1,11 @@
-//! Coordinate systems (11.1): from program coordinates to those of the machine and back, and where the offsets are
-//! stored.
-//!
-//! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1,
-//! 11.5.14).
+//! Where offsets, positions and the tool are stored among the numbered parameters (11.1).
 
 use gaugeblock_vocabulary::Tool;
 
-use crate::faults::{Fault, planted};
 use crate::math;
 use crate::parameters::Numbered;
 
 use super::coordinates::Coordinates;
-use super::letters::{X, Y};
-use super::modes::Modes;
 
 /// 5210: whether the offset of G52 and G92 applies.
 pub(crate) const G92_APPLIED: u32 = 5210;
@@ -30,45 +23,6 @@ const PROBE_RESULT: u32 = 5061;
 const PROBE_SUCCESS: u32 = 5070;
 /// 5420 to 5428: the controlled point.
 const POSITION: u32 = 5420;
-
-impl Modes {
-    fn turn(&self, degrees: f64) -> Option<(f64, f64)> {
-        if self.rotation.abs() > 0.0 {
-            let degrees = if planted(Fault::RotationReversed) { -degrees } else { degrees };
-            Some((math::sine(degrees), math::cosine(degrees)))
-        } else {
-            None
-        }
-    }
-
-    /// Program coordinates in those of the machine.
-    pub(crate) fn machine_of(&self, program: Coordinates) -> Coordinates {
-        let local = program.plus(self.g92_offset);
-        let turned = self.turn(self.rotation).map_or(local, |turn| local.turned(turn));
-        turned.plus(self.g5x_offset).plus(self.tool_offset)
-    }
-
-    /// Machine coordinates in those of the program.
-    pub(crate) fn program_of(&self, machine: Coordinates) -> Coordinates {
-        let turned = machine.minus(self.tool_offset).minus(self.g5x_offset);
-        let local = self.turn(-self.rotation).map_or(turned, |turn| turned.turned(turn));
-        local.minus(self.g92_offset)
-    }
-
-    /// The origin that gives a machine position these program coordinates.
-    pub(crate) fn origin_for(&self, machine: Coordinates, program: Coordinates) -> Coordinates {
-        let local = program.plus(self.g92_offset);
-        let turned = self.turn(self.rotation).map_or(local, |turn| local.turned(turn));
-        machine.minus(self.tool_offset).minus(turned)
-    }
-
-    /// The axes of which the coordinates change when those of `letters` do on the other side: where the system is
-    /// turned, X and Y go together.
-    pub(super) fn turned_letters(&self, letters: u32) -> u32 {
-        let together = self.rotation.abs() > 0.0 && letters & (X | Y) != 0;
-        if together { letters | X | Y } else { letters }
-    }
-}
 
 /// Nine parameters in a row, X to W.
 pub(super) fn row(numbered: &Numbered, first: u32) -> Coordinates {

@@ -9,7 +9,7 @@ use crate::probing::Probing;
 use crate::words::Words;
 
 use super::Modal;
-use super::motions::mode_of;
+use super::motion_codes::mode_of;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
 

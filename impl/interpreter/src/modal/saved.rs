@@ -1,7 +1,5 @@
 //! Saved state: M70 saves, M71 invalidates, M72 restores, M73 restores at the end of its sub (11.6.19 to 11.6.22).
 
-use alloc::vec::Vec;
-
 use gaugeblock_vocabulary::{FaultKind, Motion, PathControlMode, SpindleTurn};
 
 use crate::canon::Sink;
@@ -11,97 +9,7 @@ use crate::parameters::Numbered;
 use super::Modal;
 use super::modes::Modes;
 use super::refusal::{Refusal, refuse};
-
-/// What M70 and M73 save.
-#[derive(Clone, Copy, Debug)]
-struct Saved {
-    modes: Modes,
-    motion: Motion,
-    compensation_radius: f64,
-    feed_spindle: u32,
-}
-
-/// A place in which state is saved.
-#[derive(Clone, Debug)]
-struct Place {
-    /// Call level to which it belongs.
-    level: u32,
-    /// 70 or 73 where the codes save apart, else 70.
-    code: u16,
-    /// Whether M70 ever saved in it.
-    by_m70: bool,
-    /// Whether it can be restored from.
-    valid: bool,
-    /// Whether the end of the sub restores from it.
-    autorestore: bool,
-    state: Saved,
-}
-
-/// The saved states of all call levels, innermost last. A level that saves nothing costs nothing.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct SavedStates {
-    level: u32,
-    places: Vec<Place>,
-    /// The places of the level before the block changed them.
-    before: Vec<Place>,
-    /// Whether it has.
-    noted: bool,
-}
-
-impl SavedStates {
-    /// The places of the current call level, the one saved in last first.
-    fn here(&mut self) -> impl Iterator<Item = &mut Place> {
-        let level = self.level;
-        self.places.iter_mut().rev().take_while(move |place| place.level == level)
-    }
-
-    /// Begins a block that can be taken back.
-    #[inline]
-    pub(super) fn begin_notes(&mut self) {
-        self.noted = false;
-    }
-
-    /// Notes the places of the level before they change.
-    fn note(&mut self) {
-        if !self.noted {
-            self.noted = true;
-            self.before.clear();
-            let level = self.level;
-            let here = self.places.iter().filter(|place| place.level == level);
-            self.before.extend(here.cloned());
-        }
-    }
-
-    /// Takes back what the block did.
-    pub(super) fn take_back(&mut self) {
-        if self.noted {
-            let level = self.level;
-            self.places.retain(|place| place.level != level);
-            self.places.append(&mut self.before);
-            self.noted = false;
-        }
-    }
-
-    fn save(&mut self, place: u16, code: u16, state: Saved) {
-        let level = self.level;
-        let same = |saved: &Place| saved.level == level && saved.code == place;
-        let earlier = self.places.iter().rposition(same).map(|at| self.places.remove(at));
-        self.places.push(Place {
-            level,
-            code: place,
-            by_m70: code == 70 || earlier.as_ref().is_some_and(|place| place.by_m70),
-            valid: true,
-            autorestore: code == 73 || earlier.is_some_and(|place| place.autorestore),
-            state,
-        });
-    }
-
-    /// No call is open any more; what was saved in one is gone.
-    fn leave_calls(&mut self) {
-        self.level = 0;
-        self.places.retain(|place| place.level == 0);
-    }
-}
+use super::saved_states::Saved;
 
 impl Modal {
     /// No call is open any more: only what the main program has saved is there.

@@ -11,14 +11,9 @@ use crate::math;
 use super::Modal;
 use super::check::Block;
 use super::codes::SPINDLE_MODE;
-use super::modes::Spindle;
+use super::modes::{FIRST, Spindle, Spindles};
 use super::refusal::{Refusal, refuse};
 use super::values::{integer, not_negative};
-
-/// A set of spindles: bit n for spindle n.
-pub(crate) type Spindles = u8;
-/// Spindle 0.
-pub(crate) const FIRST: Spindles = 1;
 
 impl Modal {
     /// Every spindle of the machine.

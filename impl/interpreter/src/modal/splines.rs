@@ -7,23 +7,11 @@ use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
-use super::coordinates::Coordinates;
-use super::cycles::Series;
+use super::cycles::{Curve, Series};
 use super::letters::{AXES, I, J, X, Y};
-use super::motions::mode_of;
+use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
 use super::values::integer;
-
-/// A data block that G5.2 opened.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Curve {
-    /// How many control points there are; the first one is where the point was.
-    points: u32,
-    /// L.
-    order: i32,
-    /// The last control point.
-    pub(super) last: Coordinates,
-}
 
 impl Modal {
     /// G5 and G5.1: a curve to the end point. I, J, P and Q shape it and do not show in the effect.

@@ -6,8 +6,8 @@ use crate::faults::{Fault, planted};
 
 use super::Modal;
 use super::check::Block;
+use super::modes::FIRST;
 use super::refusal::{Refusal, refuse};
-use super::spindle::FIRST;
 use super::values::integer;
 
 impl Modal {

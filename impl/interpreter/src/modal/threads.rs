@@ -1,6 +1,6 @@
 //! Moves in step with a spindle: G33 and G33.1 (11.5.22, 11.5.23).
 
-use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Machine, Motion, SpindleMode};
+use gaugeblock_vocabulary::{Effect, FaultKind, Motion, SpindleMode};
 
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -9,9 +9,9 @@ use crate::math;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
-use super::motions::mode_of;
+use super::modes::FIRST;
+use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
-use super::spindle::FIRST;
 
 impl Modal {
     /// G33: a straight move at K per revolution.
@@ -97,12 +97,4 @@ impl Modal {
         }
         Ok(())
     }
-}
-
-/// The highest velocity of each axis, machine unit per second.
-pub(super) fn velocities(machine: &Machine) -> Coordinates {
-    Axis::ALL.iter().fold(Coordinates([f64::INFINITY; 9]), |velocities, axis| {
-        let limit = machine.limits.get(axis.word()).and_then(|limits| limits.velocity);
-        limit.map_or(velocities, |limit| velocities.with_axis(*axis, limit))
-    })
 }

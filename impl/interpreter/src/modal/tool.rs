@@ -12,10 +12,8 @@ use super::check::Block;
 use super::coordinates::Coordinates;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
+use super::state::NO_TOOL;
 use super::values::{integer, integer_in};
-
-/// No tool is selected.
-pub(super) const NO_TOOL: i32 = -1;
 
 /// The number of a tool; one that is too large for an effect is none that a program can name.
 pub(crate) fn number_of(tool: &Tool) -> i32 {

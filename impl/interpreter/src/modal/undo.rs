@@ -3,36 +3,12 @@
 //!
 //! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
 
-use gaugeblock_vocabulary::{ControllerMode, Motion, Tool};
+use gaugeblock_vocabulary::Tool;
 
 use crate::parameters::Numbered;
 
 use super::Modal;
-use super::coordinates::Coordinates;
-use super::cycles::Series;
-
-/// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they
-/// change.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Before {
-    motion: Motion,
-    position: Coordinates,
-    series: Series,
-    compensation_radius: f64,
-    surface_speed: bool,
-    feed_spindle: u32,
-    tool: i32,
-    prepared: Option<i32>,
-    selected: Option<i32>,
-    controller_mode: ControllerMode,
-}
-
-impl Before {
-    /// The motion mode.
-    pub(super) fn motion(&self) -> Motion {
-        self.motion
-    }
-}
+use super::snapshots::Before;
 
 impl Modal {
     /// Begins a block that can be taken back.

@@ -2,69 +2,12 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::frames::{Call, Frame, ModalCall, Reach};
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};
 use super::variables::Locals;
 use crate::faults::{Fault, planted};
 use crate::math;
-
-/// Which modal calls the blocks of a program reach.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reach {
-    All,
-    /// So many that were commanded first.
-    Below(usize),
-    /// The documents leave it open.
-    Open,
-}
-
-/// A program in progress.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    /// Its place among the programs.
-    pub(super) program: usize,
-    /// Its next block.
-    pub(super) next: usize,
-    pub(super) reach: Reach,
-    /// Whether it has a level of its own.
-    is_macro: bool,
-    /// How often it is to be called, this time counted.
-    left: u32,
-    /// Modal calls in force when it began.
-    modal_calls: usize,
-    /// Whether it is open what G66, G66.1 and G67 do in it.
-    commands_open: bool,
-}
-
-impl Frame {
-    pub(super) fn main(first: usize) -> Self {
-        Self {
-            program: 0,
-            next: first,
-            reach: Reach::All,
-            is_macro: false,
-            left: 1,
-            modal_calls: 0,
-            commands_open: false,
-        }
-    }
-}
-
-/// A call: what P and L of it say.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Call {
-    /// None where no program can have the number.
-    program: Option<u32>,
-    repeats: u32,
-}
-
-/// A modal call in force.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ModalCall {
-    call: Call,
-    pub(super) by_block: bool,
-    arguments: Locals,
-}
 
 impl Runner {
     /// A block with G65, G66, G66.1 or G67.

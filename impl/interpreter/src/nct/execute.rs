@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion};
 
 use super::calls::is_call;
-use super::modes::Codes;
+use super::codes::Codes;
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};
 use crate::faults::{Fault, planted};

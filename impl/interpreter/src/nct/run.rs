@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
 
 use super::calculate::{Calculator, Stack};
-use super::calls::{Frame, ModalCall, Reach};
 use super::choices::Choices;
+use super::frames::{Frame, ModalCall, Reach};
 use super::modes::Modes;
 use super::program::{Code, Condition, Kind, Stop, Target, Value, refuse};
 use super::variables::Variables;

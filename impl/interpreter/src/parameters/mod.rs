@@ -4,8 +4,12 @@ mod item;
 mod named;
 mod names;
 mod numbered;
+mod predefined;
+mod store;
 
 pub use item::ItemName;
 pub(crate) use named::{Named, Own, ScopeMark, Slot};
 pub(crate) use names::{NameId, Names};
 pub(crate) use numbered::{LAST, Numbered, is_stored};
+pub(crate) use predefined::Predefined;
+pub(crate) use store::Parameters;

@@ -1,20 +1,17 @@
 //! A line becomes a block (11.4.2): block delete, line number, then words, settings of parameters and comments in any
 //! order.
 
-use alloc::collections::BTreeMap;
 use alloc::string::String;
-use alloc::vec::Vec;
 
-use gaugeblock_vocabulary::{FaultKind, Machine};
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
-use crate::limits::{Limit, Limits};
 use crate::math;
-use crate::parameters::{ItemName, Names};
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Block, Kind, NONE, Op, Segment};
-use crate::syntax::parameter::{Place, is_told};
-use crate::syntax::{Choices, Packed, comment, number};
+use crate::syntax::packed::{Block, Kind, NONE, Op, Place, Segment};
+use crate::syntax::packer::Packer;
+use crate::syntax::parameter::is_told;
+use crate::syntax::{Packed, comment, number};
 
 /// What a line was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,41 +33,6 @@ pub(crate) struct LinePlace {
     pub(crate) offset: u64,
 }
 
-/// Packs lines. It knows the names of the whole run.
-#[derive(Clone, Debug)]
-pub(crate) struct Packer {
-    /// Named parameters.
-    pub(crate) names: Names,
-    /// Labels of o-words.
-    pub(crate) labels: Names,
-    /// Entries of the INI file that can be read.
-    pub(crate) ini: BTreeMap<String, f64>,
-    /// HAL items that can be read, in the order of their values. A program reads few of them, and looks each up once.
-    pub(crate) items: Vec<ItemName>,
-    /// Whether HAL items can be read.
-    pub(crate) items_enabled: bool,
-    /// Readings of the documents.
-    pub(crate) choices: Choices,
-    /// Whether blocks that begin with a slash are skipped.
-    pub(crate) block_delete: bool,
-    /// Whether a line that holds a plain comment only is a block, which does nothing.
-    pub(crate) comments_told: bool,
-    /// Whether quirks of `rs274` are imitated.
-    pub(crate) imitates: bool,
-    /// Whether the label of an o-word is being read.
-    pub(crate) in_label: bool,
-    /// The bound that the line just packed goes beyond.
-    pub(crate) beyond: Option<Limit>,
-    /// Most named parameters.
-    pub(crate) most_names: u32,
-    /// Deepest nesting of brackets.
-    pub(crate) bracket_depth: u32,
-    /// Room for a name.
-    pub(crate) scratch: String,
-    /// Where each named parameter lies.
-    pub(crate) places: Vec<Place>,
-}
-
 /// What a block's items have in common.
 struct Items<'a> {
     /// Letters that were used, a bit each; 26 to 28 are `$`, `@` and `^`.
@@ -79,37 +41,7 @@ struct Items<'a> {
     comment: Option<&'a [u8]>,
 }
 
-/// Whether a switch of the INI file is on; it is where the file says nothing (4.4.2.6).
-fn enables(machine: &Machine, entry: &str) -> bool {
-    machine.ini.get(entry).is_none_or(|value| value.abs() > 0.0)
-}
-
 impl Packer {
-    /// A packer that knows no names yet.
-    pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
-        Self {
-            names: Names::new(),
-            labels: Names::new(),
-            ini: if enables(machine, "[RS274NGC]INI_VARS") {
-                machine.ini.clone()
-            } else {
-                BTreeMap::new()
-            },
-            items: Vec::new(),
-            items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
-            choices,
-            block_delete: false,
-            comments_told: false,
-            imitates: false,
-            in_label: false,
-            beyond: None,
-            most_names: limits.named_parameters,
-            bracket_depth: limits.bracket_depth,
-            scratch: String::new(),
-            places: Vec::new(),
-        }
-    }
-
     /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused
     /// when it is executed.
     #[inline]

@@ -1,9 +1,9 @@
 //! Active comments (11.4.14 to 11.4.20): messages, logs, and an error that the program asks for.
 
-use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Act, Comment, NONE, Piece, Segment};
-use crate::syntax::parameter::{Place, parameter_number};
+use crate::syntax::packed::{Act, Comment, NONE, Piece, Place, Segment};
+use crate::syntax::packer::Packer;
+use crate::syntax::parameter::parameter_number;
 
 /// What comments do, by their first word and a comma.
 const ACTS: [(&[u8], Act); 7] = [

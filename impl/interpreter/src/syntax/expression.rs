@@ -7,10 +7,10 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::limits::Limit;
-use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Binary, Function, Op, Segment};
-use crate::syntax::parameter::{Place, is_position, short_parameter};
+use crate::syntax::packed::{Binary, Function, Op, Place, Segment};
+use crate::syntax::packer::Packer;
+use crate::syntax::parameter::{is_position, short_parameter};
 use crate::syntax::{Packed, arithmetic, number};
 
 /// Names of functions, with the longer of two that begin alike first.

@@ -9,19 +9,21 @@ mod expression;
 mod number;
 mod oword;
 pub(crate) mod packed;
+mod packer;
 mod parameter;
 
 use alloc::boxed::Box;
 
 use gaugeblock_vocabulary::FaultKind;
 
-pub(crate) use block::{LinePlace, Packer, Taken, code_number, is_oword, is_percent};
+pub(crate) use block::{LinePlace, Taken, code_number, is_oword, is_percent};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
 pub(crate) use expression::group;
 pub(crate) use number::plain as plain_number;
 pub(crate) use oword::label_ops;
-pub(crate) use packed::Segment;
-pub(crate) use parameter::{Place, is_position, is_told, parameter_number};
+pub(crate) use packed::{Place, Segment};
+pub(crate) use packer::Packer;
+pub(crate) use parameter::{is_position, is_told, parameter_number};
 
 /// What becomes of a part of a line. A refusal is boxed because the way without one must be short.
 pub(crate) type Packed<T> = Result<T, Box<Refused>>;

@@ -4,9 +4,9 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::parameters::NameId;
-use crate::syntax::block::Packer;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op, Segment};
+use crate::syntax::packer::Packer;
 use crate::syntax::{Packed, arithmetic, number};
 
 /// Most arguments of a call (11.7.4).

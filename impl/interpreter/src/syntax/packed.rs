@@ -6,8 +6,7 @@
 
 use alloc::vec::Vec;
 
-use crate::modal::Predefined;
-use crate::parameters::{NameId, Own};
+use crate::parameters::{NameId, Own, Predefined};
 use crate::syntax::Refused;
 
 /// "None" among the numbers of this module.
@@ -142,6 +141,27 @@ pub(crate) enum Op {
     SetLocal(NameId),
     /// Takes the value of a global parameter.
     SetGlobal(NameId),
+}
+
+/// Where a parameter lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Place {
+    /// By a number that is known.
+    Numbered(u16),
+    /// By a number that the operations push.
+    Indirect,
+    /// By name, local.
+    Local(NameId),
+    /// By name, global.
+    Global(NameId),
+    /// A predefined name that the modes answer.
+    Mode(Predefined),
+    /// A predefined name that the interpreter answers.
+    Own(Own),
+    /// An INI entry.
+    Entry(f64),
+    /// An INI entry or pin that is not there.
+    Absent,
 }
 
 /// What an o-word asks for (11.7).

@@ -7,38 +7,16 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::limits::Limit;
 use crate::math;
-use crate::modal::Predefined;
-use crate::parameters::{LAST, NameId, Own};
-use crate::syntax::block::Packer;
+use crate::parameters::{LAST, NameId, Own, Predefined};
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Op, Segment};
+use crate::syntax::packed::{Op, Place, Segment};
+use crate::syntax::packer::Packer;
 use crate::syntax::{Packed, arithmetic, number};
 
 /// The last number of a parameter.
 const LAST_NUMBER: u64 = 5602;
 /// It is the one that the parameters end with.
 const _: () = assert!(LAST == 5602);
-
-/// Where a parameter lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Place {
-    /// By a number that is known.
-    Numbered(u16),
-    /// By a number that the operations push.
-    Indirect,
-    /// By name, local.
-    Local(NameId),
-    /// By name, global.
-    Global(NameId),
-    /// A predefined name that the modes answer.
-    Mode(Predefined),
-    /// A predefined name that the interpreter answers.
-    Own(Own),
-    /// An INI entry.
-    Entry(f64),
-    /// An INI entry or pin that is not there.
-    Absent,
-}
 
 impl Packer {
     /// `#` and what follows it (11.4.3.1): a number, a further parameter, an expression, or a name.

@@ -9,17 +9,21 @@
 //! * Everything that a block can be refused for is checked before its first stroke.
 //! * A step performs a bounded number of strokes, whatever L and Q are, and a cycle allocates nothing.
 
+mod cycle_moves;
+mod drilling;
 mod numbers;
+mod pending;
+mod plane_axes;
 mod series;
-mod strokes;
-pub(super) mod threading;
-mod unfinished;
+mod steps;
+mod thread_moves;
+mod threading;
 
-pub(super) use series::Series;
-pub(super) use unfinished::Unfinished;
+pub(super) use pending::Unfinished;
+pub(super) use series::{Curve, Series};
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, FaultKind, FeedMode, Lathe, Motion, Plane, ReturnMode, SpindleTurn,
+    Axis, Compensation, FaultKind, FeedMode, Lathe, ReturnMode, SpindleTurn,
 };
 
 use crate::faults::{Fault, planted};
@@ -28,64 +32,16 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
-use super::letters::{A, AXES, B, C, U, V, W, X, Y, Z};
-use super::motions::mode_of;
+use super::letters::{A, AXES, B, C};
+use super::modes::FIRST;
+use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
-use super::spindle::FIRST;
 use super::target::with_radius;
 
+use drilling::{Cycle, Drilling, Levels};
 use numbers::Numbers;
-use strokes::{Cycle, Drilling, Levels};
-use unfinished::Job;
-
-/// First, second and normal axis of a plane: the hole is where the first two say, and the tool goes along the third.
-#[derive(Clone, Copy, Debug)]
-struct PlaneAxes {
-    first: Axis,
-    second: Axis,
-    normal: Axis,
-}
-
-impl PlaneAxes {
-    const fn of(plane: Plane) -> Self {
-        let [first, second, normal] = match plane {
-            Plane::Xy => [Axis::X, Axis::Y, Axis::Z],
-            Plane::Zx => [Axis::Z, Axis::X, Axis::Y],
-            Plane::Yz => [Axis::Y, Axis::Z, Axis::X],
-            Plane::Uv => [Axis::U, Axis::V, Axis::W],
-            Plane::Wu => [Axis::W, Axis::U, Axis::V],
-            Plane::Vw => [Axis::V, Axis::W, Axis::U],
-        };
-        Self { first, second, normal }
-    }
-
-    /// The letters of axis words that a cycle takes in a plane (11.5.43).
-    const fn letters(plane: Plane) -> u32 {
-        match plane {
-            Plane::Xy | Plane::Zx | Plane::Yz => X | Y | Z,
-            Plane::Uv | Plane::Wu | Plane::Vw => U | V | W,
-        }
-    }
-}
-
-/// The motion modes among which a series of cycles goes on (11.5.61).
-pub(super) const fn is_cycle(motion: Motion) -> bool {
-    matches!(
-        motion,
-        Motion::Cycle73
-            | Motion::Cycle74
-            | Motion::Thread76
-            | Motion::Cycle81
-            | Motion::Cycle82
-            | Motion::Cycle83
-            | Motion::Cycle84
-            | Motion::Cycle85
-            | Motion::Cycle86
-            | Motion::Cycle87
-            | Motion::Cycle88
-            | Motion::Cycle89
-    )
-}
+use pending::Job;
+use plane_axes::PlaneAxes;
 
 /// Whether the spindle turns as a thread is cut: clockwise under G84, counterclockwise under G74.
 fn check_tapping(code: u16, turn: SpindleTurn) -> Result<(), Refusal> {

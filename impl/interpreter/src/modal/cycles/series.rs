@@ -7,8 +7,7 @@
 use gaugeblock_vocabulary::Motion;
 
 use super::super::coordinates::{Conversion, Coordinates};
-use super::super::splines::Curve;
-use super::is_cycle;
+use super::super::motion_codes::is_cycle;
 use super::numbers::Numbers;
 
 /// What is kept.
@@ -22,6 +21,17 @@ pub(in super::super) struct Series {
     pub(in super::super) cubic: bool,
     /// The data block that G5.2 opened.
     pub(in super::super) curve: Option<Curve>,
+}
+
+/// A data block that G5.2 opened.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Curve {
+    /// How many control points there are; the first one is where the point was.
+    pub(in super::super) points: u32,
+    /// L.
+    pub(in super::super) order: i32,
+    /// The last control point.
+    pub(in super::super) last: Coordinates,
 }
 
 /// A series of cycles that a block goes on with or begins.

@@ -3,8 +3,8 @@
 use alloc::format;
 use alloc::string::{String, ToString};
 
-use super::super::Predefined;
 use super::{machine, run};
+use crate::parameters::Predefined;
 
 /// A name's value after a program.
 fn named(options: &[(&str, &str)], program: &str, name: &str) -> String {

@@ -1,19 +1,16 @@
-//! A canned cycle as strokes: one move, dwell or switch at a time.
+//! A canned cycle as strokes: which move, dwell or switch comes next.
 
-use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{SpindleTurn, Switch};
 
-use crate::canon::Sink;
 use crate::faults::{Fault, planted};
 use crate::math;
 
-use super::super::Modal;
-use super::super::refusal::Refusal;
-use super::super::spindle::Spindles;
-use super::PlaneAxes;
+use super::super::modes::Spindles;
+use super::plane_axes::PlaneAxes;
 
 /// A part of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Stroke {
+pub(super) enum Stroke {
     /// A rapid move to where the hole is, at the level at which the point is.
     Across,
     /// A rapid move to the R plane, where the point is not there already.
@@ -103,13 +100,13 @@ pub(super) struct Cycle {
 /// A cycle under way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Drilling {
-    cycle: Cycle,
+    pub(super) cycle: Cycle,
     /// Strokes of one go-around.
     strokes: &'static [Stroke],
     /// How many holes are left, with this one.
     repeats: u64,
     /// The next stroke of this one.
-    at: At,
+    pub(super) at: At,
     /// Pecks that were made in this hole.
     pecks: u64,
     /// Where in a peck.
@@ -118,7 +115,7 @@ pub(super) struct Drilling {
 
 /// Where in a go-around.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum At {
+pub(super) enum At {
     /// The rapid move to the R plane that is made once, where the point is below (11.5.43.6).
     Preliminary,
     Across,
@@ -152,7 +149,7 @@ impl Drilling {
     }
 
     /// The stroke that comes next, and none where the cycle is over.
-    fn next(&self) -> Option<Stroke> {
+    pub(super) fn next(&self) -> Option<Stroke> {
         match self.at {
             At::Preliminary | At::Approach => Some(Stroke::Approach),
             At::Across => Some(Stroke::Across),
@@ -161,7 +158,7 @@ impl Drilling {
     }
 
     /// Goes on behind a stroke; whether the cycle is over then.
-    fn advance(&mut self) -> bool {
+    pub(super) fn advance(&mut self) -> bool {
         self.at = match self.at {
             At::Preliminary => At::Across,
             At::Across => At::Approach,
@@ -188,7 +185,7 @@ impl Drilling {
     }
 
     /// Where the next stroke of a peck leads and whether it is a feed move; whether the hole is done then.
-    fn next_peck(&mut self, breaking: bool, clearance: f64) -> (f64, bool, bool) {
+    pub(super) fn next_peck(&mut self, breaking: bool, clearance: f64) -> (f64, bool, bool) {
         match self.peck {
             Peck::Down => {
                 self.pecks = self.pecks.saturating_add(1);
@@ -208,94 +205,5 @@ impl Drilling {
                 (self.depth_after(self.pecks) + clearance, false, false)
             }
         }
-    }
-}
-
-impl Modal {
-    /// Performs the next stroke of a cycle; whether the cycle is over then.
-    pub(super) fn stroke<K: Sink>(
-        &mut self,
-        drilling: &mut Drilling,
-        line: u32,
-        sink: &mut K,
-    ) -> Result<bool, Refusal> {
-        let Some(stroke) = drilling.next() else { return Ok(true) };
-        let cycle = drilling.cycle;
-        let Levels { retract, bottom, clear } = cycle.levels;
-        let normal = cycle.axes.normal;
-        let level = self.position.of_axis(normal);
-        let to = |modal: &Self, level| modal.position.with_axis(normal, level);
-        match stroke {
-            Stroke::Across => {
-                let [first, second] = cycle.hole;
-                let across = self.position.with_axis(cycle.axes.first, first);
-                self.traverse_to(line, across.with_axis(cycle.axes.second, second), sink)?;
-            }
-            Stroke::Approach => {
-                let once = drilling.at == At::Preliminary;
-                if level < retract || !once && level > retract {
-                    self.traverse_to(line, to(self, retract), sink)?;
-                }
-            }
-            Stroke::Drill => self.feed_to(line, to(self, bottom), sink)?,
-            Stroke::DrillBreaking | Stroke::DrillPecking => {
-                let clearance = self.peck_clearance();
-                let breaking = stroke == Stroke::DrillBreaking;
-                let (level, feeds, done) = drilling.next_peck(breaking, clearance);
-                if feeds {
-                    self.feed_to(line, to(self, level), sink)?;
-                } else {
-                    self.traverse_to(line, to(self, level), sink)?;
-                }
-                if !done {
-                    return Ok(false);
-                }
-            }
-            Stroke::Dwell => {
-                self.perform(line, &Effect::Dwell { seconds: cycle.dwell }, sink)?;
-            }
-            Stroke::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
-            Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
-            Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
-            Stroke::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
-            Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
-            Stroke::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
-            Stroke::OverridesOff => {
-                self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
-            }
-            Stroke::OverridesBack => {
-                if self.choices.tap_turns_back {
-                    self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
-                    self.turn(cycle.spindle, cycle.turn, line, sink);
-                }
-                self.restore_overrides(drilling);
-            }
-        }
-        Ok(drilling.advance())
-    }
-
-    /// Tells spindles to turn; what the next stroke tells them has not been told yet.
-    fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
-        self.for_spindles(which, |spindle| spindle.turn = turn);
-        self.in_force.tell(line, sink);
-    }
-
-    /// Overrides as they were before the cycle.
-    pub(super) fn restore_overrides(&mut self, drilling: &Drilling) {
-        self.set_overrides(drilling.cycle.spindle, drilling.cycle.overrides);
-    }
-
-    /// .010 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.
-    fn peck_clearance(&self) -> f64 {
-        match self.in_force.now().units {
-            LengthUnit::Inch => 0.01,
-            LengthUnit::Millimetre => 0.254,
-        }
-    }
-
-    /// The feed override, and the speed override of a spindle.
-    fn set_overrides(&mut self, spindle: Spindles, (feed, speed): (Switch, Switch)) {
-        self.in_force.put(|modes| &mut modes.feed_override, feed);
-        self.set_speed_override(spindle, speed);
     }
 }

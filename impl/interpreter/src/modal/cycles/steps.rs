@@ -5,32 +5,11 @@ use crate::parameters::Numbered;
 
 use super::super::Modal;
 use super::super::refusal::{Flow, Refusal};
-use super::super::undo::Before;
-use super::strokes::Drilling;
-use super::threading::Threading;
+use super::super::snapshots::Before;
+use super::pending::{Job, Unfinished};
 
 /// Most strokes of a step.
 const STROKES: u8 = 32;
-
-/// What is being done.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Job {
-    /// A canned cycle.
-    Drilling(Drilling),
-    /// G76.
-    Threading(Threading),
-}
-
-/// The rest of a block.
-#[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Unfinished {
-    line: u32,
-    job: Job,
-    /// The code of group 4 that comes after the motion.
-    stop: Option<u16>,
-    /// The state before the block, once a step has passed.
-    before: Option<Before>,
-}
 
 impl Modal {
     /// The block has work that is done in steps.

@@ -1,0 +1,100 @@
+//! The strokes of a canned cycle, performed.
+
+use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
+
+use crate::canon::Sink;
+use crate::faults::{Fault, planted};
+
+use super::super::Modal;
+use super::super::modes::Spindles;
+use super::super::refusal::Refusal;
+use super::drilling::{At, Drilling, Levels, Stroke};
+
+impl Modal {
+    /// Performs the next stroke of a cycle; whether the cycle is over then.
+    pub(super) fn stroke<K: Sink>(
+        &mut self,
+        drilling: &mut Drilling,
+        line: u32,
+        sink: &mut K,
+    ) -> Result<bool, Refusal> {
+        let Some(stroke) = drilling.next() else { return Ok(true) };
+        let cycle = drilling.cycle;
+        let Levels { retract, bottom, clear } = cycle.levels;
+        let normal = cycle.axes.normal;
+        let level = self.position.of_axis(normal);
+        let to = |modal: &Self, level| modal.position.with_axis(normal, level);
+        match stroke {
+            Stroke::Across => {
+                let [first, second] = cycle.hole;
+                let across = self.position.with_axis(cycle.axes.first, first);
+                self.traverse_to(line, across.with_axis(cycle.axes.second, second), sink)?;
+            }
+            Stroke::Approach => {
+                let once = drilling.at == At::Preliminary;
+                if level < retract || !once && level > retract {
+                    self.traverse_to(line, to(self, retract), sink)?;
+                }
+            }
+            Stroke::Drill => self.feed_to(line, to(self, bottom), sink)?,
+            Stroke::DrillBreaking | Stroke::DrillPecking => {
+                let clearance = self.peck_clearance();
+                let breaking = stroke == Stroke::DrillBreaking;
+                let (level, feeds, done) = drilling.next_peck(breaking, clearance);
+                if feeds {
+                    self.feed_to(line, to(self, level), sink)?;
+                } else {
+                    self.traverse_to(line, to(self, level), sink)?;
+                }
+                if !done {
+                    return Ok(false);
+                }
+            }
+            Stroke::Dwell => {
+                self.perform(line, &Effect::Dwell { seconds: cycle.dwell }, sink)?;
+            }
+            Stroke::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
+            Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
+            Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
+            Stroke::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
+            Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
+            Stroke::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
+            Stroke::OverridesOff => {
+                self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
+            }
+            Stroke::OverridesBack => {
+                if self.choices.tap_turns_back {
+                    self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
+                    self.turn(cycle.spindle, cycle.turn, line, sink);
+                }
+                self.restore_overrides(drilling);
+            }
+        }
+        Ok(drilling.advance())
+    }
+
+    /// Tells spindles to turn; what the next stroke tells them has not been told yet.
+    fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
+        self.for_spindles(which, |spindle| spindle.turn = turn);
+        self.in_force.tell(line, sink);
+    }
+
+    /// Overrides as they were before the cycle.
+    pub(super) fn restore_overrides(&mut self, drilling: &Drilling) {
+        self.set_overrides(drilling.cycle.spindle, drilling.cycle.overrides);
+    }
+
+    /// .010 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.
+    fn peck_clearance(&self) -> f64 {
+        match self.in_force.now().units {
+            LengthUnit::Inch => 0.01,
+            LengthUnit::Millimetre => 0.254,
+        }
+    }
+
+    /// The feed override, and the speed override of a spindle.
+    fn set_overrides(&mut self, spindle: Spindles, (feed, speed): (Switch, Switch)) {
+        self.in_force.put(|modes| &mut modes.feed_override, feed);
+        self.set_speed_override(spindle, speed);
+    }
+}

@@ -1,0 +1,25 @@
+//! The rest of a block that may be more than a step does.
+
+use super::super::snapshots::Before;
+use super::drilling::Drilling;
+use super::threading::Threading;
+
+/// What is being done.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Job {
+    /// A canned cycle.
+    Drilling(Drilling),
+    /// G76.
+    Threading(Threading),
+}
+
+/// The rest of a block.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Unfinished {
+    pub(super) line: u32,
+    pub(super) job: Job,
+    /// The code of group 4 that comes after the motion.
+    pub(super) stop: Option<u16>,
+    /// The state before the block, once a step has passed.
+    pub(super) before: Option<Before>,
+}

@@ -1,0 +1,137 @@
+//! The state before the first block.
+
+use alloc::vec::Vec;
+
+use gaugeblock_vocabulary::{Axis, ControllerMode, LengthUnit, Machine, Motion, ReturnMode, Tool};
+
+use crate::error::Error;
+use crate::parameters::{Numbered, is_stored};
+
+use super::Modal;
+use super::choices::{Choices, InitialMotion};
+use super::coordinates::{Conversion, Coordinates};
+use super::cycles::Series;
+use super::modes::{InForce, Modes, SPINDLES};
+use super::saved_states::SavedStates;
+use super::tool::number_of;
+use super::{letters, offsets};
+
+impl Modal {
+    /// The modes at the start of a program. Stored parameters are taken over into `numbered`.
+    ///
+    /// # Errors
+    /// An unknown option, or a number of spindles other than 1 to 8.
+    pub(crate) fn new(
+        machine: &Machine,
+        choices: Choices,
+        numbered: &mut Numbered,
+    ) -> Result<Self, Error> {
+        let spindles = usize::from(machine.spindles);
+        if !(1..=SPINDLES).contains(&spindles) {
+            return Err(Error::Configuration("a machine has 1 to 8 spindles"));
+        }
+        for (number, value) in machine.parameters.0.iter().filter(|(at, _)| is_stored(**at)) {
+            numbered.set(*number, *value);
+        }
+        let mut modal = Self {
+            in_force: InForce::new(initial_modes(machine, &choices, numbered), spindles),
+            motion: match choices.initial_motion {
+                InitialMotion::None => Motion::None,
+                InitialMotion::Feed => Motion::Feed,
+                InitialMotion::Traverse => Motion::Traverse,
+            },
+            position: Coordinates::default(),
+            series: Series::default(),
+            unfinished: None,
+            compensation_radius: 0.0,
+            surface_speed: false,
+            feed_spindle: 0,
+            tool: initial_tool(machine).map_or(0, number_of),
+            prepared: None,
+            selected: None,
+            tools: machine.tools.clone(),
+            changed_tools: Vec::with_capacity(2),
+            stands: None,
+            controller_mode: ControllerMode::Auto,
+            saved: SavedStates::default(),
+            stop_asked: false,
+            axes: axis_letters(&machine.axes),
+            velocities: velocities(machine),
+            imitates: false,
+            cycle_dwell: 0.0,
+            spindles: u32::from(machine.spindles),
+            digital_io: i32::from(machine.digital_io),
+            analog_io: i32::from(machine.analog_io),
+            orient_offset: machine.orient_offset,
+            tool_change: machine.tool_change,
+            random_tool_changer: machine.random_tool_changer,
+            machine_unit: machine.length_unit,
+            choices,
+        };
+        // The machine stands at its origin (11.1.2).
+        modal.position = modal.in_force.now().program_of(Coordinates::default());
+        modal.publish_tool(numbered);
+        Ok(modal)
+    }
+
+    /// Does as `rs274` from the start on: the point where the machine stands is one without the stored rotation.
+    pub(crate) fn imitate(&mut self) {
+        self.imitates = true;
+        let now = *self.in_force.now();
+        self.position = Modes { rotation: 0.0, ..now }.program_of(Coordinates::default());
+    }
+}
+
+/// The settings before the first block. A machine starts with the work coordinate system of 5220 (11.1.3.1) and with
+/// the stored offset of G92 (11.1.5.1).
+fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) -> Modes {
+    let units =
+        if choices.initial_machine_unit { machine.length_unit } else { LengthUnit::Millimetre };
+    let conversion = Conversion::between(machine.length_unit, units);
+    let system = offsets::system_of(numbered.get(offsets::WORK_OFFSET));
+    numbered.set(offsets::WORK_OFFSET, f64::from(system));
+    let mut modes = Modes {
+        units,
+        work_offset: system,
+        g5x_offset: offsets::origin(numbered, system).converted(conversion),
+        rotation: offsets::rotation(numbered, system),
+        retract: if choices.initial_old_z { ReturnMode::OldZ } else { ReturnMode::RPlane },
+        ..Modes::default()
+    };
+    if numbered.get(offsets::G92_APPLIED).abs() > 0.0 {
+        modes.g92_offset = offsets::g92_offset(numbered).converted(conversion);
+    }
+    modes
+}
+
+/// On a machine whose tools change places, pocket 0 is the spindle (11.2.2.2).
+fn initial_tool(machine: &Machine) -> Option<&Tool> {
+    let in_spindle = |tool: &&Tool| machine.random_tool_changer && tool.pocket == Some(0);
+    machine.tools.iter().find(in_spindle)
+}
+
+/// The letters of axes.
+fn axis_letters(axes: &[Axis]) -> u32 {
+    axes.iter().fold(0, |letters, axis| {
+        letters
+            | match axis {
+                Axis::X => letters::X,
+                Axis::Y => letters::Y,
+                Axis::Z => letters::Z,
+                Axis::A => letters::A,
+                Axis::B => letters::B,
+                Axis::C => letters::C,
+                Axis::U => letters::U,
+                Axis::V => letters::V,
+                Axis::W => letters::W,
+            }
+    })
+}
+
+/// The highest velocity of each axis, machine unit per second.
+fn velocities(machine: &Machine) -> Coordinates {
+    Axis::ALL.iter().fold(Coordinates([f64::INFINITY; 9]), |velocities, axis| {
+        let limit = machine.limits.get(axis.word()).and_then(|limits| limits.velocity);
+        limit.map_or(velocities, |limit| velocities.with_axis(*axis, limit))
+    })
+}

@@ -1,0 +1,42 @@
+//! States that are kept aside: before a block that may be refused, and of the machine while blocks are only read.
+
+use alloc::vec::Vec;
+
+use gaugeblock_vocabulary::{ControllerMode, Motion, Tool};
+
+use super::coordinates::Coordinates;
+use super::cycles::Series;
+
+/// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they
+/// change.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Before {
+    pub(super) motion: Motion,
+    pub(super) position: Coordinates,
+    pub(super) series: Series,
+    pub(super) compensation_radius: f64,
+    pub(super) surface_speed: bool,
+    pub(super) feed_spindle: u32,
+    pub(super) tool: i32,
+    pub(super) prepared: Option<i32>,
+    pub(super) selected: Option<i32>,
+    pub(super) controller_mode: ControllerMode,
+}
+
+impl Before {
+    /// The motion mode.
+    pub(super) fn motion(&self) -> Motion {
+        self.motion
+    }
+}
+
+/// What of the machine a program that is only read does not change: where it stands and which tools it has.
+#[derive(Clone, Debug)]
+pub(super) struct Stands {
+    /// The controlled point, machine coordinates and unit.
+    pub(super) point: Coordinates,
+    pub(super) tool: i32,
+    pub(super) prepared: Option<i32>,
+    pub(super) selected: Option<i32>,
+    pub(super) tools: Vec<Tool>,
+}

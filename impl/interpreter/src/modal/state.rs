@@ -1,0 +1,143 @@
+//! The state of the modal side.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+use gaugeblock_vocabulary::scenario::ToolChange;
+use gaugeblock_vocabulary::{ControllerMode, LengthUnit, Motion, Rs274State, Settings, Tool};
+
+use crate::parameters::Numbered;
+
+use super::choices::Choices;
+use super::coordinates::{Conversion, Coordinates};
+use super::cycles::{Series, Unfinished};
+use super::modes::InForce;
+use super::offsets;
+use super::saved_states::SavedStates;
+use super::snapshots::Stands;
+
+/// No tool is selected.
+pub(super) const NO_TOOL: i32 = -1;
+
+/// The modes of a running program, and the machine as far as they need it.
+#[derive(Clone, Debug)]
+pub(crate) struct Modal {
+    /// The settings in force.
+    pub(super) in_force: InForce,
+    /// Motion mode.
+    pub(super) motion: Motion,
+    /// The controlled point: program coordinates, active length unit and degrees.
+    pub(super) position: Coordinates,
+    /// What a series of cycles or splines keeps from block to block.
+    pub(super) series: Series,
+    /// The rest of a block that is more than a step does.
+    pub(super) unfinished: Option<Unfinished>,
+    /// Radius under cutter compensation, active length unit.
+    pub(super) compensation_radius: f64,
+    /// Whether any spindle is under constant surface speed.
+    pub(super) surface_speed: bool,
+    /// The spindle that G95 follows.
+    pub(super) feed_spindle: u32,
+    /// Tool number in the spindle, 0 for none.
+    pub(super) tool: i32,
+    /// Tool that T selected since the last change, [`NO_TOOL`] where it selected none.
+    pub(super) prepared: Option<i32>,
+    /// Tool that T selected last; a change takes nothing from it.
+    pub(super) selected: Option<i32>,
+    /// Tool table, machine unit.
+    pub(super) tools: Vec<Tool>,
+    /// Tools that the block has changed, with their places, as they were.
+    pub(super) changed_tools: Vec<(usize, Tool)>,
+    /// The machine as it is, where what is executed now is only read ahead.
+    pub(super) stands: Option<Box<Stands>>,
+    /// Mode of the controller.
+    pub(super) controller_mode: ControllerMode,
+    /// What M70 and M73 saved.
+    pub(super) saved: SavedStates,
+    /// The sink asked to stop within this block.
+    pub(super) stop_asked: bool,
+    /// Letters of the axes that the machine has.
+    pub(super) axes: u32,
+    /// Highest velocity of each axis, machine unit per second; infinite where none is given.
+    pub(super) velocities: Coordinates,
+    /// Whether quirks of `rs274` are imitated.
+    pub(crate) imitates: bool,
+    /// P of the last cycle that had one, seconds.
+    pub(super) cycle_dwell: f64,
+    /// Number of spindles.
+    pub(super) spindles: u32,
+    /// Number of digital inputs and outputs each.
+    pub(super) digital_io: i32,
+    /// Number of analog inputs and outputs each.
+    pub(super) analog_io: i32,
+    /// Degrees added to R of M19.
+    pub(super) orient_offset: f64,
+    /// What a tool change does besides.
+    pub(super) tool_change: ToolChange,
+    /// Whether tools change places in the changer.
+    pub(super) random_tool_changer: bool,
+    /// Length unit of stored data.
+    pub(super) machine_unit: LengthUnit,
+    /// The readings of the documents that apply.
+    pub(super) choices: Choices,
+}
+
+impl Modal {
+    /// All settings in force.
+    pub(crate) fn settings(&self) -> Settings {
+        self.in_force.settings()
+    }
+
+    /// The state as far as the modes know it: call level and parameters are the caller's to add.
+    pub(crate) fn state(&self) -> Rs274State {
+        Rs274State {
+            motion: Some(self.motion),
+            position: Some(self.position.position()),
+            tool: Some(self.tool),
+            prepared_tool: Some(self.prepared.unwrap_or(NO_TOOL)),
+            controller_mode: Some(self.controller_mode),
+            call_level: None,
+            parameter: None,
+        }
+    }
+
+    /// The mode of the controller.
+    pub(crate) fn controller_mode(&self) -> ControllerMode {
+        self.controller_mode
+    }
+
+    /// The controller is in another mode.
+    pub(crate) fn set_controller_mode(&mut self, mode: ControllerMode) {
+        self.controller_mode = mode;
+    }
+
+    /// The controlled point in machine coordinates, machine unit.
+    pub(crate) fn machine_point(&self) -> Coordinates {
+        self.in_force.now().machine_of(self.position).converted(self.active_to_stored())
+    }
+
+    /// The tool table as the program has changed it.
+    pub(crate) fn tools(&self) -> &[Tool] {
+        &self.tools
+    }
+
+    /// A parameter that is not kept in [`Numbered`]: the controlled point, 5420 to 5428.
+    pub(crate) fn numbered(&self, number: u32) -> Option<f64> {
+        offsets::published(self.position, number)
+    }
+
+    /// Writes the controlled point into its parameters.
+    pub(crate) fn publish(&self, numbered: &mut Numbered) {
+        offsets::publish(numbered, self.position);
+    }
+
+    /// From the unit of stored lengths to the active one.
+    pub(super) fn stored_to_active(&self) -> Conversion {
+        Conversion::between(self.machine_unit, self.in_force.now().units)
+    }
+
+    /// From the active unit to that of stored lengths.
+    pub(super) fn active_to_stored(&self) -> Conversion {
+        Conversion::between(self.in_force.now().units, self.machine_unit)
+    }
+}

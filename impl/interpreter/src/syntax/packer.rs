@@ -1,0 +1,79 @@
+//! What packing lines needs: the names of the whole run, and how documents are read.
+
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use gaugeblock_vocabulary::Machine;
+
+use crate::limits::{Limit, Limits};
+use crate::parameters::{ItemName, Names};
+use crate::syntax::Choices;
+use crate::syntax::packed::Place;
+
+/// Packs lines. It knows the names of the whole run.
+#[derive(Clone, Debug)]
+pub(crate) struct Packer {
+    /// Named parameters.
+    pub(crate) names: Names,
+    /// Labels of o-words.
+    pub(crate) labels: Names,
+    /// Entries of the INI file that can be read.
+    pub(crate) ini: BTreeMap<String, f64>,
+    /// HAL items that can be read, in the order of their values. A program reads few of them, and looks each up once.
+    pub(crate) items: Vec<ItemName>,
+    /// Whether HAL items can be read.
+    pub(crate) items_enabled: bool,
+    /// Readings of the documents.
+    pub(crate) choices: Choices,
+    /// Whether blocks that begin with a slash are skipped.
+    pub(crate) block_delete: bool,
+    /// Whether a line that holds a plain comment only is a block, which does nothing.
+    pub(crate) comments_told: bool,
+    /// Whether quirks of `rs274` are imitated.
+    pub(crate) imitates: bool,
+    /// Whether the label of an o-word is being read.
+    pub(crate) in_label: bool,
+    /// The bound that the line just packed goes beyond.
+    pub(crate) beyond: Option<Limit>,
+    /// Most named parameters.
+    pub(crate) most_names: u32,
+    /// Deepest nesting of brackets.
+    pub(crate) bracket_depth: u32,
+    /// Room for a name.
+    pub(crate) scratch: String,
+    /// Where each named parameter lies.
+    pub(crate) places: Vec<Place>,
+}
+
+impl Packer {
+    /// A packer that knows no names yet.
+    pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
+        Self {
+            names: Names::new(),
+            labels: Names::new(),
+            ini: if enables(machine, "[RS274NGC]INI_VARS") {
+                machine.ini.clone()
+            } else {
+                BTreeMap::new()
+            },
+            items: Vec::new(),
+            items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
+            choices,
+            block_delete: false,
+            comments_told: false,
+            imitates: false,
+            in_label: false,
+            beyond: None,
+            most_names: limits.named_parameters,
+            bracket_depth: limits.bracket_depth,
+            scratch: String::new(),
+            places: Vec::new(),
+        }
+    }
+}
+
+/// Whether a switch of the INI file is on; it is where the file says nothing (4.4.2.6).
+fn enables(machine: &Machine, entry: &str) -> bool {
+    machine.ini.get(entry).is_none_or(|value| value.abs() > 0.0)
+}
