@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_interpreter::Probing;
-use gaugeblock_interpreter::task::{Happening, Input, Work, WorkState};
+use gaugeblock_interpreter::task::{ExternalOperation, Input, OperationState, WaitEvent};
 use gaugeblock_vocabulary::scenario::{
     Action, Environment, Folder, OrientAnswer, ProbeContact, UserProgram,
 };
@@ -33,7 +33,7 @@ pub(super) struct Outside<'a> {
     /// When each spindle began to turn to its angle.
     orienting: BTreeMap<u32, f64>,
     /// When the program of a user-defined code is over, and how.
-    program: (f64, WorkState),
+    program: (f64, OperationState),
     /// Where the last probing move ended, and whether the probe touches there.
     probed: Option<(Position, bool)>,
 }
@@ -50,7 +50,7 @@ impl<'a> Outside<'a> {
             outputs: BTreeMap::new(),
             changed_at: 0.0,
             orienting: BTreeMap::new(),
-            program: (0.0, WorkState::Done),
+            program: (0.0, OperationState::Done),
             probed: None,
         }
     }
@@ -81,7 +81,7 @@ impl<'a> Outside<'a> {
     }
 
     /// Lets time go by until then, or until something happens. Of what happens at one time the operator comes first.
-    pub(super) fn wait(&mut self, until: Option<f64>) -> Happening {
+    pub(super) fn wait(&mut self, until: Option<f64>) -> WaitEvent {
         let until = until.unwrap_or(f64::INFINITY);
         let changes = self.environment.inputs.iter().map(|change| change.time);
         let works = [self.changed_at, self.program.0].into_iter().chain(self.orientations());
@@ -90,19 +90,19 @@ impl<'a> Outside<'a> {
         let request = self.operator.due().map_or(f64::INFINITY, |due| due.max(self.time));
         if change.is_finite() && change <= until && change < request {
             self.time = change;
-            return Happening::Changed;
+            return WaitEvent::Changed;
         }
         if request <= until
             && let Some(action) = self.operator.take(request)
         {
             self.time = request;
-            return Happening::Asked(action);
+            return WaitEvent::Requested(action);
         }
         if until.is_infinite() {
-            return Happening::Never;
+            return WaitEvent::Never;
         }
         self.time = self.time.max(until);
-        Happening::Time
+        WaitEvent::Time
     }
 
     /// When spindles stand at their angles.
@@ -122,27 +122,29 @@ impl<'a> Outside<'a> {
         } else if let Effect::UserCode { code, .. } = effect {
             let program = self.user_program(*code).ok_or(FaultKind::UnknownCode)?;
             let fails = program.exit_status != 0 && !self.ignores_status;
-            let failed = WorkState::Failed(FaultKind::UserCode);
-            let state = if fails { failed } else { WorkState::Done };
+            let failed = OperationState::Failed(FaultKind::UserCode);
+            let state = if fails { failed } else { OperationState::Done };
             self.program = (self.time + program.duration, state);
         }
         Ok(())
     }
 
     /// How far a work is.
-    pub(super) fn state_of(&self, work: Work) -> WorkState {
-        let done = |at: f64| if at <= self.time { WorkState::Done } else { WorkState::Underway };
-        match work {
-            Work::ToolChange => done(self.changed_at),
-            Work::UserProgram if self.program.0 <= self.time => self.program.1,
-            Work::UserProgram => WorkState::Underway,
-            Work::Orientation(spindle) => match self.answer(spindle) {
+    pub(super) fn operation_state(&self, operation: ExternalOperation) -> OperationState {
+        let done = |at: f64| {
+            if at <= self.time { OperationState::Done } else { OperationState::InProgress }
+        };
+        match operation {
+            ExternalOperation::ToolChange => done(self.changed_at),
+            ExternalOperation::UserProgram if self.program.0 <= self.time => self.program.1,
+            ExternalOperation::UserProgram => OperationState::InProgress,
+            ExternalOperation::Orientation(spindle) => match self.answer(spindle) {
                 OrientAnswer::After(seconds) => {
                     let begun = self.orienting.get(&spindle).copied().unwrap_or(self.time);
                     done(begun + seconds)
                 }
-                OrientAnswer::Never => WorkState::Underway,
-                OrientAnswer::Fault(_) => WorkState::Failed(FaultKind::Orient),
+                OrientAnswer::Never => OperationState::InProgress,
+                OrientAnswer::Fault(_) => OperationState::Failed(FaultKind::Orient),
             },
         }
     }

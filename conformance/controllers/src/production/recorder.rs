@@ -4,7 +4,9 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_compare::observe::is_local_name;
-use gaugeblock_interpreter::task::{BY_HAND, Happening, Input, Machine, Work, WorkState};
+use gaugeblock_interpreter::task::{
+    ExternalOperation, Input, MDI_FILE, Machine, OperationState, WaitEvent,
+};
 use gaugeblock_interpreter::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
@@ -151,7 +153,10 @@ impl<'a> Recorder<'a> {
 
     /// A block as it is recorded: a line of a program that is entered by hand is one of that program.
     pub(super) fn block(&self, file: &str, line: u32) -> BlockLocation {
-        BlockLocation::new(if self.by_hand && file == BY_HAND { Program::MAIN } else { file }, line)
+        BlockLocation::new(
+            if self.by_hand && file == MDI_FILE { Program::MAIN } else { file },
+            line,
+        )
     }
 
     /// Something happened, within a block or after the last one.
@@ -284,11 +289,11 @@ impl Machine for Recorder<'_> {
         self.outside.time()
     }
 
-    fn wait(&mut self, until: Option<f64>) -> Happening {
+    fn wait(&mut self, until: Option<f64>) -> WaitEvent {
         self.outside.wait(until)
     }
 
-    fn asked(&mut self) -> Option<Action> {
+    fn poll_request(&mut self) -> Option<Action> {
         self.outside.asked()
     }
 
@@ -296,16 +301,16 @@ impl Machine for Recorder<'_> {
         self.outside.input(input)
     }
 
-    fn state_of(&mut self, work: Work) -> WorkState {
-        self.outside.state_of(work)
+    fn operation_state(&mut self, operation: ExternalOperation) -> OperationState {
+        self.outside.operation_state(operation)
     }
 
-    fn pin(&mut self, pin: Pin, value: f64) {
+    fn set_pin(&mut self, pin: Pin, value: f64) {
         self.outside.pin(pin, value);
         self.pins.push(PinChange { time: self.outside.time(), pin, value });
     }
 
-    fn has_read(&mut self, value: f64) {
+    fn record_input(&mut self, value: f64) {
         let effects = self.events.iter_mut().rev();
         let waits = effects.filter_map(|event| match event {
             Event::Do(Effect::WaitInput { read, .. }) => Some(read),
@@ -314,7 +319,7 @@ impl Machine for Recorder<'_> {
         waits.take(1).for_each(|read| *read = value);
     }
 
-    fn broken_off(&mut self) {
+    fn discard_block(&mut self) {
         let mut settings = Settings::default();
         let mut refused = Vec::new();
         for event in self.events.drain(..) {

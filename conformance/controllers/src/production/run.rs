@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_interpreter::task::{Activity, BY_HAND, Idle, Stuck, Task};
+use gaugeblock_interpreter::task::{Deadlock, IdleRequest, MDI_FILE, StepResult, Task};
 use gaugeblock_interpreter::{Error, Interpreter, Limits, Memory, Room};
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
@@ -135,11 +135,11 @@ impl Run<'_> {
     fn enter(&mut self, text: &str, number: u32, before: End) -> Result<End, HarnessError> {
         let (scenario, mut used_up) = (self.scenario, None);
         let mut source = source(&scenario.program);
-        let activity = self.task.enter_while(text, number, &mut source, |task| {
+        let activity = self.task.execute_mdi_while(text, number, &mut source, |task| {
             used_up = exhausted(scenario, task);
             used_up.is_none()
         });
-        if let (Ok(Activity::More), Some(bound)) = (&activity, used_up) {
+        if let (Ok(StepResult::More), Some(bound)) = (&activity, used_up) {
             return Ok(End::BudgetExhausted { bound });
         }
         Ok(self.end_of(activity)?.unwrap_or(before))
@@ -149,12 +149,12 @@ impl Run<'_> {
     fn idle(&mut self, mut end: End) -> Result<End, HarnessError> {
         while !is_final(&end) {
             end = match self.task.idle() {
-                Idle::Nothing => break,
-                Idle::Start => self.program()?,
-                Idle::Enter(text) => {
+                IdleRequest::None => break,
+                IdleRequest::Start => self.program()?,
+                IdleRequest::Mdi(text) => {
                     // What was refused has been entered too.
                     let number = self.task.machine().entered();
-                    self.task.machine_mut().begin_block(BlockLocation::new(BY_HAND, number));
+                    self.task.machine_mut().begin_block(BlockLocation::new(MDI_FILE, number));
                     self.enter(&text, number, end)?
                 }
             };
@@ -163,21 +163,21 @@ impl Run<'_> {
     }
 
     /// The end that an activity is, if it is one.
-    fn end_of(&mut self, activity: Result<Activity, Error>) -> Result<Option<End>, HarnessError> {
+    fn end_of(&mut self, activity: Result<StepResult, Error>) -> Result<Option<End>, HarnessError> {
         if self.task.machine().is_over() {
             return Ok(Some(End::BudgetExhausted { bound: Bound::Effects }));
         }
         let end = match activity {
-            Ok(Activity::More) => return Ok(None),
-            Ok(Activity::Entered) => {
+            Ok(StepResult::More) => return Ok(None),
+            Ok(StepResult::MdiDone) => {
                 self.task.machine_mut().rest();
                 return Ok(None);
             }
-            Ok(Activity::Ended(end)) => {
+            Ok(StepResult::Ended(end)) => {
                 self.task.machine_mut().rest();
                 end
             }
-            Ok(Activity::Stuck(Stuck::Paused)) => {
+            Ok(StepResult::Deadlock(Deadlock::Paused)) => {
                 if self.task.is_within_block() {
                     let block = self.task.interpreter().block();
                     self.task.machine_mut().stay(&block);
@@ -186,7 +186,9 @@ impl Run<'_> {
                 }
                 End::Paused
             }
-            Ok(Activity::Stuck(Stuck::Waiting)) => End::BudgetExhausted { bound: Bound::Time },
+            Ok(StepResult::Deadlock(Deadlock::Waiting)) => {
+                End::BudgetExhausted { bound: Bound::Time }
+            }
             Err(Error::Fault(mut fault)) => {
                 if let Some(block) = &mut fault.block {
                     *block = self.task.machine().block(&block.file, block.line);

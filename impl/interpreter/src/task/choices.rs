@@ -8,9 +8,9 @@ use crate::error::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Choices {
     /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
-    pub(super) read_on: bool,
+    pub(super) read_ahead_on_abort: bool,
     /// `abort.spindle-and-coolant`: spindles go on, and those that are held at an angle stay so.
-    pub(super) abort_leaves_alone: bool,
+    pub(super) abort_keeps_spindles: bool,
     /// `orient.brake-otherwise`: the brake is applied only while the spindle is locked.
     pub(super) brake_while_locked: bool,
     /// `outputs.at-once-over-waiting`: what is set at once takes back what waits.
@@ -20,11 +20,11 @@ pub(crate) struct Choices {
     /// `outputs.waiting-after-end`: what waits for a motion when a program ends is forgotten.
     pub(super) forgets_at_end: bool,
     /// `pause.cycle-start`: cycle start goes on after M0 and M1.
-    pub(super) cycle_start_goes_on: bool,
+    pub(super) cycle_start_resumes: bool,
     /// `pause.during-dwell`: a dwell of a program that is paused stands still.
-    pub(super) dwell_stands: bool,
+    pub(super) pause_stops_dwell: bool,
     /// `task.mdi-in-manual`: a block by hand in manual mode is executed.
-    pub(super) enters_in_manual: bool,
+    pub(super) mdi_in_manual: bool,
 }
 
 impl Choices {
@@ -37,15 +37,19 @@ impl Choices {
             Some(_) => Err(Error::Configuration("no such option of a choice about the task")),
         };
         Ok(Self {
-            read_on: second("abort.read-ahead", "none", "read-on")?,
-            abort_leaves_alone: second("abort.spindle-and-coolant", "switched-off", "left-alone")?,
+            read_ahead_on_abort: second("abort.read-ahead", "none", "read-on")?,
+            abort_keeps_spindles: second(
+                "abort.spindle-and-coolant",
+                "switched-off",
+                "left-alone",
+            )?,
             brake_while_locked: second("orient.brake-otherwise", "while-standing", "while-locked")?,
             at_once_replaces: second("outputs.at-once-over-waiting", "kept", "replaces")?,
             waits_after_abort: second("outputs.waiting-after-abort", "forgotten", "kept")?,
             forgets_at_end: second("outputs.waiting-after-end", "kept", "forgotten")?,
-            cycle_start_goes_on: second("pause.cycle-start", "refused", "goes-on")?,
-            dwell_stands: second("pause.during-dwell", "goes-on", "stands-still")?,
-            enters_in_manual: second("task.mdi-in-manual", "refused", "executed")?,
+            cycle_start_resumes: second("pause.cycle-start", "refused", "goes-on")?,
+            pause_stops_dwell: second("pause.during-dwell", "goes-on", "stands-still")?,
+            mdi_in_manual: second("task.mdi-in-manual", "refused", "executed")?,
         })
     }
 }

@@ -9,25 +9,25 @@ use crate::done::BlockDone;
 use crate::faults::{Fault, planted};
 use crate::probing::Probing;
 
-use super::desk::{Break, Desk, Doing, Pause};
-use super::held::{Motion, motion_of};
-use super::machine::{Machine, Work};
+use super::machine::{ExternalOperation, Machine};
+use super::motion_hold::{Motion, motion_of};
 use super::pins::bit;
+use super::state::{AbortCause, Pause, RunKind, TaskState};
 use super::waits::Broken;
 
-impl<M: Machine> Desk<M> {
+impl<M: Machine> TaskState<M> {
     /// Performs a move: it begins when nothing holds it, and with it outputs change.
-    fn move_(&mut self, motion: Motion, perform: impl FnOnce(&mut M) -> Reply) -> Reply {
+    fn perform_move(&mut self, motion: Motion, perform: impl FnOnce(&mut M) -> Reply) -> Reply {
         while self.holds(motion) || self.pause.is_some() {
-            if self.wait_to_go_on().is_err() {
-                return self.broken_off();
+            if self.wait_for_resume().is_err() {
+                return self.abort_reply();
             }
         }
         let reply = perform(&mut self.machine);
         if !matches!(reply, Reply::Failed(_) | Reply::Broken | Reply::Ahead) {
             let digital = self.digital.begin_motion();
             if self.analog.begin_motion() || digital {
-                self.renew_pins();
+                self.update_pins();
             }
         }
         reply
@@ -35,10 +35,12 @@ impl<M: Machine> Desk<M> {
 
     /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what
     /// waits for the machine.
-    pub(super) fn broken_off(&mut self) -> Reply {
-        if self.broken == Some(Break::Abort) && self.choices.read_on && self.doing == Doing::Program
+    pub(super) fn abort_reply(&mut self) -> Reply {
+        if self.abort_cause == Some(AbortCause::Operator)
+            && self.choices.read_ahead_on_abort
+            && self.run_kind == RunKind::Program
         {
-            self.ahead = true;
+            self.reading_ahead = true;
             return Reply::Ahead;
         }
         Reply::Broken
@@ -46,30 +48,30 @@ impl<M: Machine> Desk<M> {
 
     /// M0, M1, M60 (11.6.2, 11.6.4).
     fn stop(&mut self, optional: bool, effect: &Effect) -> Reply {
-        let pallets = core::mem::take(&mut self.pallets);
+        let pallets = core::mem::take(&mut self.pallets_exchanged);
         let reply = self.machine.perform(self.line, effect);
         let ignores = optional && !self.panel.optional_stop;
         if ignores || reply != Reply::Done {
             return reply;
         }
-        if self.doing == Doing::ByHand {
-            if self.level != 0 {
-                return self.leave_open("a pause in a sub that was called by hand");
+        if self.run_kind == RunKind::Mdi {
+            if self.call_level != 0 {
+                return self.leave_unspecified("a pause in a sub that was called by hand");
             }
             return reply;
         }
         self.pause = Some(if pallets { Pause::Pallets } else { Pause::Stop });
         while self.pause.is_some() {
-            if self.wait_to_go_on().is_err() {
-                return self.broken_off();
+            if self.wait_for_resume().is_err() {
+                return self.abort_reply();
             }
         }
         reply
     }
 
     /// The documents leave open what follows.
-    pub(super) fn leave_open(&mut self, why: &'static str) -> Reply {
-        self.broken = Some(Break::Open(why));
+    pub(super) fn leave_unspecified(&mut self, why: &'static str) -> Reply {
+        self.abort_cause = Some(AbortCause::Unspecified(why));
         Reply::Broken
     }
 
@@ -82,41 +84,41 @@ impl<M: Machine> Desk<M> {
                 return reply;
             }
         }
-        self.work(effect, Work::ToolChange)
+        self.perform_operation(effect, ExternalOperation::ToolChange)
     }
 
     /// An effect that is over when the outside says so.
-    fn work(&mut self, effect: &Effect, work: Work) -> Reply {
+    fn perform_operation(&mut self, effect: &Effect, operation: ExternalOperation) -> Reply {
         let reply = self.machine.perform(self.line, effect);
         if matches!(reply, Reply::Failed(_) | Reply::Broken) {
             return reply;
         }
-        match self.wait_for(work, None) {
+        match self.wait_for(operation, None) {
             Ok(Reply::Done) => reply,
             Ok(other) => other,
-            Err(Broken) if work == Work::ToolChange => self.broken_waiting(),
-            Err(Broken) => self.broken_off(),
+            Err(Broken) if operation == ExternalOperation::ToolChange => self.abort_waiting_reply(),
+            Err(Broken) => self.abort_reply(),
         }
     }
 
     /// What is answered to an effect for whose outcome the interpreter waits (9.6.17.4), where it was broken off.
-    pub(super) fn broken_waiting(&mut self) -> Reply {
-        self.awaited = true;
+    pub(super) fn abort_waiting_reply(&mut self) -> Reply {
+        self.aborted_waiting = true;
         Reply::Broken
     }
 
     /// An effect that is no motion.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects take no time here")]
-    fn perform_still(&mut self, effect: &Effect) -> Reply {
+    fn perform_motionless(&mut self, effect: &Effect) -> Reply {
         match effect {
             Effect::Dwell { seconds } => {
-                if self.stand_in_dwell().is_err() {
-                    return self.broken_off();
+                if self.pause_dwell().is_err() {
+                    return self.abort_reply();
                 }
                 let reply = self.machine.perform(self.line, effect);
-                match self.pass(*seconds) {
+                match self.dwell(*seconds) {
                     Ok(()) => reply,
-                    Err(Broken) => self.broken_off(),
+                    Err(Broken) => self.abort_reply(),
                 }
             }
             Effect::Stop { optional } => self.stop(*optional, effect),
@@ -130,20 +132,22 @@ impl<M: Machine> Desk<M> {
             Effect::ChangeTool { tool } => self.change_tool(*tool, effect),
             Effect::OrientSpindle { spindle, angle, direction } => {
                 let reply = self.machine.perform(self.line, effect);
-                self.followed.orient(*spindle, *angle, *direction);
-                self.renew_pins();
+                self.tracked.orient(*spindle, *angle, *direction);
+                self.update_pins();
                 reply
             }
             Effect::WaitOrient { spindle, timeout } => self.wait_orient(*spindle, *timeout, effect),
-            Effect::UserCode { .. } => self.work(effect, Work::UserProgram),
+            Effect::UserCode { .. } => {
+                self.perform_operation(effect, ExternalOperation::UserProgram)
+            }
             Effect::SetDigitalOutput { output, on, timing } => {
                 self.digital.set(*output, bit(*on), *timing, self.choices.at_once_replaces);
-                self.renew_pins();
+                self.update_pins();
                 self.machine.perform(self.line, effect)
             }
             Effect::SetAnalogOutput { output, to, timing } => {
                 self.analog.set(*output, *to, *timing, self.choices.at_once_replaces);
-                self.renew_pins();
+                self.update_pins();
                 self.machine.perform(self.line, effect)
             }
             Effect::ChangeControllerMode { mode } => {
@@ -152,7 +156,7 @@ impl<M: Machine> Desk<M> {
             }
             _ => {
                 match effect {
-                    Effect::PalletShuttle {} => self.pallets = true,
+                    Effect::PalletShuttle {} => self.pallets_exchanged = true,
                     Effect::StartSpindleSynchronisation { .. } => self.synchronised = true,
                     Effect::StopSpindleSynchronisation {} => self.synchronised = false,
                     _ => {}
@@ -164,10 +168,10 @@ impl<M: Machine> Desk<M> {
 
     /// What is read ahead does nothing; it ends where the machine would have to answer.
     #[expect(clippy::wildcard_enum_match_arm, reason = "only these wait for the machine")]
-    fn pass_over(&mut self, effect: &Effect) -> Reply {
+    fn reply_read_only(&mut self, effect: &Effect) -> Reply {
         match effect {
             Effect::WaitInput { .. } | Effect::StraightProbe { .. } | Effect::ChangeTool { .. } => {
-                self.broken_waiting()
+                self.abort_waiting_reply()
             }
             Effect::UserCode { code, .. } if !self.machine.has_user_program(*code) => {
                 Reply::Failed(FaultKind::UnknownCode)
@@ -177,63 +181,63 @@ impl<M: Machine> Desk<M> {
     }
 
     /// M66 has read an input; HAL items are brought up to date with it.
-    pub(super) fn read(&mut self, value: f64) -> Reply {
-        self.machine.has_read(value);
-        self.renew_items();
-        self.items_are_new = !planted(Fault::ItemsNeverNew);
+    pub(super) fn finish_input(&mut self, value: f64) -> Reply {
+        self.machine.record_input(value);
+        self.update_items();
+        self.items_changed = !planted(Fault::ItemsNeverNew);
         Reply::Input(value)
     }
 }
 
-impl<M: Machine> Sink for Desk<M> {
+impl<M: Machine> Sink for TaskState<M> {
     fn set(&mut self, line: u32, changed: &Settings) {
-        if self.ahead {
-            self.set_ahead.overlay(changed);
+        if self.reading_ahead {
+            self.settings_ahead.overlay(changed);
             return;
         }
         self.line = line;
         self.machine.set(line, changed);
-        if self.followed.set(changed) {
-            self.renew_pins();
+        if self.tracked.set(changed) {
+            self.update_pins();
         }
     }
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
-        if self.ahead {
-            return self.pass_over(effect);
+        if self.reading_ahead {
+            return self.reply_read_only(effect);
         }
         self.line = line;
         match motion_of(effect, self.synchronised) {
-            Some(motion) => self.move_(motion, |machine| machine.perform(line, effect)),
-            None => self.perform_still(effect),
+            Some(motion) => self.perform_move(motion, |machine| machine.perform(line, effect)),
+            None => self.perform_motionless(effect),
         }
     }
 
     fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
-        if self.ahead {
-            return self.broken_waiting();
+        if self.reading_ahead {
+            return self.abort_waiting_reply();
         }
         self.line = line;
-        let reply = self.move_(Motion::Feed, |machine| machine.probe(line, effect, probing));
-        self.awaited = self.broken.is_some();
-        if self.awaited { Reply::Broken } else { reply }
+        let reply = self.perform_move(Motion::Feed, |machine| machine.probe(line, effect, probing));
+        self.aborted_waiting = self.abort_cause.is_some();
+        if self.aborted_waiting { Reply::Broken } else { reply }
     }
 
     fn block_begun(&mut self, begun: &BlockBegun<'_>) {
-        if !self.ahead {
+        if !self.reading_ahead {
             self.machine.block_begun(begun);
         }
     }
 
     fn block_done(&mut self, done: &mut BlockDone<'_>) {
-        if core::mem::take(&mut self.items_are_new) {
+        if core::mem::take(&mut self.items_changed) {
             done.set_items(&self.items);
         }
-        if self.ahead {
+        if self.reading_ahead {
             return;
         }
-        self.within = false;
-        self.level = done.call_level();
+        self.within_block = false;
+        self.call_level = done.call_level();
         self.machine.block_done(done);
     }
 }

@@ -9,36 +9,36 @@ use crate::canon::Sink;
 ///
 /// As a [`Sink`] it is given settings and effects when they happen: a move when it may begin, a dwell or a wait when
 /// it begins. The reply to an effect says whether it can be done at all; how long it takes the task finds out by
-/// [`Self::wait`] and [`Self::state_of`].
+/// [`Self::wait`] and [`Self::operation_state`].
 pub trait Machine: Sink {
     /// Seconds since some beginning.
     fn time(&self) -> f64;
 
     /// Lets time go by until then, or until something happens. It comes back at the first happening, and once for each.
-    fn wait(&mut self, until: Option<f64>) -> Happening;
+    fn wait(&mut self, until: Option<f64>) -> WaitEvent;
 
     /// What the operator has asked since the last time this was called, without letting time go by; the task asks
     /// between blocks.
-    fn asked(&mut self) -> Option<Action>;
+    fn poll_request(&mut self) -> Option<Action>;
 
     /// The value of an input now; 0 and 1 for digital ones.
     fn input(&self, input: Input) -> f64;
 
     /// How far something is that the last effect of its kind has begun.
-    fn state_of(&mut self, work: Work) -> WorkState;
+    fn operation_state(&mut self, operation: ExternalOperation) -> OperationState;
 
     /// Puts a value on a pin, which had another one.
-    fn pin(&mut self, pin: Pin, value: f64);
+    fn set_pin(&mut self, pin: Pin, value: f64);
 
     /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this
     /// was read: -1 where nothing came in time.
-    fn has_read(&mut self, value: f64) {
+    fn record_input(&mut self, value: f64) {
         let _nothing = value;
     }
 
     /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::block_done`] is
     /// not called for it.
-    fn broken_off(&mut self) {}
+    fn discard_block(&mut self) {}
 
     /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but
     /// misses one.
@@ -55,13 +55,13 @@ pub trait Machine: Sink {
 
 /// What has happened.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Happening {
+pub enum WaitEvent {
     /// The time has come that was waited for.
     Time,
     /// An input has changed, or a work is over.
     Changed,
     /// The operator asks for something.
-    Asked(Action),
+    Requested(Action),
     /// Nothing will ever happen: there is no time to wait for, and no one there. No real machine says so.
     Never,
 }
@@ -81,7 +81,7 @@ pub enum Input {
 
 /// What takes time outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Work {
+pub enum ExternalOperation {
     /// The tool change of M6.
     ToolChange,
     /// A spindle that turns to its angle.
@@ -92,9 +92,9 @@ pub enum Work {
 
 /// How far a work is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WorkState {
+pub enum OperationState {
     /// It goes on.
-    Underway,
+    InProgress,
     /// It is done.
     Done,
     /// It has failed: the block is refused with this kind.

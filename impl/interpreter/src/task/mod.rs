@@ -4,7 +4,7 @@
 //!              operator's requests                        what happens outside
 //!                      │                                          │
 //!                      ▼                                          ▼
-//! Source ─► Task: mode, pause, abort ─► Interpreter ─► Desk ─► Machine     effects, pins, time
+//! Source ─► Task: mode, pause, abort ─► Interpreter ─► TaskState ─► Machine     effects, pins, time
 //!                                                      │  panel, outputs, held motion, M66, M19
 //!                                                      └► pins as a function of all that is in force
 //! ```
@@ -21,17 +21,17 @@
 //!   astray.
 //! * Nothing is allocated while a program runs.
 
-mod by_hand;
 mod choices;
-mod desk;
 mod effects;
-mod held;
 mod items;
 mod machine;
+mod mdi;
+mod motion_hold;
 mod outputs;
 mod panel;
 mod pins;
 mod requests;
+mod state;
 #[cfg(test)]
 mod tests;
 mod waits;
@@ -46,44 +46,44 @@ use crate::interpret::{Interpreter, Progress};
 use crate::limits::Limit;
 use crate::source::Source;
 
-use by_hand::OneLine;
-use desk::{Desk, Doing};
+use mdi::MdiSource;
+use state::{RunKind, TaskState};
 
 pub(crate) use choices::Choices;
-pub use desk::Stuck;
-pub use machine::{Happening, Input, Machine, Work, WorkState};
+pub use machine::{ExternalOperation, Input, Machine, OperationState, WaitEvent};
+pub use state::Deadlock;
 
 /// File name of blocks that are entered by hand.
-pub const BY_HAND: &str = "mdi";
+pub const MDI_FILE: &str = "mdi";
 
 /// What a step of a task came to.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Activity {
+pub enum StepResult {
     /// There is more of the program, or of the block by hand.
     More,
     /// The block that was entered by hand has been executed, and did not end a program.
-    Entered,
+    MdiDone,
     /// The run has ended; the controller is idle.
     Ended(End),
-    /// It waits for what will never come, by [`Happening::Never`].
-    Stuck(Stuck),
+    /// It waits for what will never come, by [`WaitEvent::Never`].
+    Deadlock(Deadlock),
 }
 
 /// What an idle controller is asked for.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Idle {
+pub enum IdleRequest {
     /// To run the program: [`Task::start`] is next, with its text from the beginning.
     Start,
-    /// To execute a block that is entered by hand: [`Task::enter`] is next.
-    Enter(alloc::string::String),
-    /// For nothing any more, by [`Happening::Never`].
-    Nothing,
+    /// To execute a block that is entered by hand: [`Task::execute_mdi`] is next.
+    Mdi(alloc::string::String),
+    /// For nothing any more, by [`WaitEvent::Never`].
+    None,
 }
 
 /// A controller: an interpreter, the machine that it drives, and the state between both.
 ///
 /// ```
-/// use gaugeblock_interpreter::task::{Activity, Happening, Input, Machine, Task, Work, WorkState};
+/// use gaugeblock_interpreter::task::{StepResult, WaitEvent, Input, Machine, Task, ExternalOperation, OperationState};
 /// use gaugeblock_interpreter::{Interpreter, Limits, Memory, Reply, Sink};
 /// use gaugeblock_vocabulary::scenario::Action;
 /// use gaugeblock_vocabulary::{Effect, End, Pin, Settings};
@@ -97,15 +97,15 @@ pub enum Idle {
 /// }
 /// impl Machine for Quick {
 ///     fn time(&self) -> f64 { self.now }
-///     fn wait(&mut self, until: Option<f64>) -> Happening {
-///         let Some(until) = until else { return Happening::Asked(Action::Resume) };
+///     fn wait(&mut self, until: Option<f64>) -> WaitEvent {
+///         let Some(until) = until else { return WaitEvent::Requested(Action::Resume) };
 ///         self.now = until;
-///         Happening::Time
+///         WaitEvent::Time
 ///     }
-///     fn asked(&mut self) -> Option<Action> { None }
+///     fn poll_request(&mut self) -> Option<Action> { None }
 ///     fn input(&self, _input: Input) -> f64 { 0.0 }
-///     fn state_of(&mut self, _work: Work) -> WorkState { WorkState::Done }
-///     fn pin(&mut self, pin: Pin, value: f64) {
+///     fn operation_state(&mut self, _operation: ExternalOperation) -> OperationState { OperationState::Done }
+///     fn set_pin(&mut self, pin: Pin, value: f64) {
 ///         if pin == Pin::CoolantFlood { self.flood.push(value); }
 ///     }
 /// }
@@ -115,9 +115,9 @@ pub enum Idle {
 /// let mut source = Memory::new("m8\nm0\ng4 p2\nm2\n");
 /// task.start();
 /// let end = loop {
-///     match task.step(&mut source)? { Activity::More => {} other => break other }
+///     match task.step(&mut source)? { StepResult::More => {} other => break other }
 /// };
-/// assert_eq!(end, Activity::Ended(End::ProgramEnd));
+/// assert_eq!(end, StepResult::Ended(End::ProgramEnd));
 /// assert_eq!(task.machine().now, 2.0);
 /// assert_eq!(task.machine().flood, [1.0, 0.0]);
 /// # Ok::<(), gaugeblock_interpreter::Error>(())
@@ -126,17 +126,17 @@ pub enum Idle {
 pub struct Task<M> {
     /// It is large, and would be carried from place to place.
     interpreter: Box<Interpreter>,
-    desk: Desk<M>,
+    state: TaskState<M>,
 }
 
 impl<M: Machine> Task<M> {
     /// A controller that is idle, in auto mode, with everything off and every override at 100 %.
     pub fn new(interpreter: impl Into<Box<Interpreter>>, machine: M) -> Self {
         let mut interpreter = interpreter.into();
-        let desk = Desk::new(&interpreter, machine);
+        let state = TaskState::new(&interpreter, machine);
         let names = items::names(interpreter.machine());
         interpreter.declare_items(names);
-        Self { interpreter, desk }
+        Self { interpreter, state }
     }
 
     /// The interpreter.
@@ -151,50 +151,50 @@ impl<M: Machine> Task<M> {
 
     /// The machine.
     pub fn machine(&self) -> &M {
-        &self.desk.machine
+        &self.state.machine
     }
 
     /// The machine.
     pub fn machine_mut(&mut self) -> &mut M {
-        &mut self.desk.machine
+        &mut self.state.machine
     }
 
     /// Both parts, once the task is over.
     pub fn into_parts(self) -> (Box<Interpreter>, M) {
-        (self.interpreter, self.desk.machine)
+        (self.interpreter, self.state.machine)
     }
 
     /// Mode of the controller.
     pub fn mode(&self) -> ControllerMode {
-        self.desk.mode
+        self.state.mode
     }
 
     /// Puts an idle controller into a mode, as it stands when it is switched on.
     pub fn set_mode(&mut self, mode: ControllerMode) {
-        self.desk.mode = mode;
+        self.state.mode = mode;
         self.interpreter.set_controller_mode(mode);
     }
 
     /// Begins the program at its first block, in auto mode; [`Self::step`] executes it.
     pub fn start(&mut self) {
         if !planted(Fault::StartsInMode) {
-            self.desk.change_mode(ControllerMode::Auto);
+            self.state.change_mode(ControllerMode::Auto);
         }
         self.interpreter.begin();
-        self.interpreter.set_controller_mode(self.desk.mode);
-        self.desk.begin(Doing::Program);
-        self.interpreter.set_items(&self.desk.items);
+        self.interpreter.set_controller_mode(self.state.mode);
+        self.state.begin(RunKind::Program);
+        self.interpreter.set_items(&self.state.items);
     }
 
     /// The program begins again without an end, as M99 in the main program says: nothing is asked, and nothing changes.
     pub fn start_over(&mut self) {
         self.interpreter.begin_over();
-        self.desk.begin(Doing::Program);
+        self.state.begin(RunKind::Program);
     }
 
     /// Whether a block has begun that is not over: it waits in between then.
     pub fn is_within_block(&self) -> bool {
-        self.desk.within
+        self.state.within_block
     }
 
     /// Where the next block stands, its file and its line; none where the next step goes on within a block or ends
@@ -208,64 +208,64 @@ impl<M: Machine> Task<M> {
     ///
     /// # Errors
     /// As for [`Interpreter::step`]. The run is over then.
-    pub fn step<S: Source>(&mut self, source: &mut S) -> Result<Activity, Error> {
-        if self.desk.may_go_on().is_err() {
-            return self.broken(source);
+    pub fn step<S: Source>(&mut self, source: &mut S) -> Result<StepResult, Error> {
+        if self.state.wait_while_paused().is_err() {
+            return self.finish_abort(source);
         }
-        self.desk.within = true;
-        let progress = self.interpreter.step(source, &mut self.desk);
-        if self.desk.is_broken() {
-            return self.broken(source);
+        self.state.within_block = true;
+        let progress = self.interpreter.step(source, &mut self.state);
+        if self.state.is_aborted() {
+            return self.finish_abort(source);
         }
         match progress {
-            Ok(Progress::More | Progress::Stopped) => Ok(Activity::More),
-            Ok(Progress::Broken) => self.broken(source),
+            Ok(Progress::More | Progress::Stopped) => Ok(StepResult::More),
+            Ok(Progress::Broken) => self.finish_abort(source),
             Ok(Progress::Ended(end)) => {
                 if matches!(end, End::ProgramEnd | End::PercentEnd) {
-                    self.desk.ended();
+                    self.state.end_program();
                 }
-                self.interpreter.set_controller_mode(self.desk.mode);
-                Ok(Activity::Ended(end))
+                self.interpreter.set_controller_mode(self.state.mode);
+                Ok(StepResult::Ended(end))
             }
             Err(error) => Err(error),
         }
     }
 
-    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`BY_HAND`];
-    /// subs are found where `source` finds them. The mode is MDI mode then. It comes back with [`Activity::Entered`]
+    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`MDI_FILE`];
+    /// subs are found where `source` finds them. The mode is MDI mode then. It comes back with [`StepResult::MdiDone`]
     /// or with an end.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
-    pub fn enter<S: Source>(
+    pub fn execute_mdi<S: Source>(
         &mut self,
         text: &str,
         number: u32,
         source: &mut S,
-    ) -> Result<Activity, Error> {
-        self.enter_while(text, number, source, |_| true)
+    ) -> Result<StepResult, Error> {
+        self.execute_mdi_while(text, number, source, |_| true)
     }
 
     /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes
-    /// back with [`Activity::More`] where it may not; what begins next forgets the rest.
+    /// back with [`StepResult::More`] where it may not; what begins next forgets the rest.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
-    pub fn enter_while<S: Source>(
+    pub fn execute_mdi_while<S: Source>(
         &mut self,
         text: &str,
         number: u32,
         source: &mut S,
         mut may_go_on: impl FnMut(&Self) -> bool,
-    ) -> Result<Activity, Error> {
-        self.begin_entry(number);
+    ) -> Result<StepResult, Error> {
+        self.begin_mdi(number);
         let text = text.split(['\r', '\n']).next().unwrap_or_default();
-        let mut line = OneLine::new(text.as_bytes(), source);
+        let mut line = MdiSource::new(text.as_bytes(), source);
         loop {
-            match self.step_entry(&mut line)? {
-                Activity::More if may_go_on(self) => {}
-                Activity::More => return Ok(Activity::More),
-                over @ (Activity::Entered | Activity::Ended(_) | Activity::Stuck(_)) => {
+            match self.step_mdi(&mut line)? {
+                StepResult::More if may_go_on(self) => {}
+                StepResult::More => return Ok(StepResult::More),
+                over @ (StepResult::MdiDone | StepResult::Ended(_) | StepResult::Deadlock(_)) => {
                     return Ok(over);
                 }
             }
@@ -273,17 +273,17 @@ impl<M: Machine> Task<M> {
     }
 
     /// Begins a block by hand.
-    fn begin_entry(&mut self, number: u32) {
-        self.desk.change_mode(ControllerMode::Mdi);
-        self.interpreter.begin_by_hand(BY_HAND, number);
-        self.desk.begin(Doing::ByHand);
-        self.interpreter.set_items(&self.desk.items);
+    fn begin_mdi(&mut self, number: u32) {
+        self.state.change_mode(ControllerMode::Mdi);
+        self.interpreter.begin_by_hand(MDI_FILE, number);
+        self.state.begin(RunKind::Mdi);
+        self.interpreter.set_items(&self.state.items);
     }
 
-    fn step_entry<S: Source>(&mut self, line: &mut OneLine<'_, S>) -> Result<Activity, Error> {
+    fn step_mdi<S: Source>(&mut self, line: &mut MdiSource<'_, S>) -> Result<StepResult, Error> {
         let activity = self.step(line);
         let is_over = match &activity {
-            Ok(Activity::More) => self.interpreter.needs_text() && line.is_over(),
+            Ok(StepResult::More) => self.interpreter.needs_text() && line.is_over(),
             // A line without a block in it.
             Err(Error::Fault(fault)) => {
                 let file_is_over =
@@ -293,31 +293,31 @@ impl<M: Machine> Task<M> {
             Ok(_) | Err(_) => false,
         };
         if is_over {
-            self.desk.within = false;
-            return Ok(Activity::Entered);
+            self.state.within_block = false;
+            return Ok(StepResult::MdiDone);
         }
         activity
     }
 
     /// Lets time go by on an idle controller, until it is asked to execute something. Other requests are answered.
-    pub fn idle(&mut self) -> Idle {
+    pub fn idle(&mut self) -> IdleRequest {
         loop {
-            match self.desk.machine.wait(None) {
-                Happening::Asked(action) => {
-                    let idle = self.desk.asked_idle(action);
-                    self.interpreter.set_controller_mode(self.desk.mode);
-                    if self.desk.take_abort() {
-                        self.desk.forget_waiting();
-                        self.interpreter.abort_idle(&mut self.desk);
-                        self.interpreter.set_controller_mode(self.desk.mode);
+            match self.state.machine.wait(None) {
+                WaitEvent::Requested(action) => {
+                    let idle = self.state.handle_idle_request(action);
+                    self.interpreter.set_controller_mode(self.state.mode);
+                    if self.state.take_abort() {
+                        self.state.forget_waiting();
+                        self.interpreter.abort_idle(&mut self.state);
+                        self.interpreter.set_controller_mode(self.state.mode);
                     }
-                    self.desk.look_at_spindles();
+                    self.state.lock_oriented_spindles();
                     if let Some(idle) = idle {
                         return idle;
                     }
                 }
-                Happening::Never => return Idle::Nothing,
-                Happening::Time | Happening::Changed => self.desk.look_at_spindles(),
+                WaitEvent::Never => return IdleRequest::None,
+                WaitEvent::Time | WaitEvent::Changed => self.state.lock_oriented_spindles(),
             }
         }
     }
@@ -326,26 +326,26 @@ impl<M: Machine> Task<M> {
     ///
     /// # Errors
     /// More was to be read ahead than may be; the abort is done all the same.
-    fn broken<S: Source>(&mut self, source: &mut S) -> Result<Activity, Error> {
-        if let Some(why) = self.desk.take_open() {
-            self.desk.machine.broken_off();
+    fn finish_abort<S: Source>(&mut self, source: &mut S) -> Result<StepResult, Error> {
+        if let Some(why) = self.state.take_unspecified() {
+            self.state.machine.discard_block();
             let block = self.interpreter.block();
-            return Ok(Activity::Ended(End::Unspecified { block, why: why.into() }));
+            return Ok(StepResult::Ended(End::Unspecified { block, why: why.into() }));
         }
-        if let Some(stuck) = self.desk.stuck() {
-            return Ok(Activity::Stuck(stuck));
+        if let Some(deadlock) = self.state.deadlock() {
+            return Ok(StepResult::Deadlock(deadlock));
         }
-        self.desk.machine.broken_off();
+        self.state.machine.discard_block();
         let ahead = self.read_ahead(source);
-        self.desk.take_abort();
-        self.desk.forget_waiting();
-        self.desk.take_over();
-        self.interpreter.abort(&mut self.desk);
-        self.desk.release_spindles();
-        self.desk.look_at_spindles();
-        self.desk.renew_pins();
-        self.interpreter.set_controller_mode(self.desk.mode);
-        ahead.map(|()| Activity::Ended(End::Aborted))
+        self.state.take_abort();
+        self.state.forget_waiting();
+        self.state.apply_read_ahead();
+        self.interpreter.abort(&mut self.state);
+        self.state.release_spindles();
+        self.state.lock_oriented_spindles();
+        self.state.update_pins();
+        self.interpreter.set_controller_mode(self.state.mode);
+        ahead.map(|()| StepResult::Ended(End::Aborted))
     }
 
     /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine,
@@ -354,9 +354,9 @@ impl<M: Machine> Task<M> {
     /// # Errors
     /// It comes to no such block, nor to an end, within as many blocks as may be read.
     fn read_ahead<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
-        let read = if self.desk.reads_ahead() {
+        let read = if self.state.begin_read_ahead() {
             self.interpreter.read_ahead();
-            self.read_on(source)
+            self.read_ahead_blocks(source)
         } else {
             Ok(())
         };
@@ -365,9 +365,9 @@ impl<M: Machine> Task<M> {
         read
     }
 
-    fn read_on<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
+    fn read_ahead_blocks<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
         for _ in 0..self.interpreter.limits.blocks_ahead {
-            match self.interpreter.step(source, &mut self.desk) {
+            match self.interpreter.step(source, &mut self.state) {
                 Ok(Progress::More | Progress::Stopped) => {}
                 Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => return Ok(()),
             }

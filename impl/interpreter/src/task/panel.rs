@@ -33,7 +33,7 @@ impl Panel {
     }
 
     /// Takes over what the operator sets, in every mode and at every time; whether that was all.
-    pub(super) fn takes(&mut self, action: &Action) -> bool {
+    pub(super) fn apply(&mut self, action: &Action) -> bool {
         match action {
             Action::OptionalStop(on) => self.optional_stop = *on,
             Action::FeedOverride(factor) => self.feed_override = *factor,

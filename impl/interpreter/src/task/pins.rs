@@ -8,7 +8,7 @@ use crate::faults::{Fault, planted};
 use super::panel::SPINDLES;
 
 /// What stands for the value of a pin that is not the task's to say: no number.
-const LEFT_TO_MOTION: f64 = f64::NAN;
+const SET_BY_MOTION: f64 = f64::NAN;
 
 /// What a spindle is told, and how its orientation goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ enum Orientation {
     /// Nobody asked for it, or M3, M4 or M5 took that back.
     None,
     /// The spindle is on its way.
-    Asked,
+    Requested,
     /// It stands at its angle and is held there.
     Locked,
 }
@@ -43,7 +43,7 @@ type SpindlePins = [(Pin, f64); 9];
 
 /// Everything that pins follow from, besides outputs.
 #[derive(Clone, Debug)]
-pub(super) struct Followed {
+pub(super) struct TrackedSettings {
     pub(super) spindles: [Spindle; SPINDLES],
     pub(super) mist: bool,
     pub(super) flood: bool,
@@ -53,7 +53,7 @@ pub(super) struct Followed {
     pub(super) feed_stop: bool,
 }
 
-impl Followed {
+impl TrackedSettings {
     /// As the settings say that are in force.
     pub(super) fn new(settings: &Settings) -> Self {
         let spindle = Spindle {
@@ -65,7 +65,7 @@ impl Followed {
             angle: 0.0,
             direction: 0.0,
         };
-        let mut followed = Self {
+        let mut tracked = Self {
             spindles: [spindle; SPINDLES],
             mist: false,
             flood: false,
@@ -73,8 +73,8 @@ impl Followed {
             adaptive_feed: false,
             feed_stop: true,
         };
-        followed.set(settings);
-        followed
+        tracked.set(settings);
+        tracked
     }
 
     /// Takes over settings that changed; whether a pin may have.
@@ -114,7 +114,7 @@ impl Followed {
 
     /// Takes over settings that were only read ahead: nobody has told a spindle to turn to an angle, or taken that
     /// back. One that turns now is held at none.
-    pub(super) fn take_over(&mut self, changed: &Settings) {
+    pub(super) fn apply_read_ahead(&mut self, changed: &Settings) {
         let orientations = self.spindles.map(|spindle| spindle.orientation);
         self.set(changed);
         for (spindle, orientation) in self.spindles.iter_mut().zip(orientations) {
@@ -136,16 +136,16 @@ impl Followed {
     }
 
     /// Whether a spindle is on its way to its angle.
-    pub(super) fn is_on_its_way(&self, spindle: u32) -> bool {
+    pub(super) fn is_orienting(&self, spindle: u32) -> bool {
         let place = usize::try_from(spindle).ok();
         let spindle = place.and_then(|place| self.spindles.get(place));
-        spindle.is_some_and(|spindle| spindle.orientation == Orientation::Asked)
+        spindle.is_some_and(|spindle| spindle.orientation == Orientation::Requested)
     }
 
     /// M19 begins.
     pub(super) fn orient(&mut self, spindle: u32, angle: f64, direction: OrientDirection) {
         let Some(spindle) = self.spindle(spindle) else { return };
-        spindle.orientation = Orientation::Asked;
+        spindle.orientation = Orientation::Requested;
         spindle.angle = angle;
         spindle.direction = match direction {
             OrientDirection::Shortest => 0.0,
@@ -177,13 +177,13 @@ impl Spindle {
         };
         let turns = told != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
         let shown = match turns {
-            true if self.surface_speed => LEFT_TO_MOTION,
+            true if self.surface_speed => SET_BY_MOTION,
             true => speed * told,
             false => 0.0,
         };
         let locked = self.orientation == Orientation::Locked;
-        let asked =
-            self.orientation == Orientation::Asked || locked && planted(Fault::OrientRequestStays);
+        let asked = self.orientation == Orientation::Requested
+            || locked && planted(Fault::OrientRequestStays);
         // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of
         // zero is not braked: a speed may come at any time.
         let begins = self.turn == SpindleTurn::Oriented && !locked;

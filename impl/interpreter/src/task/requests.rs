@@ -16,29 +16,29 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, Request};
 
 use crate::faults::{Fault, planted};
 
-use super::Idle;
-use super::desk::{Break, Desk, Doing, Pause};
+use super::IdleRequest;
 use super::machine::Machine;
+use super::state::{AbortCause, Pause, RunKind, TaskState};
 
-impl<M: Machine> Desk<M> {
+impl<M: Machine> TaskState<M> {
     /// Answers a request while something is being executed.
-    pub(super) fn asked(&mut self, action: Action) {
-        if self.panel.takes(&action) {
-            self.renew_pins();
+    pub(super) fn handle_request(&mut self, action: Action) {
+        if self.panel.apply(&action) {
+            self.update_pins();
             return;
         }
-        if self.doing == Doing::ByHand && action != Action::Abort {
-            self.leave_open("a request while a block that was entered by hand is executed");
+        if self.run_kind == RunKind::Mdi && action != Action::Abort {
+            self.leave_unspecified("a request while a block that was entered by hand is executed");
             return;
         }
         match action {
             Action::CycleStart => self.cycle_start(),
-            Action::Pause => self.pause = self.pause.or(Some(Pause::Asked)),
+            Action::Pause => self.pause = self.pause.or(Some(Pause::Requested)),
             Action::Resume => self.pause = None,
             Action::Abort if planted(Fault::AbortResumes) && self.pause.is_some() => {
                 self.pause = None;
             }
-            Action::Abort => self.broken = Some(Break::Abort),
+            Action::Abort => self.abort_cause = Some(AbortCause::Operator),
             Action::Mode(ControllerMode::Auto) => {}
             Action::Mode(mode) if planted(Fault::ModeWhilePaused) && self.pause.is_some() => {
                 self.change_mode(mode);
@@ -57,33 +57,33 @@ impl<M: Machine> Desk<M> {
     fn cycle_start(&mut self) {
         match self.pause {
             Some(Pause::Pallets) => self.pause = None,
-            Some(Pause::Stop) if self.choices.cycle_start_goes_on => self.pause = None,
+            Some(Pause::Stop) if self.choices.cycle_start_resumes => self.pause = None,
             Some(Pause::Stop) => self.refuse(Request::CycleStart),
-            Some(Pause::Asked) | None => {
-                self.leave_open("cycle start while a program runs");
+            Some(Pause::Requested) | None => {
+                self.leave_unspecified("cycle start while a program runs");
             }
         }
     }
 
     /// Answers a request to an idle controller; what it is to execute, if anything.
-    pub(super) fn asked_idle(&mut self, action: Action) -> Option<Idle> {
-        if self.panel.takes(&action) {
-            self.renew_pins();
+    pub(super) fn handle_idle_request(&mut self, action: Action) -> Option<IdleRequest> {
+        if self.panel.apply(&action) {
+            self.update_pins();
             return None;
         }
         match action {
-            Action::CycleStart => return Some(Idle::Start),
-            Action::Abort => self.broken = Some(Break::Abort),
+            Action::CycleStart => return Some(IdleRequest::Start),
+            Action::Abort => self.abort_cause = Some(AbortCause::Operator),
             Action::Mode(mode) => self.change_mode(mode),
             Action::Mdi(text) => match self.mode {
-                ControllerMode::Mdi => return entered(text),
-                ControllerMode::Manual if self.choices.enters_in_manual => {
+                ControllerMode::Mdi => return mdi_request(text),
+                ControllerMode::Manual if self.choices.mdi_in_manual => {
                     // By itself, before there is a block, which may be refused.
                     self.change_mode(ControllerMode::Mdi);
-                    return entered(text);
+                    return mdi_request(text);
                 }
                 ControllerMode::Auto if planted(Fault::EnteredInAuto) => {
-                    return Some(Idle::Enter(text));
+                    return Some(IdleRequest::Mdi(text));
                 }
                 ControllerMode::Auto | ControllerMode::Manual => self.refuse(Request::Mdi),
             },
@@ -115,7 +115,7 @@ impl<M: Machine> Desk<M> {
 }
 
 /// What is entered by hand. A blank line is no block: nothing is executed for it.
-fn entered(text: String) -> Option<Idle> {
+fn mdi_request(text: String) -> Option<IdleRequest> {
     let is_blank = text.bytes().all(|byte| matches!(byte, b' ' | b'\t' | b'\r' | b'\n'));
-    (!is_blank).then_some(Idle::Enter(text))
+    (!is_blank).then_some(IdleRequest::Mdi(text))
 }

@@ -14,7 +14,10 @@ use gaugeblock_vocabulary::{
     ControllerMode, Effect, End, Machine as Kind, Options, Pin, Request, Settings,
 };
 
-use super::{Activity, Happening, Idle, Input, Machine, Stuck, Task, Work, WorkState};
+use super::{
+    Deadlock, ExternalOperation, IdleRequest, Input, Machine, OperationState, StepResult, Task,
+    WaitEvent,
+};
 use crate::{Interpreter, Limits, Memory, Reply, Sink};
 
 /// A machine whose inputs and whose operator follow a script.
@@ -58,27 +61,27 @@ impl Machine for Script {
         self.now
     }
 
-    fn wait(&mut self, until: Option<f64>) -> Happening {
+    fn wait(&mut self, until: Option<f64>) -> WaitEvent {
         let until = until.unwrap_or(f64::INFINITY);
         let changes = self.input.iter().chain(&self.feed_hold).map(|(time, _)| *time);
         let change = changes.filter(|time| *time > self.now).fold(f64::INFINITY, f64::min);
         let asked = self.asked.first().map_or(f64::INFINITY, |(time, _)| time.max(self.now));
         if change.is_finite() && change <= until.min(asked) {
             self.now = change;
-            return Happening::Changed;
+            return WaitEvent::Changed;
         }
         if asked.is_finite() && asked <= until {
             self.now = asked;
-            return Happening::Asked(self.asked.remove(0).1);
+            return WaitEvent::Requested(self.asked.remove(0).1);
         }
         if until.is_infinite() {
-            return Happening::Never;
+            return WaitEvent::Never;
         }
         self.now = until;
-        Happening::Time
+        WaitEvent::Time
     }
 
-    fn asked(&mut self) -> Option<Action> {
+    fn poll_request(&mut self) -> Option<Action> {
         let is_due = self.asked.first().is_some_and(|(time, _)| *time <= self.now);
         is_due.then(|| self.asked.remove(0).1)
     }
@@ -93,11 +96,11 @@ impl Machine for Script {
         past.map(|(_, value)| *value).next_back().unwrap_or(0.0)
     }
 
-    fn state_of(&mut self, _work: Work) -> WorkState {
-        WorkState::Done
+    fn operation_state(&mut self, _operation: ExternalOperation) -> OperationState {
+        OperationState::Done
     }
 
-    fn pin(&mut self, pin: Pin, value: f64) {
+    fn set_pin(&mut self, pin: Pin, value: f64) {
         self.pins.entry(pin).or_default().push(value);
     }
 }
@@ -109,12 +112,12 @@ fn task(script: Script, options: &[(&str, &str)]) -> Task<Script> {
 }
 
 /// Runs a program to its end, or until nothing will happen any more.
-fn run(task: &mut Task<Script>, program: &str) -> Activity {
+fn run(task: &mut Task<Script>, program: &str) -> StepResult {
     let mut source = Memory::new(program);
     task.start();
     loop {
         match task.step(&mut source).unwrap() {
-            Activity::More => {}
+            StepResult::More => {}
             over => return over,
         }
     }
@@ -123,9 +126,9 @@ fn run(task: &mut Task<Script>, program: &str) -> Activity {
 #[test]
 fn a_pause_waits_for_resume() {
     let mut paused = task(Script::default(), &[]);
-    assert_eq!(run(&mut paused, "m0\nm2\n"), Activity::Stuck(Stuck::Paused));
+    assert_eq!(run(&mut paused, "m0\nm2\n"), StepResult::Deadlock(Deadlock::Paused));
     let mut resumed = task(Script::asks(&[(3.0, Action::Resume)]), &[]);
-    assert_eq!(run(&mut resumed, "m0\nm2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut resumed, "m0\nm2\n"), StepResult::Ended(End::ProgramEnd));
     assert_eq!(resumed.machine().now, 3.0);
     assert_eq!(resumed.mode(), ControllerMode::Mdi);
 }
@@ -138,7 +141,7 @@ fn modes_are_kept_while_a_program_runs() {
         (0.3, Action::Mode(ControllerMode::Auto)),
     ];
     let mut task = task(Script::asks(&asks), &[]);
-    assert_eq!(run(&mut task, "g4 p1\nm2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, "g4 p1\nm2\n"), StepResult::Ended(End::ProgramEnd));
     let refused = [Request::Mode, Request::Mdi].map(|request| alloc::format!("refused {request}"));
     assert!(refused.iter().all(|refused| task.machine().effects.contains(refused)));
     assert_eq!(task.machine().effects.len(), 5);
@@ -148,7 +151,7 @@ fn modes_are_kept_while_a_program_runs() {
 fn an_abort_breaks_off_and_keeps_what_was_done() {
     let mut task = task(Script::asks(&[(0.5, Action::Abort)]), &[]);
     let program = "s100 m3\nf7 g4 p1 g1 x5\nm2\n";
-    assert_eq!(run(&mut task, program), Activity::Ended(End::Aborted));
+    assert_eq!(run(&mut task, program), StepResult::Ended(End::Aborted));
     assert_eq!(task.machine().now, 0.5);
     assert_eq!(task.machine().effects, ["dwell"]);
     let state = task.interpreter().state();
@@ -167,8 +170,8 @@ fn a_held_move_that_is_aborted_was_not_made() {
         "f100 g5.1 i1 j1 x2\nm2\n",
     ] {
         let mut held = task(Script::asks(&[(0.5, Action::Abort)]), &[]);
-        held.desk.panel.feed_override = 0.0;
-        assert_eq!(run(&mut held, program), Activity::Ended(End::Aborted), "{program}");
+        held.state.panel.feed_override = 0.0;
+        assert_eq!(run(&mut held, program), StepResult::Ended(End::Aborted), "{program}");
         let state = held.interpreter().state();
         assert_eq!(state.position.unwrap().x, 0.0, "{program}");
         assert_eq!(state.motion, Some(gaugeblock_vocabulary::Motion::None), "{program}");
@@ -180,7 +183,7 @@ fn what_was_read_ahead_counts_where_documents_are_read_so() {
     let run_to = |options: &[(&str, &str)]| {
         let mut task = task(Script::asks(&[(0.5, Action::Abort)]), options);
         let program = "#31=1\ng0 x3\ng4 p1\n#31=2 g0 x4\nm66 p0 l3 q1\n#31=3\nm2\n";
-        assert_eq!(run(&mut task, program), Activity::Ended(End::Aborted));
+        assert_eq!(run(&mut task, program), StepResult::Ended(End::Aborted));
         let value =
             task.interpreter_mut().parameters().iter().find(|(number, _)| *number == 31).copied();
         (value, task.interpreter().state().position.unwrap().x, task.machine().effects.len())
@@ -195,7 +198,7 @@ fn every_item_of_a_large_machine_is_found() {
     let interpreter = Interpreter::new(machine, Options::default(), Limits::default());
     let mut task = Task::new(interpreter.unwrap(), Script::default());
     let program = "m64 p10\nm66 e0 l0\n#31=#<_hal[motion.digital-out-10]>\nm2\n";
-    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, program), StepResult::Ended(End::ProgramEnd));
     assert!(task.interpreter_mut().parameters().contains(&(31, 1.0)));
 }
 
@@ -204,7 +207,7 @@ fn edges_of_inputs_are_awaited() {
     let read = |program: &str| {
         let script = Script { input: [(1.0, 1.0), (2.0, 0.0)].into(), ..Script::default() };
         let mut task = task(script, &[]);
-        assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd), "{program}");
+        assert_eq!(run(&mut task, program), StepResult::Ended(End::ProgramEnd), "{program}");
         let parameters = task.interpreter_mut().parameters();
         let read =
             parameters.iter().find(|(number, _)| *number == 5399).map_or(0.0, |(_, read)| *read);
@@ -223,7 +226,7 @@ fn outputs_wait_for_the_motion_that_begins() {
     let script = Script { feed_hold: [(0.0, 1.0), (2.0, 0.0)].into(), ..Script::default() };
     let mut task = task(script, &[]);
     let program = "m53 p0\nm62 p0\nm64 p1\ng4 p1\nm53 p1\ng0 x1\nm2\n";
-    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, program), StepResult::Ended(End::ProgramEnd));
     assert_eq!(task.machine().now, 2.0);
     assert_eq!(task.machine().pin_values(Pin::DigitalOut(0)), [1.0]);
     assert_eq!(task.machine().pin_values(Pin::DigitalOut(1)), [1.0]);
@@ -237,19 +240,19 @@ fn blocks_are_entered_by_hand() {
         (3.0, Action::Mdi("g0 x6".into())),
     ];
     let mut task = task(Script::asks(&asks), &[]);
-    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
-    assert_eq!(task.idle(), Idle::Enter("g0 x5".into()));
+    assert_eq!(run(&mut task, "m2\n"), StepResult::Ended(End::ProgramEnd));
+    assert_eq!(task.idle(), IdleRequest::Mdi("g0 x5".into()));
     let mut source = Memory::new("").with_file("go.ngc", "o<go> sub\ng0 x9\no<go> endsub\nm2\n");
-    assert_eq!(task.enter("g0 x5", 1, &mut source), Ok(Activity::Entered));
-    assert_eq!(task.enter("o<go> call", 2, &mut source), Ok(Activity::Entered));
-    assert_eq!(task.enter("(nothing)", 3, &mut source), Ok(Activity::Entered));
+    assert_eq!(task.execute_mdi("g0 x5", 1, &mut source), Ok(StepResult::MdiDone));
+    assert_eq!(task.execute_mdi("o<go> call", 2, &mut source), Ok(StepResult::MdiDone));
+    assert_eq!(task.execute_mdi("(nothing)", 3, &mut source), Ok(StepResult::MdiDone));
     assert_eq!(task.interpreter().state().position.unwrap().x, 9.0);
-    let refused = task.enter("g0 g1 x1", 4, &mut source);
+    let refused = task.execute_mdi("g0 g1 x1", 4, &mut source);
     assert!(
         matches!(refused, Err(crate::Error::Fault(fault)) if fault.block.as_ref().is_some_and(|block| block.file == "mdi" && block.line == 4))
     );
-    assert_eq!(task.enter("m2", 5, &mut source), Ok(Activity::Ended(End::ProgramEnd)));
-    assert_eq!(task.idle(), Idle::Nothing);
+    assert_eq!(task.execute_mdi("m2", 5, &mut source), Ok(StepResult::Ended(End::ProgramEnd)));
+    assert_eq!(task.idle(), IdleRequest::None);
     assert!(task.machine().effects.ends_with(&["refused mdi".into()]));
 }
 
@@ -258,7 +261,7 @@ fn a_blank_line_by_hand_is_no_block() {
     let asks = [(1.0, Action::Mdi(" \t".into())), (1.0, Action::Mdi("#31=1".into()))];
     let mut task = task(Script::asks(&asks), &[]);
     task.set_mode(ControllerMode::Mdi);
-    assert_eq!(task.idle(), Idle::Enter("#31=1".into()));
+    assert_eq!(task.idle(), IdleRequest::Mdi("#31=1".into()));
 }
 
 #[test]
@@ -266,16 +269,16 @@ fn what_is_saved_outlives_an_abort_of_nothing() {
     let asks =
         [(1.0, Action::Mdi("m70".into())), (2.0, Action::Abort), (3.0, Action::Mdi("m72".into()))];
     let mut task = task(Script::asks(&asks), &[("saved-state.after-run", "forgotten")]);
-    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, "m2\n"), StepResult::Ended(End::ProgramEnd));
     for number in 1..=2 {
-        let Idle::Enter(text) = task.idle() else { panic!("a block by hand") };
+        let IdleRequest::Mdi(text) = task.idle() else { panic!("a block by hand") };
         assert_eq!(
-            task.enter(&text, number, &mut Memory::new("")),
-            Ok(Activity::Entered),
+            task.execute_mdi(&text, number, &mut Memory::new("")),
+            Ok(StepResult::MdiDone),
             "{text}"
         );
     }
-    assert_eq!(task.idle(), Idle::Nothing);
+    assert_eq!(task.idle(), IdleRequest::None);
 }
 
 #[test]
@@ -285,19 +288,22 @@ fn whether_subs_of_a_program_can_be_called_by_hand_is_left_open() {
         for (name, text) in files {
             source = source.with_file(*name, *text);
         }
-        matches!(task.enter(block, 1, &mut source), Ok(Activity::Ended(End::Unspecified { .. })))
+        matches!(
+            task.execute_mdi(block, 1, &mut source),
+            Ok(StepResult::Ended(End::Unspecified { .. }))
+        )
     };
     let mut task = task(Script::default(), &[]);
     let program =
         "o9 sub\n#31=[#31+1]\no9 endsub\no1 repeat [1]\no8 sub\no8 endsub\no1 endrepeat\nm2\n";
-    assert_eq!(run(&mut task, program), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, program), StepResult::Ended(End::ProgramEnd));
     assert!(is_open(&mut task, "o9 call", &[]));
     assert!(is_open(&mut task, "o9 call", &[]));
     assert!(is_open(&mut task, "o8 call", &[]));
     assert!(is_open(&mut task, "o<x> call", &[("x.ngc", "o<x> sub\no9 call\no<x> endsub\n")]));
     assert!(!is_open(&mut task, "o7 call", &[]));
     assert!(is_open(&mut task, "o9 call", &[("9.ngc", "o9 sub\no9 endsub\n")]));
-    assert_eq!(run(&mut task, "m2\n"), Activity::Ended(End::ProgramEnd));
+    assert_eq!(run(&mut task, "m2\n"), StepResult::Ended(End::ProgramEnd));
     assert!(!is_open(&mut task, "o9 call", &[]));
 }
 
@@ -309,11 +315,15 @@ fn a_percent_line_that_is_refused_is_the_next_block() {
             let mut source = Memory::new(program);
             task.start();
             assert_eq!(task.next_block(&mut source), Some(("main.ngc", 1)));
-            assert_eq!(task.step(&mut source), Ok(Activity::More));
+            assert_eq!(task.step(&mut source), Ok(StepResult::More));
             assert_eq!(task.next_block(&mut source), Some(("main.ngc", 2)), "{program}");
             if aborts {
                 task.machine_mut().asked.push((0.0, Action::Abort));
-                assert_eq!(task.step(&mut source), Ok(Activity::Ended(End::Aborted)), "{program}");
+                assert_eq!(
+                    task.step(&mut source),
+                    Ok(StepResult::Ended(End::Aborted)),
+                    "{program}"
+                );
             } else {
                 let Err(crate::Error::Fault(fault)) = task.step(&mut source) else {
                     panic!("{program}")
@@ -335,7 +345,7 @@ fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
         task.start();
         let end = loop {
             match task.step(&mut source) {
-                Ok(Activity::More) => {}
+                Ok(StepResult::More) => {}
                 over => break over,
             }
         };
@@ -343,7 +353,7 @@ fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
     };
     let blocks = "#31=[#31+1]\n".repeat(1500);
     let (end, counted) = read(&alloc::format!("g4 p1\n{blocks}m2\n"), 100_000);
-    assert_eq!((end, counted), (Ok(Activity::Ended(End::Aborted)), Some((31, 1500.0))));
+    assert_eq!((end, counted), (Ok(StepResult::Ended(End::Aborted)), Some((31, 1500.0))));
     let (end, _) = read("g4 p1\no1 while [1]\no1 endwhile\nm2\n", 100_000);
     assert!(matches!(end, Err(crate::Error::LimitExceeded { .. })), "{end:?}");
 }
@@ -354,10 +364,10 @@ fn what_documents_leave_open_is_said_so() {
         let asks = [(0.2, Action::Pause), (0.5, Action::CycleStart)];
         let mut task = task(Script::asks(&asks[usize::from(!pauses)..]), &[]);
         let over = run(&mut task, "g4 p1\nm2\n");
-        assert!(matches!(over, Activity::Ended(End::Unspecified { .. })), "{over:?}");
+        assert!(matches!(over, StepResult::Ended(End::Unspecified { .. })), "{over:?}");
     }
     let mut task = task(Script::asks(&[(0.5, Action::Mode(ControllerMode::Mdi))]), &[]);
     task.set_mode(ControllerMode::Mdi);
-    let over = task.enter("g4 p1", 1, &mut Memory::new(""));
-    assert!(matches!(over, Ok(Activity::Ended(End::Unspecified { .. }))), "{over:?}");
+    let over = task.execute_mdi("g4 p1", 1, &mut Memory::new(""));
+    assert!(matches!(over, Ok(StepResult::Ended(End::Unspecified { .. }))), "{over:?}");
 }

@@ -6,8 +6,8 @@ use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 use crate::canon::Reply;
 use crate::faults::{Fault, planted};
 
-use super::desk::{Break, Desk, Stuck};
-use super::machine::{Happening, Input, Machine, Work, WorkState};
+use super::machine::{ExternalOperation, Input, Machine, OperationState, WaitEvent};
+use super::state::{AbortCause, Deadlock, TaskState};
 
 /// What M66 reads when nothing came in time.
 const TIMED_OUT: f64 = -1.0;
@@ -18,76 +18,77 @@ pub(super) struct Broken;
 
 /// Why a wait is over for now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Woken {
+enum WakeReason {
     /// Its time has come.
-    InTime,
+    TimeReached,
     /// Something may be otherwise.
-    Perhaps,
+    Changed,
 }
 
-impl<M: Machine> Desk<M> {
+impl<M: Machine> TaskState<M> {
     /// Waits once. A wait for nothing that will ever come is broken off as stuck.
-    fn wake(&mut self, until: Option<f64>, stuck: Stuck) -> Result<Woken, Broken> {
-        let happening = self.machine.wait(until);
-        if happening == Happening::Changed {
-            self.look_at_spindles();
+    fn wait_once(&mut self, until: Option<f64>, deadlock: Deadlock) -> Result<WakeReason, Broken> {
+        let event = self.machine.wait(until);
+        if event == WaitEvent::Changed {
+            self.lock_oriented_spindles();
         }
-        match happening {
-            Happening::Time => Ok(Woken::InTime),
-            Happening::Changed => Ok(Woken::Perhaps),
-            Happening::Asked(action) => {
-                self.asked(action);
+        match event {
+            WaitEvent::Time => Ok(WakeReason::TimeReached),
+            WaitEvent::Changed => Ok(WakeReason::Changed),
+            WaitEvent::Requested(action) => {
+                self.handle_request(action);
                 // What is asked at the same time comes before what ends at that time.
-                while stuck == Stuck::Waiting
-                    && self.broken.is_none()
-                    && let Some(action) = self.machine.asked()
+                while deadlock == Deadlock::Waiting
+                    && self.abort_cause.is_none()
+                    && let Some(action) = self.machine.poll_request()
                 {
-                    self.asked(action);
+                    self.handle_request(action);
                 }
-                if self.broken.is_some() {
+                if self.abort_cause.is_some() {
                     return Err(Broken);
                 }
-                self.look_at_spindles();
-                Ok(Woken::Perhaps)
+                self.lock_oriented_spindles();
+                Ok(WakeReason::Changed)
             }
-            Happening::Never if until.is_some() => Ok(Woken::InTime),
-            Happening::Never => {
-                self.broken = Some(Break::Stuck(stuck));
+            WaitEvent::Never if until.is_some() => Ok(WakeReason::TimeReached),
+            WaitEvent::Never => {
+                self.abort_cause = Some(AbortCause::Deadlock(deadlock));
                 Err(Broken)
             }
         }
     }
 
     /// Spindles that have come to their angles are held there, whoever waits for them.
-    pub(super) fn look_at_spindles(&mut self) {
+    pub(super) fn lock_oriented_spindles(&mut self) {
         for spindle in 0..u32::try_from(super::panel::SPINDLES).unwrap_or(0) {
-            if self.followed.is_on_its_way(spindle)
-                && self.machine.state_of(Work::Orientation(spindle)) == WorkState::Done
+            if self.tracked.is_orienting(spindle)
+                && self.machine.operation_state(ExternalOperation::Orientation(spindle))
+                    == OperationState::Done
             {
-                self.followed.lock(spindle);
-                self.renew_pins();
+                self.tracked.lock(spindle);
+                self.update_pins();
             }
         }
     }
 
     /// An abort stops spindles as M5 does, also one whose stop was read ahead and is nothing new to the interpreter.
     pub(super) fn release_spindles(&mut self) {
-        if !self.choices.abort_leaves_alone {
-            self.followed.release();
+        if !self.choices.abort_keeps_spindles {
+            self.tracked.release();
         }
     }
 
     /// Before a block: answers what was asked by now, and waits while the program is paused.
-    pub(super) fn may_go_on(&mut self) -> Result<(), Broken> {
-        self.within = false;
+    pub(super) fn wait_while_paused(&mut self) -> Result<(), Broken> {
+        self.within_block = false;
         loop {
-            if let Some(action) = self.machine.asked() {
-                self.asked(action);
-                if self.broken.is_some() {
+            if let Some(action) = self.machine.poll_request() {
+                self.handle_request(action);
+                if self.abort_cause.is_some() {
                     return Err(Broken);
                 }
             } else if self.pause.is_some() {
-                self.wait_to_go_on()?;
+                self.wait_for_resume()?;
             } else {
                 return Ok(());
             }
@@ -95,41 +96,45 @@ impl<M: Machine> Desk<M> {
     }
 
     /// Waits for something that lets the program or a move go on.
-    pub(super) fn wait_to_go_on(&mut self) -> Result<(), Broken> {
-        self.wake(None, Stuck::Paused).map(|_| ())
+    pub(super) fn wait_for_resume(&mut self) -> Result<(), Broken> {
+        self.wait_once(None, Deadlock::Paused).map(|_| ())
     }
 
     /// Lets so many seconds of a dwell go by. Whether those of a pause are among them is a choice of the documents.
-    pub(super) fn pass(&mut self, seconds: f64) -> Result<(), Broken> {
+    pub(super) fn dwell(&mut self, seconds: f64) -> Result<(), Broken> {
         let mut until = self.machine.time() + seconds.max(0.0);
-        while self.wake(Some(until), Stuck::Waiting)? != Woken::InTime {
+        while self.wait_once(Some(until), Deadlock::Waiting)? != WakeReason::TimeReached {
             let paused = self.machine.time();
-            self.stand_in_dwell()?;
+            self.pause_dwell()?;
             until += self.machine.time() - paused;
         }
         Ok(())
     }
 
     /// A dwell of a paused program, where that makes it stand still.
-    pub(super) fn stand_in_dwell(&mut self) -> Result<(), Broken> {
-        while self.choices.dwell_stands && self.pause.is_some() {
-            self.wait_to_go_on()?;
+    pub(super) fn pause_dwell(&mut self) -> Result<(), Broken> {
+        while self.choices.pause_stops_dwell && self.pause.is_some() {
+            self.wait_for_resume()?;
         }
         Ok(())
     }
 
     /// Waits until a work is over, or for so many seconds at most; then it has not been done in time.
-    pub(super) fn wait_for(&mut self, work: Work, seconds: Option<f64>) -> Result<Reply, Broken> {
+    pub(super) fn wait_for(
+        &mut self,
+        operation: ExternalOperation,
+        seconds: Option<f64>,
+    ) -> Result<Reply, Broken> {
         let until = seconds.map(|seconds| self.machine.time() + seconds);
         let mut is_late = false;
         loop {
-            match self.machine.state_of(work) {
-                WorkState::Done => return Ok(Reply::Done),
-                WorkState::Failed(kind) => return Ok(Reply::Failed(kind)),
-                WorkState::Underway if is_late => return Ok(Reply::Stop),
-                WorkState::Underway => {}
+            match self.machine.operation_state(operation) {
+                OperationState::Done => return Ok(Reply::Done),
+                OperationState::Failed(kind) => return Ok(Reply::Failed(kind)),
+                OperationState::InProgress if is_late => return Ok(Reply::Stop),
+                OperationState::InProgress => {}
             }
-            is_late = self.wake(until, Stuck::Waiting)? == Woken::InTime;
+            is_late = self.wait_once(until, Deadlock::Waiting)? == WakeReason::TimeReached;
         }
     }
 
@@ -137,16 +142,16 @@ impl<M: Machine> Desk<M> {
     pub(super) fn wait_orient(&mut self, spindle: u32, timeout: f64, effect: &Effect) -> Reply {
         let reply = self.machine.perform(self.line, effect);
         // One that answers at once is held while another one is still waited for.
-        self.look_at_spindles();
-        match self.wait_for(Work::Orientation(spindle), Some(timeout)) {
+        self.lock_oriented_spindles();
+        match self.wait_for(ExternalOperation::Orientation(spindle), Some(timeout)) {
             Ok(Reply::Done) => {
-                self.followed.lock(spindle);
-                self.renew_pins();
+                self.tracked.lock(spindle);
+                self.update_pins();
                 reply
             }
             Ok(Reply::Stop) => Reply::Failed(FaultKind::Orient),
             Ok(other) => other,
-            Err(Broken) => self.broken_off(),
+            Err(Broken) => self.abort_reply(),
         }
     }
 
@@ -173,22 +178,22 @@ impl<M: Machine> Desk<M> {
         };
         if level {
             let value = self.machine.input(input);
-            return self.read(value);
+            return self.finish_input(value);
         }
         let wanted = matches!(mode, WaitMode::High | WaitMode::Rise);
         loop {
-            match self.wake(until, Stuck::Waiting) {
-                Err(Broken) => return self.broken_waiting(),
-                Ok(Woken::InTime) => {
+            match self.wait_once(until, Deadlock::Waiting) {
+                Err(Broken) => return self.abort_waiting_reply(),
+                Ok(WakeReason::TimeReached) => {
                     let value = if planted(Fault::TimeoutReadsZero) { 0.0 } else { TIMED_OUT };
-                    return self.read(value);
+                    return self.finish_input(value);
                 }
-                Ok(Woken::Perhaps) => {}
+                Ok(WakeReason::Changed) => {}
             }
             let now = self.machine.input(input) != 0.0;
             if was != now && now == wanted {
                 let value = self.machine.input(input);
-                return self.read(value);
+                return self.finish_input(value);
             }
             was = now;
         }

@@ -4,8 +4,8 @@ use gaugeblock_vocabulary::Effect;
 
 use crate::faults::{Fault, planted};
 
-use super::desk::Desk;
 use super::machine::{Input, Machine};
+use super::state::TaskState;
 
 /// What kind of motion an effect is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,17 +34,16 @@ pub(super) fn motion_of(effect: &Effect, synchronised: bool) -> Option<Motion> {
     }
 }
 
-impl<M: Machine> Desk<M> {
+impl<M: Machine> TaskState<M> {
     /// Whether something holds such a motion now.
     pub(super) fn holds(&self, motion: Motion) -> bool {
         let stop = self.panel.feed_hold || self.machine.input(Input::FeedHold) != 0.0;
-        let stop = stop && (self.followed.feed_stop || planted(Fault::StopNeverDisabled));
+        let stop = stop && (self.tracked.feed_stop || planted(Fault::StopNeverDisabled));
         // "The commanded velocity is multiplied by this value" (5.6.1.2), of whatever motion.
-        let adaptive =
-            self.followed.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
+        let adaptive = self.tracked.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
         let factor = match motion {
             Motion::Rapid => self.panel.rapid_override,
-            Motion::Feed if self.followed.feed_override => self.panel.feed_override,
+            Motion::Feed if self.tracked.feed_override => self.panel.feed_override,
             Motion::Feed | Motion::Synchronised => 1.0,
         };
         stop || adaptive || factor <= 0.0

@@ -4,7 +4,7 @@ use crate::source::{Source, Unreadable};
 
 /// One line, and the files behind it.
 #[derive(Debug)]
-pub(super) struct OneLine<'a, S> {
+pub(super) struct MdiSource<'a, S> {
     line: &'a [u8],
     at: usize,
     files: &'a mut S,
@@ -12,7 +12,7 @@ pub(super) struct OneLine<'a, S> {
     open: u32,
 }
 
-impl<'a, S: Source> OneLine<'a, S> {
+impl<'a, S: Source> MdiSource<'a, S> {
     /// A line before its first byte.
     pub(super) fn new(line: &'a [u8], files: &'a mut S) -> Self {
         Self { line, at: 0, files, open: 0 }
@@ -24,7 +24,7 @@ impl<'a, S: Source> OneLine<'a, S> {
     }
 }
 
-impl<S: Source> Source for OneLine<'_, S> {
+impl<S: Source> Source for MdiSource<'_, S> {
     fn text(&mut self) -> Result<&[u8], Unreadable> {
         if self.open != 0 {
             return self.files.text();

@@ -12,15 +12,15 @@ use super::items;
 use super::machine::Machine;
 use super::outputs::Outputs;
 use super::panel::Panel;
-use super::pins::{Followed, bit};
+use super::pins::{TrackedSettings, bit};
 
 /// What the controller is doing, or did before it became idle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Doing {
+pub(super) enum RunKind {
     /// It runs a program.
     Program,
     /// It executes a block that was entered by hand.
-    ByHand,
+    Mdi,
 }
 
 /// Why a program pauses.
@@ -31,12 +31,12 @@ pub(super) enum Pause {
     /// M60.
     Pallets,
     /// The operator asked for it.
-    Asked,
+    Requested,
 }
 
 /// What it waits for that will never come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stuck {
+pub enum Deadlock {
     /// That somebody lets the program go on, or motion.
     Paused,
     /// An input, or something else outside.
@@ -45,30 +45,30 @@ pub enum Stuck {
 
 /// How a block was broken off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Break {
+pub(super) enum AbortCause {
     /// By the operator.
-    Abort,
+    Operator,
     /// The documents leave open what follows.
-    Open(&'static str),
+    Unspecified(&'static str),
     /// Nothing will ever happen again.
-    Stuck(Stuck),
+    Deadlock(Deadlock),
 }
 
 /// The desk.
 #[derive(Debug)]
-pub(super) struct Desk<M> {
+pub(super) struct TaskState<M> {
     pub(super) machine: M,
     pub(super) panel: Panel,
     pub(super) mode: ControllerMode,
-    pub(super) doing: Doing,
+    pub(super) run_kind: RunKind,
     pub(super) pause: Option<Pause>,
-    pub(super) broken: Option<Break>,
-    pub(super) followed: Followed,
+    pub(super) abort_cause: Option<AbortCause>,
+    pub(super) tracked: TrackedSettings,
     pub(super) choices: Choices,
     /// HAL items as programs see them.
     pub(super) items: Vec<f64>,
     /// M66 has brought them up to date since the interpreter was told.
-    pub(super) items_are_new: bool,
+    pub(super) items_changed: bool,
     pub(super) digital: Outputs,
     pub(super) analog: Outputs,
     /// How many spindles the machine has.
@@ -82,35 +82,35 @@ pub(super) struct Desk<M> {
     /// Between the start and the end of a synchronisation with a spindle.
     pub(super) synchronised: bool,
     /// Pallets were exchanged last: a stop is the one of M60.
-    pub(super) pallets: bool,
+    pub(super) pallets_exchanged: bool,
     /// Depth of calls after the last block.
-    pub(super) level: u32,
+    pub(super) call_level: u32,
     /// A block has begun.
-    pub(super) within: bool,
+    pub(super) within_block: bool,
     /// Line of the block that is being executed.
     pub(super) line: u32,
     /// What is read now was never to be executed.
-    pub(super) ahead: bool,
+    pub(super) reading_ahead: bool,
     /// What it has set.
-    pub(super) set_ahead: Settings,
+    pub(super) settings_ahead: Settings,
     /// What was broken off waits for the machine: nothing behind it has been read.
-    pub(super) awaited: bool,
+    pub(super) aborted_waiting: bool,
 }
 
-impl<M: Machine> Desk<M> {
+impl<M: Machine> TaskState<M> {
     pub(super) fn new(interpreter: &Interpreter, machine: M) -> Self {
         let of = interpreter.machine();
-        let mut desk = Self {
+        let mut state = Self {
             machine,
             panel: Panel::new(),
             mode: ControllerMode::Auto,
-            doing: Doing::Program,
+            run_kind: RunKind::Program,
             pause: None,
-            broken: None,
-            followed: Followed::new(&interpreter.settings()),
+            abort_cause: None,
+            tracked: TrackedSettings::new(&interpreter.settings()),
             choices: interpreter.readings.task,
             items: Vec::new(),
-            items_are_new: false,
+            items_changed: false,
             digital: Outputs::new(of.digital_io),
             analog: Outputs::new(of.analog_io),
             spindles: usize::from(of.spindles),
@@ -118,60 +118,60 @@ impl<M: Machine> Desk<M> {
             pins: items::pins(of).map(|pin| (pin, 0.0)).collect(),
             values: Vec::new(),
             synchronised: false,
-            pallets: false,
-            level: 0,
-            within: false,
+            pallets_exchanged: false,
+            call_level: 0,
+            within_block: false,
             line: 0,
-            ahead: false,
-            set_ahead: Settings::default(),
-            awaited: false,
+            reading_ahead: false,
+            settings_ahead: Settings::default(),
+            aborted_waiting: false,
         };
         // What they are before anything runs is no change.
-        desk.values = desk.values_now().collect();
-        for ((_, value), now) in desk.pins.iter_mut().zip(&desk.values) {
+        state.values = state.current_pins().collect();
+        for ((_, value), now) in state.pins.iter_mut().zip(&state.values) {
             *value = *now;
         }
-        desk.items =
+        state.items =
             vec![
                 0.0;
-                items::inputs(of.digital_io, of.analog_io).count().saturating_add(desk.pins.len())
+                items::inputs(of.digital_io, of.analog_io).count().saturating_add(state.pins.len())
             ];
-        desk.renew_items();
-        desk
+        state.update_items();
+        state
     }
 
     /// The values that all pins are to have, in the order of [`items::pins`].
-    fn values_now(&self) -> impl Iterator<Item = f64> {
+    fn current_pins(&self) -> impl Iterator<Item = f64> {
         let (panel, choices) = (&self.panel, self.choices);
-        let spindles = self.followed.spindles.iter().zip(panel.spindle_override);
+        let spindles = self.tracked.spindles.iter().zip(panel.spindle_override);
         let spindles = (0_u16..).zip(spindles).take(self.spindles);
         let spindles = spindles.flat_map(move |(number, (spindle, factor))| {
             spindle.pins(number, factor, choices.brake_while_locked).map(|(_, value)| value)
         });
-        let coolant = [bit(self.followed.mist), bit(self.followed.flood)];
+        let coolant = [bit(self.tracked.mist), bit(self.tracked.flood)];
         self.digital.values().chain(self.analog.values()).chain(spindles).chain(coolant)
     }
 
     /// Tells the machine the pins that have changed.
-    pub(super) fn renew_pins(&mut self) {
+    pub(super) fn update_pins(&mut self) {
         // Both lists are borrowed apart: the machine hears of a pin while the next value is computed.
         let mut pins = core::mem::take(&mut self.pins);
         let mut values = core::mem::take(&mut self.values);
-        for (slot, value) in values.iter_mut().zip(self.values_now()) {
+        for (slot, value) in values.iter_mut().zip(self.current_pins()) {
             *slot = value;
         }
         for ((pin, old), new) in pins.iter_mut().zip(&values) {
             // A value that is no number is one that the task does not know: the pin is left to motion.
             if (*old - *new).abs() > 0.0 {
                 *old = *new;
-                self.machine.pin(*pin, *new);
+                self.machine.set_pin(*pin, *new);
             }
         }
         (self.pins, self.values) = (pins, values);
     }
 
     /// HAL items have the values now that pins and inputs have (11.4.3.7).
-    pub(super) fn renew_items(&mut self) {
+    pub(super) fn update_items(&mut self) {
         let mut all = core::mem::take(&mut self.items);
         let (digital, analog) = self.inputs;
         let inputs = items::inputs(digital, analog).map(|input| self.machine.input(input));
@@ -183,16 +183,16 @@ impl<M: Machine> Desk<M> {
     }
 
     /// A program or a block by hand begins; nothing of what was left by the one before counts.
-    pub(super) fn begin(&mut self, doing: Doing) {
-        self.doing = doing;
+    pub(super) fn begin(&mut self, run_kind: RunKind) {
+        self.run_kind = run_kind;
         self.pause = None;
-        self.broken = None;
-        self.ahead = false;
-        self.awaited = false;
+        self.abort_cause = None;
+        self.reading_ahead = false;
+        self.aborted_waiting = false;
         self.synchronised = false;
-        self.pallets = false;
-        self.level = 0;
-        self.renew_items();
+        self.pallets_exchanged = false;
+        self.call_level = 0;
+        self.update_items();
     }
 
     /// After an abort: what waits for a motion is gone with the motions that were queued, or waits for the next one.
@@ -205,51 +205,53 @@ impl<M: Machine> Desk<M> {
     }
 
     /// The program has ended.
-    pub(super) fn ended(&mut self) {
+    pub(super) fn end_program(&mut self) {
         if self.choices.forgets_at_end {
             self.digital.forget_waiting();
             self.analog.forget_waiting();
         }
     }
 
-    pub(super) fn is_broken(&self) -> bool {
-        self.broken.is_some()
+    pub(super) fn is_aborted(&self) -> bool {
+        self.abort_cause.is_some()
     }
 
     /// Takes an abort that the operator asked for.
     pub(super) fn take_abort(&mut self) -> bool {
-        let aborted = self.broken == Some(Break::Abort);
+        let aborted = self.abort_cause == Some(AbortCause::Operator);
         if aborted {
-            self.broken = None;
+            self.abort_cause = None;
         }
         aborted
     }
 
     /// What the documents leave open.
-    pub(super) fn take_open(&mut self) -> Option<&'static str> {
-        let Some(Break::Open(why)) = self.broken else { return None };
-        self.broken = None;
+    pub(super) fn take_unspecified(&mut self) -> Option<&'static str> {
+        let Some(AbortCause::Unspecified(why)) = self.abort_cause else { return None };
+        self.abort_cause = None;
         Some(why)
     }
 
-    pub(super) fn stuck(&self) -> Option<Stuck> {
-        let Some(Break::Stuck(stuck)) = self.broken else { return None };
-        Some(stuck)
+    pub(super) fn deadlock(&self) -> Option<Deadlock> {
+        let Some(AbortCause::Deadlock(deadlock)) = self.abort_cause else { return None };
+        Some(deadlock)
     }
 
     /// After an abort: whether the interpreter shall read ahead.
-    pub(super) fn reads_ahead(&mut self) -> bool {
-        let reads = self.choices.read_on && self.doing == Doing::Program && !self.awaited;
-        self.ahead |= reads;
+    pub(super) fn begin_read_ahead(&mut self) -> bool {
+        let reads = self.choices.read_ahead_on_abort
+            && self.run_kind == RunKind::Program
+            && !self.aborted_waiting;
+        self.reading_ahead |= reads;
         reads
     }
 
     /// What was set by reading ahead is in force now, although nothing was executed.
-    pub(super) fn take_over(&mut self) {
-        self.ahead = false;
-        let set = core::mem::take(&mut self.set_ahead);
+    pub(super) fn apply_read_ahead(&mut self) {
+        self.reading_ahead = false;
+        let set = core::mem::take(&mut self.settings_ahead);
         if set != Settings::default() {
-            self.followed.take_over(&set);
+            self.tracked.apply_read_ahead(&set);
             self.machine.set(self.line, &set);
         }
     }
