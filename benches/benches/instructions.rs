@@ -13,9 +13,9 @@ use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
 use gaugeblock_benches::{LONG_PROGRAMS, budgets, long_program};
-use gaugeblock_interpreter::gpp::{PostProcessor, StatementDone, TOOLPATH};
+use gaugeblock_interpreter::gpp::{PostProcessor, StatementEnd, TOOLPATH};
 use gaugeblock_interpreter::nct::{CustomMacros, MacroStep};
-use gaugeblock_interpreter::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use gaugeblock_interpreter::{BlockEnd, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, Machine, Options, Settings};
 
 /// How many steps of a program are counted: less than the whole of it.
@@ -109,16 +109,16 @@ impl Sink for Counting {
         Reply::Done
     }
 
-    fn block_done(&mut self, _done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, _done: &mut BlockEnd<'_>) {
         self.0 += 1;
     }
 
-    fn statement_done(&mut self, done: &StatementDone<'_>) {
+    fn end_statement(&mut self, done: &StatementEnd<'_>) {
         self.0 += u32::from(done.file() == TOOLPATH);
         black_box(done);
     }
 
-    fn macro_step(&mut self, done: &MacroStep<'_>) {
+    fn end_macro_step(&mut self, done: &MacroStep<'_>) {
         self.0 += 1;
         black_box(done);
     }
@@ -135,7 +135,7 @@ fn measured(text: &str) -> Result<u32> {
     let mut sink = Counting(0);
     match interpreter.run(&mut source, &mut sink, STEPS).map_err(Error::other)? {
         Progress::More => Ok(sink.0),
-        other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
+        other @ (Progress::Stopped | Progress::Aborted | Progress::Ended(_)) => {
             Err(Error::other(format!("{other:?}")))
         }
     }

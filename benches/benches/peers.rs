@@ -17,7 +17,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use gaugeblock_benches::{LONG_PROGRAMS, LongProgram, long_program};
-use gaugeblock_interpreter::{BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use gaugeblock_interpreter::{BlockEnd, Interpreter, Limits, Memory, Progress, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
 use rustix::time::{ClockId, clock_gettime};
@@ -108,7 +108,7 @@ impl Sink for Counting {
         Reply::Done
     }
 
-    fn block_done(&mut self, _done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, _done: &mut BlockEnd<'_>) {
         self.0 += 1;
     }
 }
@@ -123,7 +123,7 @@ fn interpret<K: Sink>(program: &LongProgram, sink: &mut K) -> Result<()> {
         match interpreter.run(&mut source, sink, 1_000_000).map_err(Error::other)? {
             Progress::More => {}
             Progress::Ended(End::ProgramEnd) => return Ok(()),
-            other @ (Progress::Stopped | Progress::Broken | Progress::Ended(_)) => {
+            other @ (Progress::Stopped | Progress::Aborted | Progress::Ended(_)) => {
                 return Err(Error::other(format!("{}: {other:?}", program.name)));
             }
         }

@@ -13,7 +13,7 @@ use std::io::{Error, Result};
 use std::time::{Duration, Instant};
 
 use gaugeblock_interpreter::{
-    Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
+    Interpreter, Limits, Memory, Progress, Reply, Sink, Source, SourceError,
 };
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 
@@ -52,7 +52,7 @@ fn long_program(bytes: u64) -> Result<()> {
     let begin = Instant::now();
     loop {
         match interpreter.run(&mut source, &mut count, SLICE) {
-            Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
+            Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
             Ok(Progress::Ended(End::ProgramEnd)) => break,
             Ok(Progress::Ended(end)) => return Err(Error::other(format!("{end:?}"))),
             Err(error) => return Err(Error::other(error.to_string())),
@@ -102,7 +102,7 @@ struct Endless {
 }
 
 impl Source for Endless {
-    fn text(&mut self) -> std::result::Result<&[u8], Unreadable> {
+    fn text(&mut self) -> std::result::Result<&[u8], SourceError> {
         let text = if self.left == 0 { "M2\n" } else { TEXT };
         Ok(text.as_bytes().get(self.at..).unwrap_or(&[]))
     }
@@ -115,11 +115,11 @@ impl Source for Endless {
         }
     }
 
-    fn rewind(&mut self, _offset: u64) -> std::result::Result<bool, Unreadable> {
+    fn rewind(&mut self, _offset: u64) -> std::result::Result<bool, SourceError> {
         Ok(false)
     }
 
-    fn open(&mut self, _name: &str) -> std::result::Result<bool, Unreadable> {
+    fn open(&mut self, _name: &str) -> std::result::Result<bool, SourceError> {
         Ok(false)
     }
 

@@ -15,7 +15,7 @@
 //! twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line of
 //! its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined
 //! behind their call, the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the
-//! interpreter itself imitates (`Interpreter::imitate`). The others are not: tool offsets of saved state, the
+//! interpreter itself imitates (`Interpreter::emulate_rs274`). The others are not: tool offsets of saved state, the
 //! position after probing.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders.
@@ -111,8 +111,8 @@ pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, Trouble> {
         .map_err(|error| error.to_string())?;
     interpreter.set_block_delete(arguments.block_delete);
     interpreter.set_preview(true);
-    interpreter.set_comments_told(true);
-    interpreter.imitate(held.0);
+    interpreter.set_report_comments(true);
+    interpreter.emulate_rs274(held.0);
     let texts = Texts::default();
     let read = [&arguments.program, &arguments.ini, &arguments.tools, &arguments.parameters];
     let written = [(&arguments.output, &read[..]), (&arguments.parameters, &read[..3])];
@@ -178,7 +178,7 @@ impl Run {
     fn blocks(&mut self, source: &mut Files) -> (u8, bool) {
         loop {
             let fault = match self.interpreter.run(source, &mut self.printer, BLOCKS) {
-                Ok(Progress::More | Progress::Stopped | Progress::Broken) => continue,
+                Ok(Progress::More | Progress::Stopped | Progress::Aborted) => continue,
                 Ok(Progress::Ended(End::ProgramEnd)) => return (0, true),
                 Ok(Progress::Ended(End::PercentEnd)) => {
                     self.printer.out.label(None);
@@ -200,7 +200,7 @@ impl Run {
             if last || !self.goes_on {
                 return (1, false);
             }
-            self.interpreter.pass_refused();
+            self.interpreter.skip_faulted_block();
         }
     }
 
@@ -247,7 +247,7 @@ impl Run {
             let mut source = Files::new(line, folders.to_vec(), self.texts.clone());
             loop {
                 match self.interpreter.run(&mut source, &mut self.printer, BLOCKS) {
-                    Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
+                    Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
                     Ok(Progress::Ended(_)) => break,
                     Err(Error::Fault(fault)) => {
                         if fault.kind != Some(FaultKind::MissingEnd) {

@@ -1,6 +1,6 @@
 //! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
 
-use gaugeblock_interpreter::{BlockBegun, BlockDone, Executed, Reply, Sink};
+use gaugeblock_interpreter::{BlockEnd, BlockKind, BlockStart, Reply, Sink};
 use gaugeblock_vocabulary::{Effect, Event, FaultKind, Plane, Position, Settings};
 
 use super::block::{Fixed, Printed};
@@ -181,7 +181,7 @@ impl Printer {
     }
 
     /// Prints a block that was executed.
-    fn done(&mut self, done: &BlockDone<'_>) {
+    fn done(&mut self, done: &BlockEnd<'_>) {
         let mut events = std::mem::take(&mut self.events);
         let mut after = self.modes;
         for event in &events {
@@ -195,7 +195,7 @@ impl Printer {
         if !moves_only && let Some(position) = done.state().position {
             self.position = position;
         }
-        if done.executed() == Executed::End {
+        if done.kind() == BlockKind::End {
             self.motion = 10;
         }
         events.clear();
@@ -247,29 +247,29 @@ impl Sink for Printer {
         }
     }
 
-    fn block_begun(&mut self, begun: &BlockBegun<'_>) {
+    fn start_block(&mut self, begun: &BlockStart<'_>) {
         self.begun = true;
         self.words.take(begun);
     }
 
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
-        match done.executed() {
-            Executed::Words | Executed::Comment | Executed::End => {
+    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
+        match done.kind() {
+            BlockKind::Words | BlockKind::Comment | BlockKind::End => {
                 self.forget_words();
                 self.done(done);
             }
-            Executed::Return | Executed::NumberedReturn => {
+            BlockKind::Return | BlockKind::NumberedReturn => {
                 self.returned(done.file(), done.line());
                 self.at_level(done.call_level());
                 if let Some(position) = done.state().position {
                     self.position = position;
                 }
             }
-            Executed::Call | Executed::NumberedCall => {
+            BlockKind::Call | BlockKind::NumberedCall => {
                 self.events.clear();
                 self.at_level(done.call_level());
             }
-            Executed::OWord => self.events.clear(),
+            BlockKind::OWord => self.events.clear(),
         }
         self.begun = false;
     }

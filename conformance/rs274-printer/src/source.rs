@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use gaugeblock_interpreter::{Source, Unreadable};
+use gaugeblock_interpreter::{Source, SourceError};
 use gaugeblock_vocabulary::Program;
 
 /// A file's text and where its lines begin.
@@ -177,7 +177,7 @@ fn keyword(line: &[u8], label: &[u8]) -> Option<&'static [u8]> {
 }
 
 impl Source for Files {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         let (text, at) = match self.open.last() {
             Some((text, at)) => (text, *at),
             None => (&self.main, self.at),
@@ -192,7 +192,7 @@ impl Source for Files {
         }
     }
 
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         let at = usize::try_from(offset).unwrap_or(usize::MAX);
         match self.open.last_mut() {
             Some((_, place)) => *place = at,
@@ -201,7 +201,7 @@ impl Source for Files {
         Ok(true)
     }
 
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, name: &str) -> Result<bool, SourceError> {
         if let Some(bytes) = defined_later(&self.main, name) {
             self.open_text(name, bytes);
             return Ok(true);
@@ -211,7 +211,7 @@ impl Source for Files {
             if !path.is_file() {
                 continue;
             }
-            let bytes = std::fs::read(&path).map_err(|error| Unreadable {
+            let bytes = std::fs::read(&path).map_err(|error| SourceError {
                 file: name.to_owned(),
                 message: error.to_string(),
             })?;

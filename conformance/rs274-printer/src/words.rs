@@ -1,6 +1,6 @@
 //! The words of a block, and how far it has come.
 
-use gaugeblock_interpreter::BlockBegun;
+use gaugeblock_interpreter::BlockStart;
 use gaugeblock_vocabulary::Position;
 
 use super::codes::{WORK_OFFSETS, system_of};
@@ -19,7 +19,7 @@ pub(super) struct Words {
 
 impl Words {
     /// Takes over the words of a block that begins.
-    pub(super) fn take(&mut self, begun: &BlockBegun<'_>) {
+    pub(super) fn take(&mut self, begun: &BlockStart<'_>) {
         self.g.clear();
         self.g.extend_from_slice(begun.g());
         self.m.clear();

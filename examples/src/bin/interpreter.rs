@@ -52,7 +52,7 @@ fn main() -> Result<(), Error> {
     let end = loop {
         match interpreter.run(&mut source, &mut Printer, 10)? {
             Progress::Ended(end) => break end,
-            Progress::More | Progress::Stopped | Progress::Broken => {}
+            Progress::More | Progress::Stopped | Progress::Aborted => {}
         }
     };
     println!("{}: x={}", end.name(), interpreter.machine_point().x);

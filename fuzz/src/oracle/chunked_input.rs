@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use gaugeblock_interpreter::{
-    BlockDone, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, Unreadable,
+    BlockEnd, Interpreter, Limits, Memory, Progress, Reply, Sink, Source, SourceError,
 };
 use gaugeblock_vocabulary::{Effect, Scenario, Settings};
 
@@ -55,7 +55,7 @@ fn told(scenario: &Scenario, source: &mut impl Source, at_a_time: u64) -> String
     let end = loop {
         match interpreter.run(source, &mut log, at_a_time) {
             Ok(Progress::More) if log.blocks < log.most => {}
-            Ok(Progress::More | Progress::Stopped | Progress::Broken) => return log.text,
+            Ok(Progress::More | Progress::Stopped | Progress::Aborted) => return log.text,
             Ok(Progress::Ended(end)) => break format!("{end:?}"),
             Err(error) => break format!("{error:?}"),
         }
@@ -84,7 +84,7 @@ impl Sink for Log {
         if matches!(effect, Effect::WaitInput { .. }) { Reply::Input(1.0) } else { Reply::Done }
     }
 
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
         self.blocks = self.blocks.saturating_add(1);
         if self.blocks <= self.most {
             let state = done.state();
@@ -101,7 +101,7 @@ struct Pieces<'a> {
 }
 
 impl Source for Pieces<'_> {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         let size = self.sizes.get(self.turn % self.sizes.len().max(1)).copied().unwrap_or(1);
         let text = self.inner.text()?;
         Ok(text.get(..size).unwrap_or(text))
@@ -112,12 +112,12 @@ impl Source for Pieces<'_> {
         self.inner.consume(bytes);
     }
 
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         self.turn += 1;
         self.inner.rewind(offset)
     }
 
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, name: &str) -> Result<bool, SourceError> {
         self.inner.open(name)
     }
 

@@ -6,7 +6,7 @@ use core::fmt;
 use gaugeblock_vocabulary::{BlockLocation, Fault};
 
 use crate::limits::Limit;
-use crate::source::Unreadable;
+use crate::source::SourceError;
 
 /// Why the interpreter does not go on.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub enum Error {
         block: BlockLocation,
     },
     /// The source could not be read.
-    Unreadable(Unreadable),
+    Source(SourceError),
     /// A value of the machine or of the options is not usable; which and why, for people.
     Configuration(&'static str),
 }
@@ -32,7 +32,7 @@ impl Error {
         let block = match self {
             Self::Fault(fault) => fault.block.as_ref()?,
             Self::LimitExceeded { block, .. } => block,
-            Self::Unreadable(_) | Self::Configuration(_) => return None,
+            Self::Source(_) | Self::Configuration(_) => return None,
         };
         Some((&block.file, block.line))
     }
@@ -46,7 +46,7 @@ impl fmt::Display for Error {
                 None => f.write_str(&fault.message),
             },
             Self::LimitExceeded { limit, block } => write!(f, "{block}: too many {limit}"),
-            Self::Unreadable(unreadable) => {
+            Self::Source(unreadable) => {
                 write!(f, "{}: {}", unreadable.file, unreadable.message)
             }
             Self::Configuration(what) => f.write_str(what),
@@ -56,8 +56,8 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-impl From<Unreadable> for Error {
-    fn from(unreadable: Unreadable) -> Self {
-        Self::Unreadable(unreadable)
+impl From<SourceError> for Error {
+    fn from(unreadable: SourceError) -> Self {
+        Self::Source(unreadable)
     }
 }

@@ -10,9 +10,9 @@ use gaugeblock_vocabulary::{
     Settings, Tool,
 };
 
+use crate::block_end::BlockKind;
 use crate::canon::Sink;
 use crate::control::{Calculator, Cursor, LOOP, Logs, Reader, STREAM, Scopes};
-use crate::done::Executed;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
@@ -98,14 +98,14 @@ pub struct Interpreter {
     /// Open log files.
     pub(crate) logs: Logs,
     /// The block of words that is not finished: where it stands, its line, and what kind it is.
-    pub(crate) unfinished: Option<(Cursor, u32, Executed)>,
+    pub(crate) unfinished: Option<(Cursor, u32, BlockKind)>,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
 
 /// Reusable memory for parameters, and the documents' options as read: making it costs more than a few blocks.
 #[derive(Debug, Default)]
-pub struct Room(Option<(Numbered, Readings)>);
+pub struct Scratch(Option<(Numbered, Readings)>);
 
 /// Where a numbered subprogram begins.
 #[derive(Clone, Copy, Debug)]
@@ -125,8 +125,8 @@ pub enum Progress {
     More,
     /// The sink asked to stop, within the last block; the next step goes on from there.
     Stopped,
-    /// The sink broke the last block off ([`Reply::Broken`](crate::Reply::Broken)).
-    Broken,
+    /// The sink broke the last block off ([`Reply::Aborted`](crate::Reply::Aborted)).
+    Aborted,
     /// The program is over. A refused block is an [`Error::Fault`] and not an end.
     Ended(End),
 }
@@ -137,20 +137,20 @@ impl Interpreter {
     /// # Errors
     /// [`Error::Configuration`]: an option that its choice does not have, or a machine that cannot be.
     pub fn new(machine: Machine, options: Options, limits: Limits) -> Result<Self, Error> {
-        Self::with_room(machine, options, limits, Room::default())
+        Self::with_scratch(machine, options, limits, Scratch::default())
     }
 
     /// The same, in the room of an interpreter that is not needed any more: for whoever runs many short programs.
     ///
     /// # Errors
     /// As for [`Self::new`].
-    pub fn with_room(
+    pub fn with_scratch(
         machine: Machine,
         options: Options,
         limits: Limits,
-        room: Room,
+        scratch: Scratch,
     ) -> Result<Self, Error> {
-        let (numbered, readings) = room.0.unzip();
+        let (numbered, readings) = scratch.0.unzip();
         let readings = match readings.filter(|readings| *readings.options() == options) {
             Some(readings) => readings,
             None => Readings::of(options)?,
@@ -201,10 +201,10 @@ impl Interpreter {
     }
 
     /// Its room, for another interpreter. Nothing of what it knows goes with it.
-    pub fn into_room(self) -> Room {
+    pub fn into_scratch(self) -> Scratch {
         let mut numbered = self.parameters.numbered;
         numbered.clear();
-        Room(Some((numbered, self.readings)))
+        Scratch(Some((numbered, self.readings)))
     }
 
     /// Sets whether blocks that begin with a slash are skipped, for the next program; the default is no.
@@ -214,8 +214,8 @@ impl Interpreter {
 
     /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
     /// they are none.
-    pub fn set_comments_told(&mut self, told: bool) {
-        self.packer.comments_told = told;
+    pub fn set_report_comments(&mut self, told: bool) {
+        self.packer.report_comments = told;
     }
 
     /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
@@ -227,12 +227,12 @@ impl Interpreter {
     /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points
     /// only, which the module `quirks` lists. Off unless this is called before the program begins, with all that is
     /// stored: also what is not persistent is taken over.
-    pub fn imitate(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
-        self.packer.imitates = true;
+    pub fn emulate_rs274(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
+        self.packer.emulates_rs274 = true;
         for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
             self.parameters.numbered.set(number, value);
         }
-        self.modal.imitate();
+        self.modal.emulate_rs274();
     }
 
     /// Reads and executes one block, or a part of one: a canned cycle that is long takes more steps than one. An
@@ -266,7 +266,7 @@ impl Interpreter {
         for _ in 0..blocks {
             match self.one(source, sink) {
                 Ok(Progress::More) => {}
-                Ok(progress @ (Progress::Stopped | Progress::Broken)) => return Ok(progress),
+                Ok(progress @ (Progress::Stopped | Progress::Aborted)) => return Ok(progress),
                 Ok(Progress::Ended(end)) => {
                     self.ended = Some(Ok(end.clone()));
                     return Ok(Progress::Ended(end));
@@ -338,7 +338,7 @@ impl Interpreter {
 
     /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one
     /// after the outermost call. What a refused block has done already stays done.
-    pub fn pass_refused(&mut self) {
+    pub fn skip_faulted_block(&mut self) {
         if let Some(frame) = self.scopes.frames.first() {
             self.cursor = frame.back;
             self.leave_calls();
@@ -351,7 +351,7 @@ impl Interpreter {
     /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The
     /// states that are saved at the level of the main program stay; what the last program has defined is forgotten.
     /// The source holds that one line.
-    pub fn begin_by_hand(&mut self, file: &str, number: u32) {
+    pub fn begin_mdi(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
         self.percent = Some(false);
@@ -365,7 +365,7 @@ impl Interpreter {
     }
 
     /// Whether what it executes was entered by hand.
-    pub(crate) fn is_by_hand(&self) -> bool {
+    pub(crate) fn is_mdi(&self) -> bool {
         self.files.first().is_some_and(|main| main != Program::MAIN)
     }
 
@@ -447,7 +447,7 @@ impl Interpreter {
         self.modal.read_ahead();
     }
 
-    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::Ahead`](crate::Reply::Ahead) has begun: the point
+    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun: the point
     /// stands where it stood, and the tools are those that the machine has.
     pub fn stand(&mut self) {
         self.modal.stand(&mut self.parameters.numbered);

@@ -69,10 +69,10 @@
 
 extern crate alloc;
 
-mod begun;
+mod block_end;
+mod block_start;
 mod canon;
 mod control;
-mod done;
 mod error;
 #[cfg(feature = "faults")]
 pub mod faults;
@@ -89,7 +89,7 @@ mod parameters;
 mod part;
 #[cfg(feature = "path")]
 pub mod path;
-mod probing;
+mod probe_move;
 mod quirks;
 mod readings;
 mod source;
@@ -99,12 +99,12 @@ pub mod task;
 mod tests;
 mod words;
 
-pub use begun::BlockBegun;
+pub use block_end::{BlockEnd, BlockKind};
+pub use block_start::BlockStart;
 pub use canon::{Reply, Sink};
-pub use done::{BlockDone, Executed};
 pub use error::Error;
-pub use interpret::{Interpreter, Progress, Room};
+pub use interpret::{Interpreter, Progress, Scratch};
 pub use limits::{Limit, Limits};
 pub use parameters::ItemName;
-pub use probing::Probing;
-pub use source::{Memory, Source, Unreadable};
+pub use probe_move::ProbeMove;
+pub use source::{Memory, Source, SourceError};

@@ -16,7 +16,7 @@ pub trait Source {
     ///
     /// # Errors
     /// The file cannot be read on.
-    fn text(&mut self) -> Result<&[u8], Unreadable>;
+    fn text(&mut self) -> Result<&[u8], SourceError>;
 
     /// Moves on by so many bytes of what [`Self::text`] gave.
     fn consume(&mut self, bytes: usize);
@@ -28,7 +28,7 @@ pub trait Source {
     ///
     /// # Errors
     /// The file cannot be read any more.
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable>;
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError>;
 
     /// Opens a subroutine file for reading; `false` where there is none of this name.
     ///
@@ -37,7 +37,7 @@ pub trait Source {
     ///
     /// # Errors
     /// The file is there but cannot be read.
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable>;
+    fn open(&mut self, name: &str) -> Result<bool, SourceError>;
 
     /// Closes the innermost open subroutine file; reading goes on in the one before it.
     fn close(&mut self);
@@ -45,7 +45,7 @@ pub trait Source {
 
 /// Why a source could not be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unreadable {
+pub struct SourceError {
     /// File name as the program or the caller calls it.
     pub file: String,
     /// For people.
@@ -59,7 +59,7 @@ pub struct Unreadable {
 ///
 /// let mut source = Memory::new("G1 X1 F100\nM2\n").with_file("probe.ngc", "o<probe> sub\no<probe> endsub\nM2\n");
 /// assert!(source.open("probe.ngc")?);
-/// # Ok::<(), gaugeblock_interpreter::Unreadable>(())
+/// # Ok::<(), gaugeblock_interpreter::SourceError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Memory<'a> {
@@ -90,7 +90,7 @@ impl<'a> Memory<'a> {
 }
 
 impl Source for Memory<'_> {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         let (text, at) = match self.open.last() {
             Some((name, at)) => (self.files.get(name), *at),
             None => (Some(&self.main), self.at),
@@ -106,7 +106,7 @@ impl Source for Memory<'_> {
         *at = at.saturating_add(bytes);
     }
 
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         let at = match self.open.last_mut() {
             Some((_, at)) => at,
             None => &mut self.at,
@@ -115,7 +115,7 @@ impl Source for Memory<'_> {
         Ok(true)
     }
 
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, name: &str) -> Result<bool, SourceError> {
         let there = self.files.contains_key(name);
         if there {
             self.open.push((name.into(), 0));

@@ -33,7 +33,7 @@ impl Sink for Recorder {
         Reply::Done
     }
 
-    fn macro_step(&mut self, done: &MacroStep<'_>) {
+    fn end_macro_step(&mut self, done: &MacroStep<'_>) {
         let events = std::mem::take(&mut self.events);
         let block = BlockLocation::new(Program::MAIN, done.line());
         self.steps.push(Step { block, events, state: Some(State::Nct(state(done))) });

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_interpreter::Probing;
+use gaugeblock_interpreter::ProbeMove;
 use gaugeblock_interpreter::task::{ExternalOperation, Input, OperationState, WaitEvent};
 use gaugeblock_vocabulary::scenario::{
     Action, Environment, Folder, OrientAnswer, ProbeContact, UserProgram,
@@ -196,7 +196,7 @@ impl<'a> Outside<'a> {
     ///
     /// # Errors
     /// It is as it is to become before it moves.
-    pub(super) fn probe(&mut self, probing: &Probing) -> Result<Option<Position>, FaultKind> {
+    pub(super) fn probe(&mut self, probing: &ProbeMove) -> Result<Option<Position>, FaultKind> {
         let (from, to) = (probing.from(), probing.to());
         let touches_here = match self.probed {
             Some((place, touches)) if is_same(place, from) => touches,

@@ -1,7 +1,7 @@
 //! A post-processor's run: a step at a time, under the budget, written down as its sink is told of it.
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_interpreter::gpp::{NotCompiled, PostProcessor, StatementDone, TOOLPATH};
+use gaugeblock_interpreter::gpp::{NotCompiled, PostProcessor, StatementEnd, TOOLPATH};
 use gaugeblock_interpreter::{Reply, Sink};
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, Effect, End, Event, GppState, Language, Outcome, Scenario, Settings,
@@ -25,7 +25,7 @@ impl Sink for Recorder {
         Reply::Done
     }
 
-    fn statement_done(&mut self, done: &StatementDone<'_>) {
+    fn end_statement(&mut self, done: &StatementEnd<'_>) {
         let events = std::mem::take(&mut self.events);
         self.effects += events.len();
         let block = BlockLocation::new(done.file(), done.line());
@@ -35,7 +35,7 @@ impl Sink for Recorder {
 }
 
 /// What a step has made of the variables.
-fn state(done: &StatementDone<'_>) -> GppState {
+fn state(done: &StatementEnd<'_>) -> GppState {
     let mut state = GppState::default();
     for change in done.changes() {
         let name = change.name.to_string();

@@ -7,7 +7,7 @@ use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_interpreter::task::{
     ExternalOperation, Input, MDI_FILE, Machine, OperationState, WaitEvent,
 };
-use gaugeblock_interpreter::{BlockDone, Executed, Interpreter, Probing, Reply, Sink};
+use gaugeblock_interpreter::{BlockEnd, BlockKind, Interpreter, ProbeMove, Reply, Sink};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
     BlockLocation, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program,
@@ -191,7 +191,7 @@ impl<'a> Recorder<'a> {
 
     /// What changed since a state was recorded last. After a call or return the level is recorded anew, and with it
     /// the local named parameters that exist.
-    fn changes(&mut self, done: &BlockDone<'_>) -> Rs274State {
+    fn changes(&mut self, done: &BlockEnd<'_>) -> Rs274State {
         if std::mem::take(&mut self.elsewhere) {
             self.state.call_level = None;
             self.named.retain(|name, _| !is_local_name(name));
@@ -231,7 +231,7 @@ impl Sink for Recorder<'_> {
         Reply::Done
     }
 
-    fn probe(&mut self, _line: u32, effect: &Effect, probing: &Probing) -> Reply {
+    fn probe(&mut self, _line: u32, effect: &Effect, probing: &ProbeMove) -> Reply {
         let found = match self.outside.probe(probing) {
             Ok(found) => found,
             Err(kind) => return Reply::Failed(kind),
@@ -251,7 +251,7 @@ impl Sink for Recorder<'_> {
         Reply::Contact(touched)
     }
 
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
         if self.effects > self.most_effects {
             self.over = true;
             return;
@@ -260,20 +260,20 @@ impl Sink for Recorder<'_> {
         done.take_numbered(|number, value| {
             written.insert(number, value);
         });
-        let with_state = match done.executed() {
-            Executed::Words => true,
+        let with_state = match done.kind() {
+            BlockKind::Words => true,
             // A comment that says nothing is no block.
-            Executed::Comment if self.events.is_empty() => return,
-            Executed::Comment => true,
-            Executed::End => {
+            BlockKind::Comment if self.events.is_empty() => return,
+            BlockKind::Comment => true,
+            BlockKind::End => {
                 self.elsewhere |= self.state.call_level != Some(0);
                 true
             }
-            Executed::OWord => false,
-            Executed::Call
-            | Executed::Return
-            | Executed::NumberedCall
-            | Executed::NumberedReturn => {
+            BlockKind::OWord => false,
+            BlockKind::Call
+            | BlockKind::Return
+            | BlockKind::NumberedCall
+            | BlockKind::NumberedReturn => {
                 self.elsewhere = true;
                 false
             }

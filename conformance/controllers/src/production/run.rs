@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_interpreter::task::{Deadlock, IdleRequest, MDI_FILE, StepResult, Task};
-use gaugeblock_interpreter::{Error, Interpreter, Limits, Memory, Room};
+use gaugeblock_interpreter::{Error, Interpreter, Limits, Memory, Scratch};
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
@@ -15,7 +15,7 @@ use super::recorder::Recorder;
 
 thread_local! {
     /// What the run before has left for the next one.
-    static ROOM: Cell<Room> = Cell::default();
+    static SCRATCH: Cell<Scratch> = Cell::default();
 }
 
 /// A controller that runs a scenario.
@@ -31,12 +31,12 @@ struct Run<'a> {
 pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     let (machine, options) = (scenario.machine.clone(), scenario.options.clone());
     let not_run = |error: Error| HarnessError::NotRun(error.to_string());
-    let (limits, room) = (Limits::default(), ROOM.take());
+    let (limits, scratch) = (Limits::default(), SCRATCH.take());
     let mut interpreter =
-        Box::new(Interpreter::with_room(machine, options, limits, room).map_err(not_run)?);
+        Box::new(Interpreter::with_scratch(machine, options, limits, scratch).map_err(not_run)?);
     interpreter.set_block_delete(scenario.program.block_delete);
     // Somebody may act at a line that holds a comment only.
-    interpreter.set_comments_told(!scenario.operator.is_empty());
+    interpreter.set_report_comments(!scenario.operator.is_empty());
     let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario);
     let task = Task::new(interpreter, recorder);
     let mut run = Run { scenario, task };
@@ -50,7 +50,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     // With the run every call is over.
     interpreter.begin();
     let parameters = interpreter.parameters().into_iter().collect();
-    ROOM.set(interpreter.into_room());
+    SCRATCH.set(interpreter.into_scratch());
     let whole = recorder.is_whole();
     let mut outcome = recorder.outcome(end, parameters);
     if !whole && outcome.end == (End::BudgetExhausted { bound: Bound::Effects }) {
@@ -198,7 +198,7 @@ impl Run<'_> {
             Err(Error::LimitExceeded { limit, block }) => {
                 End::Unsupported { block, what: format!("so many {limit}") }
             }
-            Err(error @ (Error::Unreadable(_) | Error::Configuration(_))) => {
+            Err(error @ (Error::Source(_) | Error::Configuration(_))) => {
                 return Err(HarnessError::NotRun(error.to_string()));
             }
         };

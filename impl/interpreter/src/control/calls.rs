@@ -2,10 +2,10 @@
 
 use gaugeblock_vocabulary::{End, FaultKind};
 
+use crate::block_end::BlockKind;
 use crate::canon::Sink;
 use crate::control::flow::{Halt, refuse};
 use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
-use crate::done::Executed;
 use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
@@ -118,7 +118,7 @@ impl Interpreter {
         self.values(at, block, oword)?;
         let entry = Cursor { segment, place: 0 };
         self.enter(entry, FrameKind::Sub, label)?;
-        if self.packer.imitates {
+        if self.packer.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
         let first = if planted(Fault::ArgumentsShifted) { 2 } else { 1_u32 };
@@ -134,7 +134,7 @@ impl Interpreter {
     #[cold]
     fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, Halt> {
         let mixed = "this number begins a numbered program, which M98 calls";
-        if self.is_by_hand() && self.former_subs.contains(&label) {
+        if self.is_mdi() && self.former_subs.contains(&label) {
             let why = "whether the subs of a program that has ended can be called by hand";
             return Err(Halt::Refusal(Refusal::Unspecified(why.into())));
         }
@@ -238,14 +238,14 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        let (executed, result) = if self.words.has_m(98) {
-            (Executed::NumberedCall, self.call_numbered(at, block, source))
+        let (kind, result) = if self.words.has_m(98) {
+            (BlockKind::NumberedCall, self.call_numbered(at, block, source))
         } else {
-            (Executed::NumberedReturn, self.return_numbered(block, sink))
+            (BlockKind::NumberedReturn, self.return_numbered(block, sink))
         };
         match result {
             Ok(progress) => {
-                self.done(at, block.line, executed, sink);
+                self.report_block_end(at, block.line, kind, sink);
                 Ok(progress)
             }
             Err(Halt::Refusal(refusal)) => self.take_back(at, block.line, refusal),

@@ -7,11 +7,11 @@
 
 use alloc::vec::Vec;
 
+use crate::block_end::BlockKind;
 use crate::canon::Sink;
 use crate::control::evaluate::Setting;
 use crate::control::reader::first_of;
 use crate::control::{Cursor, operand};
-use crate::done::Executed;
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
@@ -54,7 +54,7 @@ impl Interpreter {
             if self.percent.is_none() {
                 self.percent = Some(false);
             }
-            if !bare || self.packer.comments_told {
+            if !bare || self.packer.report_comments {
                 break;
             }
         }
@@ -74,7 +74,7 @@ impl Interpreter {
         }
         match flow {
             Ok(flow) => self
-                .after_words((Cursor::MAIN, line), Executed::Words, flow, source, sink)
+                .after_words((Cursor::MAIN, line), BlockKind::Words, flow, source, sink)
                 .map(Some),
             Err(refusal) => self.take_back(Cursor::MAIN, line, refusal).map(Some),
         }

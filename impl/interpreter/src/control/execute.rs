@@ -2,9 +2,9 @@
 
 use gaugeblock_vocabulary::{End, FaultKind, Program};
 
+use crate::block_end::{BlockEnd, BlockKind};
 use crate::canon::Sink;
 use crate::control::{Cursor, LOOP, STREAM, View};
-use crate::done::{BlockDone, Executed};
 use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
@@ -62,7 +62,7 @@ impl Interpreter {
                 }
                 Kind::Definition { label, segment } => {
                     self.define_sub(at, &block, label, segment)?;
-                    self.done(at, block.line, Executed::OWord, sink);
+                    self.report_block_end(at, block.line, BlockKind::OWord, sink);
                     Ok(Progress::More)
                 }
                 Kind::Percent => {
@@ -84,8 +84,8 @@ impl Interpreter {
     ) -> Result<Progress, Error> {
         match self.evaluate_plain(at, block, sink) {
             Ok(Some(flow)) => {
-                let executed = if block.bare { Executed::Comment } else { Executed::Words };
-                self.after_words((at, block.line), executed, flow, source, sink)
+                let kind = if block.bare { BlockKind::Comment } else { BlockKind::Words };
+                self.after_words((at, block.line), kind, flow, source, sink)
             }
             Ok(None) => self.numbered_call(at, block, source, sink),
             Err(refusal) => self.take_back(at, block.line, refusal),
@@ -97,7 +97,7 @@ impl Interpreter {
     pub(crate) fn after_words<S: Source, K: Sink>(
         &mut self,
         (at, line): (Cursor, u32),
-        executed: Executed,
+        kind: BlockKind,
         flow: Flow,
         source: &mut S,
         sink: &mut K,
@@ -106,12 +106,12 @@ impl Interpreter {
             Flow::More => Progress::More,
             Flow::Stopped => Progress::Stopped,
             Flow::Within { stopped } => {
-                self.unfinished = Some((at, line, executed));
+                self.unfinished = Some((at, line, kind));
                 return Ok(if stopped { Progress::Stopped } else { Progress::More });
             }
             Flow::Ended => return self.program_end(at, line, source, sink),
         };
-        self.done(at, line, executed, sink);
+        self.report_block_end(at, line, kind, sink);
         Ok(progress)
     }
 
@@ -119,12 +119,12 @@ impl Interpreter {
     #[inline(never)]
     fn go_on<S: Source, K: Sink>(
         &mut self,
-        (at, line, executed): (Cursor, u32, Executed),
+        (at, line, kind): (Cursor, u32, BlockKind),
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
         match self.modal.go_on(&mut self.parameters.numbered, sink) {
-            Ok(flow) => self.after_words((at, line), executed, flow, source, sink),
+            Ok(flow) => self.after_words((at, line), kind, flow, source, sink),
             Err(refusal) => self.refuse(at, line, refusal),
         }
     }
@@ -209,7 +209,7 @@ impl Interpreter {
             }
         }
         self.leave_calls();
-        self.done(at, line, Executed::End, sink);
+        self.report_block_end(at, line, BlockKind::End, sink);
         Ok(Progress::Ended(End::ProgramEnd))
     }
 
@@ -281,19 +281,19 @@ impl Interpreter {
 
     /// Tells the sink that a block is done.
     #[inline]
-    pub(crate) fn done<K: Sink>(
+    pub(crate) fn report_block_end<K: Sink>(
         &mut self,
         at: Cursor,
         line: u32,
-        executed: Executed,
+        kind: BlockKind,
         sink: &mut K,
     ) {
         let file = segment(&self.segments, at.segment).map_or(0, |code| code.file);
         let file = usize::try_from(file).ok().and_then(|file| self.files.get(file));
-        sink.block_done(&mut BlockDone {
+        sink.end_block(&mut BlockEnd {
             file: file.map_or(Program::MAIN, |file| file),
             line,
-            executed,
+            kind,
             parameters: &mut self.parameters,
             modal: &self.modal,
             names: &self.packer.names,

@@ -72,7 +72,7 @@ impl Interpreter {
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
                             if found.is_some() || other != label {
-                                if self.packer.imitates {
+                                if self.packer.emulates_rs274 {
                                     continue;
                                 }
                                 return refuse(

@@ -2,10 +2,10 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::block_end::BlockKind;
 use crate::canon::Sink;
 use crate::control::seek::Wanted;
 use crate::control::{Cursor, Definition, FrameKind, STREAM};
-use crate::done::Executed;
 use crate::error::Error;
 use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
@@ -54,16 +54,16 @@ impl Interpreter {
         if at.segment == STREAM {
             self.check_labels()?;
         }
-        let mut executed = Executed::OWord;
+        let mut kind = BlockKind::OWord;
         let result = match (self.label(at, block, oword), oword.keyword) {
             (Err(refusal), _) => Err(refusal.into()),
             (Ok(label), Keyword::Sub) => self.sub(at, block, label, source),
             (Ok(label), Keyword::EndSub | Keyword::Return) => {
-                executed = Executed::Return;
+                kind = BlockKind::Return;
                 self.leave_sub(at, block, oword, label, sink)
             }
             (Ok(label), Keyword::Call) => {
-                executed = Executed::Call;
+                kind = BlockKind::Call;
                 self.call(at, block, oword, label, source)
             }
             (Ok(_), Keyword::Program) => self.program(),
@@ -71,7 +71,7 @@ impl Interpreter {
         };
         match result {
             Ok(()) => {
-                self.done(at, block.line, executed, sink);
+                self.report_block_end(at, block.line, kind, sink);
                 Ok(Progress::More)
             }
             Err(Halt::Refusal(refusal)) => self.refuse(at, block.line, refusal),

@@ -148,7 +148,7 @@ impl Interpreter {
                 let end = |keyword| keyword == Keyword::EndWhile;
                 return self.leave(at, block, label, end, source);
             }
-            if self.packer.imitates {
+            if self.packer.emulates_rs274 {
                 let wanted = Wanted { label, accept: |keyword| keyword == Keyword::EndWhile };
                 self.seek(at, block.line, wanted, source)?;
             }

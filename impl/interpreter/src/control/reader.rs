@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::source::{Source, Unreadable};
+use crate::source::{Source, SourceError};
 use crate::syntax::LinePlace;
 
 /// Most bytes of a line that are kept: one character of up to four bytes more than the longest line of the documents
@@ -69,7 +69,7 @@ impl Reader {
         &mut self,
         source: &mut S,
         place: LinePlace,
-    ) -> Result<bool, Unreadable> {
+    ) -> Result<bool, SourceError> {
         let done = source.rewind(place.offset)?;
         if done {
             self.place = place;
@@ -84,7 +84,7 @@ impl Reader {
         &mut self,
         source: &mut S,
         show: impl FnOnce(&[u8], LinePlace) -> T,
-    ) -> Result<Option<T>, Unreadable> {
+    ) -> Result<Option<T>, SourceError> {
         if self.after_return {
             self.finish_line_end(source)?;
         }
@@ -107,7 +107,7 @@ impl Reader {
 
     /// Steps over a line feed that belongs to the carriage return before it.
     #[cold]
-    fn finish_line_end<S: Source>(&mut self, source: &mut S) -> Result<(), Unreadable> {
+    fn finish_line_end<S: Source>(&mut self, source: &mut S) -> Result<(), SourceError> {
         self.after_return = false;
         if source.text()?.first() == Some(&b'\n') {
             self.consume(source, 1);
@@ -127,7 +127,7 @@ impl Reader {
         &mut self,
         source: &mut S,
         show: impl FnOnce(&[u8], LinePlace) -> T,
-    ) -> Result<Option<T>, Unreadable> {
+    ) -> Result<Option<T>, SourceError> {
         let began = self.place;
         self.line.clear();
         let mut any = false;

@@ -47,7 +47,7 @@ impl Interpreter {
                 let message = "the probe did not change".into();
                 Err(self.fault(at.segment, line, FaultKind::Probe, message, None))
             }
-            Refusal::Broken => Ok(Progress::Broken),
+            Refusal::Aborted => Ok(Progress::Aborted),
         }
     }
 

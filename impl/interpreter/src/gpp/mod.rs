@@ -21,7 +21,6 @@ mod calculate;
 mod choices;
 mod compile;
 mod declare;
-mod done;
 mod expressions;
 mod formats;
 mod lexer;
@@ -29,6 +28,7 @@ mod print;
 mod program;
 mod run;
 mod runner;
+mod statement_end;
 mod statements;
 mod structures;
 #[cfg(test)]
@@ -47,11 +47,11 @@ use crate::canon::Sink;
 use crate::error::Error;
 use choices::Choices;
 use compile::Stop;
-use done::File;
 use runner::{Line, Runner};
+use statement_end::File;
 use toolpath::Toolpath;
 
-pub use done::{StatementDone, TOOLPATH};
+pub use statement_end::{StatementEnd, TOOLPATH};
 pub use variables::{Change, Name};
 
 /// Why there is nothing to run.
@@ -77,7 +77,7 @@ impl core::error::Error for NotCompiled {}
 /// A program of a post-processor, compiled, and where it stands.
 ///
 /// ```
-/// use gaugeblock_interpreter::gpp::{PostProcessor, StatementDone};
+/// use gaugeblock_interpreter::gpp::{PostProcessor, StatementEnd};
 /// use gaugeblock_interpreter::{Reply, Sink};
 /// use gaugeblock_vocabulary::{Effect, Options, Settings};
 ///

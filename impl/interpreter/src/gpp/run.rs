@@ -8,9 +8,9 @@ use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::{Refused, Stack, too_long};
 use super::choices::AssignedAgain;
-use super::done::{File, StatementDone};
 use super::program::{Part, Place, Source, Statement, Target, Test};
 use super::runner::{Next, Runner};
+use super::statement_end::{File, StatementEnd};
 use super::toolpath::Value;
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -63,7 +63,7 @@ impl Runner {
                 let (line, text) = warning.map_or((0, ""), |(line, text)| (*line, text.as_str()));
                 tell(sink, line, format!("warning: {text}"));
                 self.next = Next::Warning(place.saturating_add(1));
-                sink.statement_done(&StatementDone::of_warning(line));
+                sink.end_statement(&StatementEnd::of_warning(line));
                 return Ok(1);
             }
             Next::Line(place) => {
@@ -88,7 +88,7 @@ impl Runner {
             Next::Over => return Ok(0),
         };
         let is_first = !core::mem::replace(&mut self.has_shown, true);
-        sink.statement_done(&StatementDone::new(file, line, &self.variables, is_first));
+        sink.end_statement(&StatementEnd::new(file, line, &self.variables, is_first));
         let set = u64::try_from(self.variables.set_in_step()).unwrap_or(u64::MAX);
         Ok(set.saturating_add(self.printed).saturating_add(1))
     }

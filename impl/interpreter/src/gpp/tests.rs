@@ -28,7 +28,7 @@ impl Sink for Recorder {
         Reply::Done
     }
 
-    fn statement_done(&mut self, done: &StatementDone<'_>) {
+    fn end_statement(&mut self, done: &StatementEnd<'_>) {
         for change in done.changes() {
             self.told.push(alloc::format!("{} {:?} {:?}", change.name, change.text, change.on));
         }

@@ -175,7 +175,7 @@ impl Modal {
                 LengthUnit::Millimetre => 0.001,
             };
         }
-        if self.imitates {
+        if self.emulates_rs274 {
             tolerances.of_larger = true;
             tolerances.least = quirks::arc_least_radius(self.in_force.now().units);
             (tolerances.fine, tolerances.coarse) =
@@ -184,7 +184,7 @@ impl Modal {
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;
             let slack = if half_circle { tolerances.radius } else { 0.0 };
-            radius_centre(words, &plane, counterclockwise, (slack, self.imitates))?
+            radius_centre(words, &plane, counterclockwise, (slack, self.emulates_rs274))?
         } else {
             self.offset_centre(words, &plane, &tolerances)?
         };
@@ -275,7 +275,7 @@ fn radius_centre(
     words: &Words,
     plane: &ArcPlane,
     counterclockwise: bool,
-    (slack, imitates): (f64, bool),
+    (slack, emulates_rs274): (f64, bool),
 ) -> Result<InPlane, Refusal> {
     if words.present & (I | J | K) != 0 {
         return refuse(FaultKind::UnusedWord, "offsets of an arc with R");
@@ -289,7 +289,7 @@ fn radius_centre(
         // The centre of a counterclockwise arc below half a circle is on the left of the chord.
         left: counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius)),
         slack,
-        imitates,
+        emulates_rs274,
     };
     wanted.centre(plane.start, plane.end)
 }
@@ -302,7 +302,7 @@ struct Wanted {
     left: bool,
     /// By how much the radius may be too small.
     slack: f64,
-    imitates: bool,
+    emulates_rs274: bool,
 }
 
 impl Wanted {
@@ -331,7 +331,7 @@ impl Wanted {
     /// How far the centre is from the chord, on the left of it.
     #[inline]
     fn on_its_side(&self, height: f64) -> f64 {
-        let least = if self.imitates { quirks::ARC_HEIGHT * self.radius } else { 0.0 };
+        let least = if self.emulates_rs274 { quirks::ARC_HEIGHT * self.radius } else { 0.0 };
         let height = height.max(least);
         if self.left { height } else { -height }
     }

@@ -88,11 +88,11 @@ impl Modal {
         if let Some(code) = implied.and_then(g_code) {
             taken.add(&code);
         }
-        if self.imitates && block.m().any(|(_, code)| code == 19) {
+        if self.emulates_rs274 && block.m().any(|(_, code)| code == 19) {
             // Quirks rs274.orient-without-angle and rs274.orient-without-timeout.
             taken.needs = 0;
         }
-        if self.imitates {
+        if self.emulates_rs274 {
             let motion = block.g(MOTION).or(implied);
             taken.uses |= quirks::ignored(words, block.g(COMPENSATION), motion);
         }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
 
-use crate::begun::BlockBegun;
+use crate::block_start::BlockStart;
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
@@ -28,7 +28,7 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
-        sink.block_begun(&BlockBegun { words, numbered });
+        sink.start_block(&BlockStart { words, numbered });
         if self.is_straight(words) {
             return self.straight_block(words, sink);
         }
@@ -142,11 +142,11 @@ impl Modal {
                 self.in_force.set_feed_rate(rate);
                 refuse(kind, "refused from outside")
             }
-            Reply::Broken => {
+            Reply::Aborted => {
                 (self.motion, self.position, _) = before;
-                Err(Refusal::Broken)
+                Err(Refusal::Aborted)
             }
-            Reply::Ahead => {
+            Reply::ReadOnly => {
                 self.read_ahead_from(before.1);
                 Ok(Flow::More)
             }
@@ -326,8 +326,8 @@ impl Modal {
         match sink.perform(line, effect) {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
-            Reply::Broken => return Err(Refusal::Broken),
-            Reply::Ahead => self.read_ahead_from(self.position),
+            Reply::Aborted => return Err(Refusal::Aborted),
+            Reply::ReadOnly => self.read_ahead_from(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
@@ -344,7 +344,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let is_ahead = self.stands.is_some();
         let done = self.perform(line, effect, sink);
-        if matches!(done, Err(Refusal::Broken)) {
+        if matches!(done, Err(Refusal::Aborted)) {
             self.position = start;
         } else if self.stands.is_some() && !is_ahead {
             self.stands = None;
@@ -365,8 +365,8 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
-            Reply::Broken => return Err(Refusal::Broken),
-            Reply::Ahead => self.read_ahead_from(self.position),
+            Reply::Aborted => return Err(Refusal::Aborted),
+            Reply::ReadOnly => self.read_ahead_from(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

@@ -57,7 +57,7 @@ impl Modal {
             stop_asked: false,
             axes: axis_letters(&machine.axes),
             velocities: velocities(machine),
-            imitates: false,
+            emulates_rs274: false,
             cycle_dwell: 0.0,
             spindles: u32::from(machine.spindles),
             digital_io: i32::from(machine.digital_io),
@@ -75,8 +75,8 @@ impl Modal {
     }
 
     /// Does as `rs274` from the start on: the point where the machine stands is one without the stored rotation.
-    pub(crate) fn imitate(&mut self) {
-        self.imitates = true;
+    pub(crate) fn emulate_rs274(&mut self) {
+        self.emulates_rs274 = true;
         let now = *self.in_force.now();
         self.position = Modes { rotation: 0.0, ..now }.program_of(Coordinates::default());
     }

@@ -34,7 +34,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let mode = self.motion;
         let moved = self.whole_motion(block, numbered, sink);
-        if matches!(moved, Err(Refusal::Broken)) {
+        if matches!(moved, Err(Refusal::Aborted)) {
             self.motion = mode;
         }
         moved

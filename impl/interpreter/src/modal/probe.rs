@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Compensation, Effect, FaultKind};
 use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};
 use crate::parameters::Numbered;
-use crate::probing::Probing;
+use crate::probe_move::ProbeMove;
 use crate::words::Words;
 
 use super::Modal;
@@ -38,7 +38,7 @@ impl Modal {
         let effect = Effect::StraightProbe { end: end.position(), contact: None };
         let now = *self.in_force.now();
         let to_stored = self.active_to_stored();
-        let probing = Probing {
+        let probing = ProbeMove {
             toward: matches!(code, 382 | 383) || planted(Fault::TowardOnly),
             from: now.machine_of(self.position).converted(to_stored),
             to: now.machine_of(end).converted(to_stored),
@@ -51,7 +51,7 @@ impl Modal {
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
-            Reply::Broken | Reply::Ahead => return Err(Refusal::Broken),
+            Reply::Aborted | Reply::ReadOnly => return Err(Refusal::Aborted),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         let contact = if let Reply::Contact(Some(contact)) = reply { Some(contact) } else { None };

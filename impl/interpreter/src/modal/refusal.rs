@@ -32,13 +32,13 @@ pub(crate) enum Refusal {
     /// Its probe has moved and found nothing: what it did before stays.
     Missed,
     /// It was broken off from outside: what it did before stays.
-    Broken,
+    Aborted,
 }
 
 impl Refusal {
     /// Whether the block has done nothing.
     pub(crate) fn undoes(&self) -> bool {
-        !matches!(self, Self::Missed | Self::Broken)
+        !matches!(self, Self::Missed | Self::Aborted)
     }
 
     /// A refusal by the documents. It is cold: a program is refused once.

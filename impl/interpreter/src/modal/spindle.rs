@@ -107,14 +107,14 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let words = block.words;
         let (angle, timeout) = (words.get(b'R').unwrap_or(0.0), words.get(b'Q').unwrap_or(0.0));
-        let turns = !self.imitates || words.get(b'R').is_some() || words.get(b'P').is_some();
-        let waits = !self.imitates || words.get(b'Q').is_some();
+        let turns = !self.emulates_rs274 || words.get(b'R').is_some() || words.get(b'P').is_some();
+        let waits = !self.emulates_rs274 || words.get(b'Q').is_some();
         let refused = planted(Fault::FullTurnRefused) && angle >= 360.0;
         if refused || !(0.0..=360.0).contains(&angle) {
             return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
         }
         // rs274 has begun to turn when it looks at Q.
-        if !self.imitates {
+        if !self.emulates_rs274 {
             self.check_orient_timeout(timeout)?;
         }
         let direction = match words.get(b'P').map_or(Ok(0), |p| integer(p, "P"))? {
@@ -134,7 +134,7 @@ impl Modal {
         for spindle in spindles_of(which).filter(|_| turns) {
             self.perform(words.line, &Effect::OrientSpindle { spindle, angle, direction }, sink)?;
         }
-        if waits && self.imitates {
+        if waits && self.emulates_rs274 {
             self.check_orient_timeout(timeout)?;
         }
         for spindle in spindles_of(which).filter(|_| waits) {

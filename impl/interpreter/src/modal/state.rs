@@ -61,7 +61,7 @@ pub(crate) struct Modal {
     /// Highest velocity of each axis, machine unit per second; infinite where none is given.
     pub(super) velocities: Coordinates,
     /// Whether quirks of `rs274` are imitated.
-    pub(crate) imitates: bool,
+    pub(crate) emulates_rs274: bool,
     /// P of the last cycle that had one, seconds.
     pub(super) cycle_dwell: f64,
     /// Number of spindles.

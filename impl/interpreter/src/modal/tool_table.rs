@@ -22,7 +22,7 @@ const FIXTURE: u32 = 9;
 impl Modal {
     /// Whether G10 is L0, beside which an axis word has no use (11.5.12); rs274 accepts it.
     pub(super) fn refuses_axes_of_reload(&self, words: &Words) -> bool {
-        !self.imitates && words.get(b'L').and_then(math::near_integer) == Some(0)
+        !self.emulates_rs274 && words.get(b'L').and_then(math::near_integer) == Some(0)
     }
 
     /// G10 L0. What a program writes is in the table at once, so that it reads what is there.

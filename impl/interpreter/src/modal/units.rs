@@ -104,7 +104,7 @@ impl Modal {
 
     /// G98, G99.
     pub(super) fn select_retract(&mut self, code: u16) -> Result<(), Refusal> {
-        if self.imitates {
+        if self.emulates_rs274 {
             self.refuse_under_compensation("a return mode is selected")?;
         }
         let retract = if code == 980 { ReturnMode::OldZ } else { ReturnMode::RPlane };
@@ -114,7 +114,7 @@ impl Modal {
 
     /// G61, G61.1, G64. Q needs P, and is P where it is not given (11.5.37).
     pub(super) fn path(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
-        if self.imitates {
+        if self.emulates_rs274 {
             self.refuse_under_compensation("a path control mode is selected")?;
         }
         if code != 640 {

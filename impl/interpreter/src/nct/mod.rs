@@ -25,10 +25,10 @@ mod calls;
 mod choices;
 mod codes;
 mod compile;
-mod done;
 mod execute;
 mod expressions;
 mod frames;
+mod macro_step;
 mod modes;
 mod program;
 mod run;
@@ -49,7 +49,7 @@ use choices::Choices;
 use program::Stop;
 use run::{Flow, Runner};
 
-pub use done::MacroStep;
+pub use macro_step::MacroStep;
 pub use variables::VariableChange;
 
 /// A program with custom macros, compiled, and where it stands.
@@ -153,7 +153,7 @@ impl CustomMacros {
         for effect in effects {
             sink.perform(line, effect);
         }
-        sink.macro_step(&MacroStep { line, variables, told });
+        sink.end_macro_step(&MacroStep { line, variables, told });
     }
 }
 

@@ -37,7 +37,7 @@ impl Sink for Recorder {
         Reply::Done
     }
 
-    fn macro_step(&mut self, done: &MacroStep<'_>) {
+    fn end_macro_step(&mut self, done: &MacroStep<'_>) {
         self.steps += 1;
         self.level = done.level();
         for change in done.variables().filter(|change| change.level == Some(0)) {

@@ -58,7 +58,7 @@ impl Packer {
             return Taken::Nothing;
         }
         let alone = cursor.is_at_end();
-        if alone && !(slash && self.comments_told) {
+        if alone && !(slash && self.report_comments) {
             return Taken::Nothing;
         }
         let first = u32::try_from(into.ops.len()).unwrap_or(NONE);
@@ -82,7 +82,7 @@ impl Packer {
             block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
             into.refusals.push(*refused);
         }
-        if block.bare && block.comment == NONE && block.refused == NONE && !self.comments_told {
+        if block.bare && block.comment == NONE && block.refused == NONE && !self.report_comments {
             return Taken::Nothing;
         }
         block.end = u32::try_from(into.ops.len()).unwrap_or(NONE);
@@ -135,7 +135,7 @@ impl Packer {
         if line.len() <= longest {
             return line;
         }
-        let begins = |(_, byte): &(usize, &u8)| self.imitates || !matches!(byte, 0x80..=0xbf);
+        let begins = |(_, byte): &(usize, &u8)| self.emulates_rs274 || !matches!(byte, 0x80..=0xbf);
         let behind = line.iter().enumerate().filter(begins).nth(longest);
         line.get(..behind.map_or(line.len(), |(at, _)| at)).unwrap_or(line)
     }
@@ -250,7 +250,7 @@ impl Packer {
         self.value(cursor, into, self.bracket_depth)?;
         let bit = 1_u32.wrapping_shl(u32::from(place));
         let polar = matches!(op, Op::At | Op::Caret);
-        if items.letters & bit != 0 && !(polar && self.imitates) {
+        if items.letters & bit != 0 && !(polar && self.emulates_rs274) {
             return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word stands twice");
         }
         items.letters |= bit;

@@ -237,7 +237,7 @@ impl Packer {
         if !cursor.take(b'[') || cursor.peek() != b'#' {
             return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
         }
-        if self.imitates && !cursor.rest().starts_with(b"#<") {
+        if self.emulates_rs274 && !cursor.rest().starts_with(b"#<") {
             return self.numbered_exists(cursor, into);
         }
         if !cursor.take(b'#') || cursor.peek() != b'<' {

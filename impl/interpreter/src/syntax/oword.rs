@@ -53,7 +53,7 @@ impl Packer {
         oword.keyword = keyword(cursor);
         block.kind = Kind::Control(oword);
         if oword.keyword == Keyword::Unknown {
-            if named && !self.imitates || !matches!(cursor.peek(), 0 | b'(' | b';') {
+            if named && !self.emulates_rs274 || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             oword.keyword = Keyword::Program;

@@ -29,9 +29,9 @@ pub(crate) struct Packer {
     /// Whether blocks that begin with a slash are skipped.
     pub(crate) block_delete: bool,
     /// Whether a line that holds a plain comment only is a block, which does nothing.
-    pub(crate) comments_told: bool,
+    pub(crate) report_comments: bool,
     /// Whether quirks of `rs274` are imitated.
-    pub(crate) imitates: bool,
+    pub(crate) emulates_rs274: bool,
     /// Whether the label of an o-word is being read.
     pub(crate) in_label: bool,
     /// The bound that the line just packed goes beyond.
@@ -61,8 +61,8 @@ impl Packer {
             items_enabled: enables(machine, "[RS274NGC]HAL_PIN_VARS"),
             choices,
             block_delete: false,
-            comments_told: false,
-            imitates: false,
+            report_comments: false,
+            emulates_rs274: false,
             in_label: false,
             beyond: None,
             most_names: limits.named_parameters,

@@ -66,7 +66,7 @@ impl Packer {
                 into.ops.push(op);
                 return Ok(Place::Indirect);
             }
-            b'a'..=b'z' if self.imitates || self.choices.function_number => {
+            b'a'..=b'z' if self.emulates_rs274 || self.choices.function_number => {
                 self.value(cursor, into, depth)?;
             }
             _ => return cursor.refuse(FaultKind::BadExpression, "a parameter number is missing"),
@@ -77,7 +77,7 @@ impl Packer {
         into.ops.pop();
         match parameter_number(number) {
             Ok(number) => Ok(Place::Numbered(number)),
-            Err(_) if self.in_label || !self.imitates => {
+            Err(_) if self.in_label || !self.emulates_rs274 => {
                 // Whether its value is ever asked for is not known yet; and an o-word is there all the same.
                 into.ops.push(Op::Number(number));
                 Ok(Place::Indirect)

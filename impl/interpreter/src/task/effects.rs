@@ -3,17 +3,17 @@
 
 use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 
-use crate::begun::BlockBegun;
+use crate::block_end::BlockEnd;
+use crate::block_start::BlockStart;
 use crate::canon::{Reply, Sink};
-use crate::done::BlockDone;
 use crate::faults::{Fault, planted};
-use crate::probing::Probing;
+use crate::probe_move::ProbeMove;
 
 use super::machine::{ExternalOperation, Machine};
 use super::motion_hold::{Motion, motion_of};
 use super::pins::bit;
 use super::state::{AbortCause, Pause, RunKind, TaskState};
-use super::waits::Broken;
+use super::waits::Aborted;
 
 impl<M: Machine> TaskState<M> {
     /// Performs a move: it begins when nothing holds it, and with it outputs change.
@@ -24,7 +24,7 @@ impl<M: Machine> TaskState<M> {
             }
         }
         let reply = perform(&mut self.machine);
-        if !matches!(reply, Reply::Failed(_) | Reply::Broken | Reply::Ahead) {
+        if !matches!(reply, Reply::Failed(_) | Reply::Aborted | Reply::ReadOnly) {
             let digital = self.digital.begin_motion();
             if self.analog.begin_motion() || digital {
                 self.update_pins();
@@ -41,9 +41,9 @@ impl<M: Machine> TaskState<M> {
             && self.run_kind == RunKind::Program
         {
             self.reading_ahead = true;
-            return Reply::Ahead;
+            return Reply::ReadOnly;
         }
-        Reply::Broken
+        Reply::Aborted
     }
 
     /// M0, M1, M60 (11.6.2, 11.6.4).
@@ -72,7 +72,7 @@ impl<M: Machine> TaskState<M> {
     /// The documents leave open what follows.
     pub(super) fn leave_unspecified(&mut self, why: &'static str) -> Reply {
         self.abort_cause = Some(AbortCause::Unspecified(why));
-        Reply::Broken
+        Reply::Aborted
     }
 
     /// M6: where a person changes tools, that person is asked first.
@@ -90,21 +90,23 @@ impl<M: Machine> TaskState<M> {
     /// An effect that is over when the outside says so.
     fn perform_operation(&mut self, effect: &Effect, operation: ExternalOperation) -> Reply {
         let reply = self.machine.perform(self.line, effect);
-        if matches!(reply, Reply::Failed(_) | Reply::Broken) {
+        if matches!(reply, Reply::Failed(_) | Reply::Aborted) {
             return reply;
         }
         match self.wait_for(operation, None) {
             Ok(Reply::Done) => reply,
             Ok(other) => other,
-            Err(Broken) if operation == ExternalOperation::ToolChange => self.abort_waiting_reply(),
-            Err(Broken) => self.abort_reply(),
+            Err(Aborted) if operation == ExternalOperation::ToolChange => {
+                self.abort_waiting_reply()
+            }
+            Err(Aborted) => self.abort_reply(),
         }
     }
 
     /// What is answered to an effect for whose outcome the interpreter waits (9.6.17.4), where it was broken off.
     pub(super) fn abort_waiting_reply(&mut self) -> Reply {
         self.aborted_waiting = true;
-        Reply::Broken
+        Reply::Aborted
     }
 
     /// An effect that is no motion.
@@ -118,7 +120,7 @@ impl<M: Machine> TaskState<M> {
                 let reply = self.machine.perform(self.line, effect);
                 match self.dwell(*seconds) {
                     Ok(()) => reply,
-                    Err(Broken) => self.abort_reply(),
+                    Err(Aborted) => self.abort_reply(),
                 }
             }
             Effect::Stop { optional } => self.stop(*optional, effect),
@@ -213,23 +215,23 @@ impl<M: Machine> Sink for TaskState<M> {
         }
     }
 
-    fn probe(&mut self, line: u32, effect: &Effect, probing: &Probing) -> Reply {
+    fn probe(&mut self, line: u32, effect: &Effect, probing: &ProbeMove) -> Reply {
         if self.reading_ahead {
             return self.abort_waiting_reply();
         }
         self.line = line;
         let reply = self.perform_move(Motion::Feed, |machine| machine.probe(line, effect, probing));
         self.aborted_waiting = self.abort_cause.is_some();
-        if self.aborted_waiting { Reply::Broken } else { reply }
+        if self.aborted_waiting { Reply::Aborted } else { reply }
     }
 
-    fn block_begun(&mut self, begun: &BlockBegun<'_>) {
+    fn start_block(&mut self, begun: &BlockStart<'_>) {
         if !self.reading_ahead {
-            self.machine.block_begun(begun);
+            self.machine.start_block(begun);
         }
     }
 
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
         if core::mem::take(&mut self.items_changed) {
             done.set_items(&self.items);
         }
@@ -238,6 +240,6 @@ impl<M: Machine> Sink for TaskState<M> {
         }
         self.within_block = false;
         self.call_level = done.call_level();
-        self.machine.block_done(done);
+        self.machine.end_block(done);
     }
 }

@@ -36,7 +36,7 @@ pub trait Machine: Sink {
         let _nothing = value;
     }
 
-    /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::block_done`] is
+    /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::end_block`] is
     /// not called for it.
     fn discard_block(&mut self) {}
 

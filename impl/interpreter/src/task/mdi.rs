@@ -1,6 +1,6 @@
 //! A block that is entered by hand, as a source of one line; subs come from where the program's do.
 
-use crate::source::{Source, Unreadable};
+use crate::source::{Source, SourceError};
 
 /// One line, and the files behind it.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ impl<'a, S: Source> MdiSource<'a, S> {
 }
 
 impl<S: Source> Source for MdiSource<'_, S> {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         if self.open != 0 {
             return self.files.text();
         }
@@ -40,7 +40,7 @@ impl<S: Source> Source for MdiSource<'_, S> {
         }
     }
 
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         if self.open != 0 {
             return self.files.rewind(offset);
         }
@@ -48,7 +48,7 @@ impl<S: Source> Source for MdiSource<'_, S> {
         Ok(true)
     }
 
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, name: &str) -> Result<bool, SourceError> {
         let opened = self.files.open(name)?;
         self.open = self.open.saturating_add(u32::from(opened));
         Ok(opened)

@@ -219,7 +219,7 @@ impl<M: Machine> Task<M> {
         }
         match progress {
             Ok(Progress::More | Progress::Stopped) => Ok(StepResult::More),
-            Ok(Progress::Broken) => self.finish_abort(source),
+            Ok(Progress::Aborted) => self.finish_abort(source),
             Ok(Progress::Ended(end)) => {
                 if matches!(end, End::ProgramEnd | End::PercentEnd) {
                     self.state.end_program();
@@ -275,7 +275,7 @@ impl<M: Machine> Task<M> {
     /// Begins a block by hand.
     fn begin_mdi(&mut self, number: u32) {
         self.state.change_mode(ControllerMode::Mdi);
-        self.interpreter.begin_by_hand(MDI_FILE, number);
+        self.interpreter.begin_mdi(MDI_FILE, number);
         self.state.begin(RunKind::Mdi);
         self.interpreter.set_items(&self.state.items);
     }
@@ -369,7 +369,7 @@ impl<M: Machine> Task<M> {
         for _ in 0..self.interpreter.limits.blocks_ahead {
             match self.interpreter.step(source, &mut self.state) {
                 Ok(Progress::More | Progress::Stopped) => {}
-                Ok(Progress::Broken | Progress::Ended(_)) | Err(_) => return Ok(()),
+                Ok(Progress::Aborted | Progress::Ended(_)) | Err(_) => return Ok(()),
             }
         }
         Err(Error::LimitExceeded { limit: Limit::BlocksAhead, block: self.interpreter.block() })

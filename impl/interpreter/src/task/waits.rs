@@ -14,7 +14,7 @@ const TIMED_OUT: f64 = -1.0;
 
 /// The block was broken off while it waited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Broken;
+pub(super) struct Aborted;
 
 /// Why a wait is over for now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ enum WakeReason {
 
 impl<M: Machine> TaskState<M> {
     /// Waits once. A wait for nothing that will ever come is broken off as stuck.
-    fn wait_once(&mut self, until: Option<f64>, deadlock: Deadlock) -> Result<WakeReason, Broken> {
+    fn wait_once(&mut self, until: Option<f64>, deadlock: Deadlock) -> Result<WakeReason, Aborted> {
         let event = self.machine.wait(until);
         if event == WaitEvent::Changed {
             self.lock_oriented_spindles();
@@ -45,7 +45,7 @@ impl<M: Machine> TaskState<M> {
                     self.handle_request(action);
                 }
                 if self.abort_cause.is_some() {
-                    return Err(Broken);
+                    return Err(Aborted);
                 }
                 self.lock_oriented_spindles();
                 Ok(WakeReason::Changed)
@@ -53,7 +53,7 @@ impl<M: Machine> TaskState<M> {
             WaitEvent::Never if until.is_some() => Ok(WakeReason::TimeReached),
             WaitEvent::Never => {
                 self.abort_cause = Some(AbortCause::Deadlock(deadlock));
-                Err(Broken)
+                Err(Aborted)
             }
         }
     }
@@ -79,13 +79,13 @@ impl<M: Machine> TaskState<M> {
     }
 
     /// Before a block: answers what was asked by now, and waits while the program is paused.
-    pub(super) fn wait_while_paused(&mut self) -> Result<(), Broken> {
+    pub(super) fn wait_while_paused(&mut self) -> Result<(), Aborted> {
         self.within_block = false;
         loop {
             if let Some(action) = self.machine.poll_request() {
                 self.handle_request(action);
                 if self.abort_cause.is_some() {
-                    return Err(Broken);
+                    return Err(Aborted);
                 }
             } else if self.pause.is_some() {
                 self.wait_for_resume()?;
@@ -96,12 +96,12 @@ impl<M: Machine> TaskState<M> {
     }
 
     /// Waits for something that lets the program or a move go on.
-    pub(super) fn wait_for_resume(&mut self) -> Result<(), Broken> {
+    pub(super) fn wait_for_resume(&mut self) -> Result<(), Aborted> {
         self.wait_once(None, Deadlock::Paused).map(|_| ())
     }
 
     /// Lets so many seconds of a dwell go by. Whether those of a pause are among them is a choice of the documents.
-    pub(super) fn dwell(&mut self, seconds: f64) -> Result<(), Broken> {
+    pub(super) fn dwell(&mut self, seconds: f64) -> Result<(), Aborted> {
         let mut until = self.machine.time() + seconds.max(0.0);
         while self.wait_once(Some(until), Deadlock::Waiting)? != WakeReason::TimeReached {
             let paused = self.machine.time();
@@ -112,7 +112,7 @@ impl<M: Machine> TaskState<M> {
     }
 
     /// A dwell of a paused program, where that makes it stand still.
-    pub(super) fn pause_dwell(&mut self) -> Result<(), Broken> {
+    pub(super) fn pause_dwell(&mut self) -> Result<(), Aborted> {
         while self.choices.pause_stops_dwell && self.pause.is_some() {
             self.wait_for_resume()?;
         }
@@ -124,7 +124,7 @@ impl<M: Machine> TaskState<M> {
         &mut self,
         operation: ExternalOperation,
         seconds: Option<f64>,
-    ) -> Result<Reply, Broken> {
+    ) -> Result<Reply, Aborted> {
         let until = seconds.map(|seconds| self.machine.time() + seconds);
         let mut is_late = false;
         loop {
@@ -151,7 +151,7 @@ impl<M: Machine> TaskState<M> {
             }
             Ok(Reply::Stop) => Reply::Failed(FaultKind::Orient),
             Ok(other) => other,
-            Err(Broken) => self.abort_reply(),
+            Err(Aborted) => self.abort_reply(),
         }
     }
 
@@ -183,7 +183,7 @@ impl<M: Machine> TaskState<M> {
         let wanted = matches!(mode, WaitMode::High | WaitMode::Rise);
         loop {
             match self.wait_once(until, Deadlock::Waiting) {
-                Err(Broken) => return self.abort_waiting_reply(),
+                Err(Aborted) => return self.abort_waiting_reply(),
                 Ok(WakeReason::TimeReached) => {
                     let value = if planted(Fault::TimeoutReadsZero) { 0.0 } else { TIMED_OUT };
                     return self.finish_input(value);

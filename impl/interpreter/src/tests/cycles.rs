@@ -66,7 +66,7 @@ fn effects(program: &str, every: usize, blocks: u64, calls: u32) -> (Vec<String>
             Ok(Progress::Ended(end)) => return (sink.effects, Some(end)),
             Ok(Progress::More | Progress::Stopped) => {}
             Err(Error::Fault(fault)) => return (alloc::vec![fault.message], None),
-            Ok(Progress::Broken) => panic!("nobody breaks it off"),
+            Ok(Progress::Aborted) => panic!("nobody breaks it off"),
             Err(error) => panic!("{error}"),
         }
     }

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::{FaultKind, Machine, Options};
 use proptest::prelude::*;
 
 use super::Recorder;
-use crate::{Error, Interpreter, Limits, Progress, Source, Unreadable};
+use crate::{Error, Interpreter, Limits, Progress, Source, SourceError};
 
 /// A source that gives so many bytes at a time.
 struct Pieces<'a> {
@@ -20,18 +20,18 @@ struct Pieces<'a> {
 }
 
 impl Source for Pieces<'_> {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         let rest = &self.text[self.at.min(self.text.len())..];
         Ok(&rest[..rest.len().min(self.piece)])
     }
     fn consume(&mut self, bytes: usize) {
         self.at += bytes;
     }
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         self.at = usize::try_from(offset).unwrap();
         Ok(true)
     }
-    fn open(&mut self, _name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, _name: &str) -> Result<bool, SourceError> {
         Ok(false)
     }
     fn close(&mut self) {}
@@ -196,7 +196,7 @@ proptest! {
         for _ in 0..60 {
             let before = state(&mut interpreter);
             match interpreter.step(&mut source, &mut Recorder::default()) {
-                Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
+                Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
                 // An unsuccessful probe has been made.
                 Err(Error::Fault(fault)) if fault.kind == Some(FaultKind::Probe) => break,
                 Err(_) | Ok(Progress::Ended(gaugeblock_vocabulary::End::Unsupported { .. })) => {

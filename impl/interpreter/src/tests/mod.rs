@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Rs274State, Settings};
 
-use crate::{BlockDone, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use crate::{BlockEnd, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
 
 /// Writes down what it hears.
 #[derive(Default)]
@@ -48,7 +48,7 @@ impl Sink for Recorder {
         Reply::Done
     }
 
-    fn block_done(&mut self, done: &mut BlockDone<'_>) {
+    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
         self.done.push((done.file().into(), done.line()));
         self.named = done.named().map(|(name, value)| (name.into(), value)).collect();
     }
@@ -91,7 +91,7 @@ impl Case<'_> {
         let end = loop {
             match interpreter.run(&mut source, &mut recorder, BLOCKS) {
                 Ok(Progress::More) => panic!("the program does not end"),
-                Ok(Progress::Stopped | Progress::Broken) => {}
+                Ok(Progress::Stopped | Progress::Aborted) => {}
                 Ok(Progress::Ended(end)) => break Ok(end),
                 Err(error) => break Err(error),
             }

@@ -6,7 +6,7 @@ use alloc::string::String;
 use gaugeblock_vocabulary::{Machine, Options};
 
 use super::{Case, Recorder, check, check_all};
-use crate::{Interpreter, Limits, Memory, Progress, Source, Unreadable};
+use crate::{Interpreter, Limits, Memory, Progress, Source, SourceError};
 
 #[test]
 fn the_manuals_example_gives_five_and_a_quarter() {
@@ -111,7 +111,7 @@ struct Counted<'a> {
 }
 
 impl Source for Counted<'_> {
-    fn text(&mut self) -> Result<&[u8], Unreadable> {
+    fn text(&mut self) -> Result<&[u8], SourceError> {
         self.memory.text()
     }
 
@@ -120,11 +120,11 @@ impl Source for Counted<'_> {
         self.memory.consume(bytes);
     }
 
-    fn rewind(&mut self, offset: u64) -> Result<bool, Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, SourceError> {
         self.memory.rewind(offset)
     }
 
-    fn open(&mut self, name: &str) -> Result<bool, Unreadable> {
+    fn open(&mut self, name: &str) -> Result<bool, SourceError> {
         self.memory.open(name)
     }
 

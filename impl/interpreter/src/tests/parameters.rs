@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{Machine, Options, Tool};
 
 use super::{Case, Recorder, check, check_all};
-use crate::{Interpreter, Limits, Memory, Room};
+use crate::{Interpreter, Limits, Memory, Scratch};
 
 #[test]
 fn settings_wait_for_the_whole_line() {
@@ -153,23 +153,23 @@ fn locals_belong_to_a_level() {
 
 #[test]
 fn nothing_is_left_in_room_that_was_used() {
-    let new = |room| {
+    let new = |scratch| {
         let parameters = [(5220, 2.0), (5241, 7.0)].into_iter().collect();
         let machine = Machine { parameters, ..Machine::default() };
         let (options, limits) = (Options::default(), Limits::default());
-        Interpreter::with_room(machine, options, limits, room).expect("a machine")
+        Interpreter::with_scratch(machine, options, limits, scratch).expect("a machine")
     };
     let all = |interpreter: &Interpreter| -> Vec<f64> {
         (0..=5602).map(|number| interpreter.parameters.numbered.get(number)).collect()
     };
-    let fresh = all(&new(Room::default()));
-    let mut used = new(Room::default());
+    let fresh = all(&new(Scratch::default()));
+    let mut used = new(Scratch::default());
     let program =
         "o1 sub\n#30=3 #5602=4 #5241=1\no1 endsub\n#1=1 #31=2\no1 call [7]\n#33=5 g9999\n";
     let ran = used.run(&mut Memory::new(program), &mut Recorder::default(), 100);
     assert!(ran.is_err(), "{ran:?}");
     assert_ne!(all(&used), fresh);
-    assert_eq!(all(&new(used.into_room())), fresh);
+    assert_eq!(all(&new(used.into_scratch())), fresh);
 }
 
 #[test]
@@ -178,16 +178,17 @@ fn options_are_not_those_of_room_that_was_used() {
     let of = |option: &str| -> Options {
         Options([("expressions.true-value".into(), option.into())].into_iter().collect())
     };
-    let mut room = Room::default();
+    let mut scratch = Scratch::default();
     for (option, truth) in [("minus-one", -1.0), ("one", 1.0), ("minus-one", -1.0)] {
         let mut interpreter =
-            Interpreter::with_room(machine.clone(), of(option), limits, room).expect("a machine");
+            Interpreter::with_scratch(machine.clone(), of(option), limits, scratch)
+                .expect("a machine");
         assert_eq!(*interpreter.options(), of(option));
         let mut program = Memory::new("#31=[1 eq 1]\nm2\n");
         let ran = interpreter.run(&mut program, &mut Recorder::default(), 100);
         assert!(ran.is_ok(), "{ran:?}");
         assert_eq!(interpreter.parameters().first(), Some(&(31, truth)), "{option}");
-        room = interpreter.into_room();
+        scratch = interpreter.into_scratch();
     }
 }
 

@@ -107,7 +107,7 @@ fn run(program: &[u8], chunk: usize) {
     for _ in 0..3 {
         match interpreter.run(&mut source, &mut recorder, 300) {
             Ok(Progress::Ended(_)) | Err(_) => break,
-            Ok(Progress::More | Progress::Stopped | Progress::Broken) => {}
+            Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
         }
     }
     interpreter.abort(&mut recorder);
@@ -123,18 +123,18 @@ struct Slow<'a> {
 }
 
 impl crate::Source for Slow<'_> {
-    fn text(&mut self) -> Result<&[u8], crate::Unreadable> {
+    fn text(&mut self) -> Result<&[u8], crate::SourceError> {
         let end = (self.at + self.chunk).min(self.text.len());
         Ok(&self.text[self.at.min(end)..end])
     }
     fn consume(&mut self, bytes: usize) {
         self.at += bytes;
     }
-    fn rewind(&mut self, offset: u64) -> Result<bool, crate::Unreadable> {
+    fn rewind(&mut self, offset: u64) -> Result<bool, crate::SourceError> {
         self.at = usize::try_from(offset).unwrap();
         Ok(true)
     }
-    fn open(&mut self, _name: &str) -> Result<bool, crate::Unreadable> {
+    fn open(&mut self, _name: &str) -> Result<bool, crate::SourceError> {
         Ok(false)
     }
     fn close(&mut self) {}

@@ -79,7 +79,7 @@ impl Modal {
         let axes = PlaneAxes::of(self.in_force.now().plane);
         let series = self.series.of_cycles(self.motion, self.position);
         let sticky = series.sticky(code).filter(|_| !planted(Fault::NothingSticky));
-        let tap = if self.imitates { self.cycle_dwell } else { 0.0 };
+        let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
         let numbers = Numbers::read(words, code, axes.normal, sticky, (&self.choices, tap))?;
         let mut levels = self.levels(&numbers, axes.normal, series.start());
         if code == 730 && !self.choices.break_returns {
@@ -147,7 +147,7 @@ impl Modal {
     fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
         let now = self.in_force.now();
         let (retract, bottom) = if self.is_incremental() {
-            let origin = if self.imitates { start } else { self.position };
+            let origin = if self.emulates_rs274 { start } else { self.position };
             let retract = origin.of_axis(normal) + numbers.retract;
             let from =
                 if planted(Fault::BottomFromPoint) { retract - numbers.retract } else { retract };

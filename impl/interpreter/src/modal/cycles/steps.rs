@@ -64,7 +64,7 @@ impl Modal {
         numbered: &mut Numbered,
     ) -> Result<Flow, Refusal> {
         match &flow {
-            Err(Refusal::Broken) => {
+            Err(Refusal::Aborted) => {
                 if self.unfinished.is_some() {
                     self.abandon();
                     self.motion = before.motion();
@@ -100,7 +100,7 @@ impl Modal {
                 Job::Drilling(drilling) => self.stroke(drilling, line, sink),
                 Job::Threading(threading) => self.pass(threading, line, sink),
             };
-            if matches!(over, Err(Refusal::Broken)) {
+            if matches!(over, Err(Refusal::Aborted)) {
                 self.unfinished = Some(unfinished);
             }
             if over? {

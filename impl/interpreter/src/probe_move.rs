@@ -6,7 +6,7 @@ use crate::modal::{Conversion, Coordinates, Modes};
 
 /// A straight probe that is about to be made (11.5.24).
 #[derive(Clone, Debug)]
-pub struct Probing {
+pub struct ProbeMove {
     pub(crate) toward: bool,
     pub(crate) from: Coordinates,
     pub(crate) to: Coordinates,
@@ -14,7 +14,7 @@ pub struct Probing {
     pub(crate) stored_to_active: Conversion,
 }
 
-impl Probing {
+impl ProbeMove {
     /// Whether the probe is to touch (G38.2, G38.3), and not to cease to.
     pub fn toward(&self) -> bool {
         self.toward

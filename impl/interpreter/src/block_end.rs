@@ -9,7 +9,7 @@ use crate::parameters::{Names, Parameters};
 
 /// What kind of block was executed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Executed {
+pub enum BlockKind {
     /// Words, settings of parameters, perhaps a comment beside them; a line number alone.
     Words,
     /// A comment that may act, and nothing else; one that had nothing to say did nothing.
@@ -29,16 +29,16 @@ pub enum Executed {
 }
 
 /// A block that was executed, and the state after it.
-pub struct BlockDone<'a> {
+pub struct BlockEnd<'a> {
     pub(crate) file: &'a str,
     pub(crate) line: u32,
-    pub(crate) executed: Executed,
+    pub(crate) kind: BlockKind,
     pub(crate) parameters: &'a mut Parameters,
     pub(crate) modal: &'a Modal,
     pub(crate) names: &'a Names,
 }
 
-impl BlockDone<'_> {
+impl BlockEnd<'_> {
     /// The file's name; `main.ngc` for the main program.
     pub fn file(&self) -> &str {
         self.file
@@ -50,8 +50,8 @@ impl BlockDone<'_> {
     }
 
     /// What kind of block it was.
-    pub fn executed(&self) -> Executed {
-        self.executed
+    pub fn kind(&self) -> BlockKind {
+        self.kind
     }
 
     /// Depth of calls after the block; 0 in the main program.
@@ -96,12 +96,12 @@ impl BlockDone<'_> {
     }
 }
 
-impl fmt::Debug for BlockDone<'_> {
+impl fmt::Debug for BlockEnd<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("BlockDone")
             .field("file", &self.file)
             .field("line", &self.line)
-            .field("executed", &self.executed)
+            .field("kind", &self.kind)
             .finish_non_exhaustive()
     }
 }

@@ -25,14 +25,14 @@ pub const TOOLPATH: &str = "toolpath";
 
 /// A step that was made, and what it made of the variables.
 #[derive(Clone, Copy, Debug)]
-pub struct StatementDone<'a> {
+pub struct StatementEnd<'a> {
     file: File,
     line: u32,
     variables: Option<&'a Variables>,
     is_first: bool,
 }
 
-impl<'a> StatementDone<'a> {
+impl<'a> StatementEnd<'a> {
     pub(super) fn of_warning(line: u32) -> Self {
         Self { file: File::Program, line, variables: None, is_first: false }
     }

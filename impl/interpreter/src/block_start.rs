@@ -8,12 +8,12 @@ use crate::words::Words;
 
 /// The words of a block that is about to be executed.
 #[derive(Clone, Copy, Debug)]
-pub struct BlockBegun<'a> {
+pub struct BlockStart<'a> {
     pub(crate) words: &'a Words,
     pub(crate) numbered: &'a Numbered,
 }
 
-impl BlockBegun<'_> {
+impl BlockStart<'_> {
     /// The line in its file, from 1.
     pub fn line(&self) -> u32 {
         self.words.line
