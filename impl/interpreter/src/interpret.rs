@@ -98,7 +98,7 @@ pub struct Interpreter {
     /// Open log files.
     pub(crate) logs: Logs,
     /// The block of words that is not finished: where it stands, its line, and what kind it is.
-    pub(crate) unfinished: Option<(Cursor, u32, BlockKind)>,
+    pub(crate) pending: Option<(Cursor, u32, BlockKind)>,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
@@ -195,7 +195,7 @@ impl Interpreter {
             former_subs: BTreeSet::new(),
             packed: 0,
             logs: Logs::default(),
-            unfinished: None,
+            pending: None,
             ended: None,
         })
     }
@@ -332,7 +332,7 @@ impl Interpreter {
         self.former_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
         self.packed = 0;
         self.parameters.numbered.end_notes();
-        self.unfinished = None;
+        self.pending = None;
         self.ended = None;
     }
 
@@ -371,13 +371,13 @@ impl Interpreter {
 
     /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
     pub fn needs_text(&self) -> bool {
-        self.cursor.segment == STREAM && !self.held && self.unfinished.is_none()
+        self.cursor.segment == STREAM && !self.held && self.pending.is_none()
     }
 
     /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
     /// run. The block is read and kept, no more: a caller that does not ask loses nothing.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
-        if self.ended.is_some() || self.unfinished.is_some() {
+        if self.ended.is_some() || self.pending.is_some() {
             return None;
         }
         if self.cursor.segment == LOOP && self.block_at(self.cursor).is_none() {
@@ -443,14 +443,14 @@ impl Interpreter {
 
     /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters,
     /// and not the machine.
-    pub fn read_ahead(&mut self) {
-        self.modal.read_ahead();
+    pub fn begin_read_ahead(&mut self) {
+        self.modal.begin_read_ahead();
     }
 
-    /// Ends reading ahead, which [`Self::read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun: the point
+    /// Ends reading ahead, which [`Self::begin_read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun: the point
     /// stands where it stood, and the tools are those that the machine has.
-    pub fn stand(&mut self) {
-        self.modal.stand(&mut self.parameters.numbered);
+    pub fn end_read_ahead(&mut self) {
+        self.modal.end_read_ahead(&mut self.parameters.numbered);
     }
 
     /// Depth of calls; 0 in the main program.

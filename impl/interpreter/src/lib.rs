@@ -80,13 +80,13 @@ pub mod faults;
 #[expect(unreachable_pub, reason = "who embeds the interpreter cannot plant faults")]
 mod faults;
 pub mod gpp;
+mod index_range;
 mod interpret;
 mod limits;
 mod math;
 mod modal;
 pub mod nct;
 mod parameters;
-mod part;
 #[cfg(feature = "path")]
 pub mod path;
 mod probe_move;

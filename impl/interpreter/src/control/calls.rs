@@ -248,9 +248,9 @@ impl Interpreter {
                 self.report_block_end(at, block.line, kind, sink);
                 Ok(progress)
             }
-            Err(Halt::Refusal(refusal)) => self.take_back(at, block.line, refusal),
+            Err(Halt::Refusal(refusal)) => self.roll_back(at, block.line, refusal),
             Err(Halt::Error(error)) => {
-                self.calculator.take_back(&mut self.parameters);
+                self.calculator.roll_back(&mut self.parameters);
                 Err(error)
             }
         }

@@ -76,7 +76,7 @@ impl Interpreter {
             Ok(flow) => self
                 .after_words((Cursor::MAIN, line), BlockKind::Words, flow, source, sink)
                 .map(Some),
-            Err(refusal) => self.take_back(Cursor::MAIN, line, refusal).map(Some),
+            Err(refusal) => self.roll_back(Cursor::MAIN, line, refusal).map(Some),
         }
     }
 }

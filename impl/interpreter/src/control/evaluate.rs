@@ -123,7 +123,7 @@ impl Calculator {
 
     /// Takes the settings back, in a block that is refused after all.
     #[cold]
-    pub(crate) fn take_back(&mut self, parameters: &mut Parameters) {
+    pub(crate) fn roll_back(&mut self, parameters: &mut Parameters) {
         if !self.applied {
             return;
         }
@@ -235,7 +235,7 @@ impl Calculator {
         words: &mut Words,
     ) -> Result<(), Refusal> {
         match *op {
-            Op::Mode(name) => self.stack.push(modal.named(name)),
+            Op::Mode(name) => self.stack.push(modal.predefined(name)),
             Op::Own(name) => self.stack.push(parameters.own(name)),
             Op::Negate => {
                 let value = self.pop();

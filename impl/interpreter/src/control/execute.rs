@@ -21,8 +21,8 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        if let Some(place) = self.unfinished.take() {
-            return self.go_on(place, source, sink);
+        if let Some(place) = self.pending.take() {
+            return self.resume_block(place, source, sink);
         }
         loop {
             let at = self.cursor;
@@ -88,7 +88,7 @@ impl Interpreter {
                 self.after_words((at, block.line), kind, flow, source, sink)
             }
             Ok(None) => self.numbered_call(at, block, source, sink),
-            Err(refusal) => self.take_back(at, block.line, refusal),
+            Err(refusal) => self.roll_back(at, block.line, refusal),
         }
     }
 
@@ -106,7 +106,7 @@ impl Interpreter {
             Flow::More => Progress::More,
             Flow::Stopped => Progress::Stopped,
             Flow::Within { stopped } => {
-                self.unfinished = Some((at, line, kind));
+                self.pending = Some((at, line, kind));
                 return Ok(if stopped { Progress::Stopped } else { Progress::More });
             }
             Flow::Ended => return self.program_end(at, line, source, sink),
@@ -117,13 +117,13 @@ impl Interpreter {
 
     /// Goes on within a block that is not finished.
     #[inline(never)]
-    fn go_on<S: Source, K: Sink>(
+    fn resume_block<S: Source, K: Sink>(
         &mut self,
         (at, line, kind): (Cursor, u32, BlockKind),
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        match self.modal.go_on(&mut self.parameters.numbered, sink) {
+        match self.modal.resume_block(&mut self.parameters.numbered, sink) {
             Ok(flow) => self.after_words((at, line), kind, flow, source, sink),
             Err(refusal) => self.refuse(at, line, refusal),
         }

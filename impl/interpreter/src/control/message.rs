@@ -117,7 +117,7 @@ impl View<'_> {
                     .map(|number| self.parameters.numbered(number, self.modal)),
                 Piece::Local(id) => self.parameters.named.local(id),
                 Piece::Global(id) => self.parameters.named.global(id),
-                Piece::Mode(name) => Some(self.modal.named(name)),
+                Piece::Mode(name) => Some(self.modal.predefined(name)),
                 Piece::Own(name) => Some(self.parameters.own(name)),
                 Piece::Constant(place) => usize::try_from(place)
                     .ok()

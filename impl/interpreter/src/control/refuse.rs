@@ -15,14 +15,14 @@ impl Interpreter {
     /// A block of words that is refused while it is executed: its settings of parameters are taken back, unless what
     /// it did stays.
     #[cold]
-    pub(crate) fn take_back(
+    pub(crate) fn roll_back(
         &mut self,
         at: Cursor,
         line: u32,
         refusal: Refusal,
     ) -> Result<Progress, Error> {
         if refusal.undoes() {
-            self.calculator.take_back(&mut self.parameters);
+            self.calculator.roll_back(&mut self.parameters);
         }
         self.refuse(at, line, refusal)
     }

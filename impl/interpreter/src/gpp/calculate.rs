@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{Format, REAL};
-use super::program::{Operation, Part, Place, Program, Source, Sum, Test};
+use super::program::{IndexRange, Operation, Place, Program, Source, Sum, Test};
 use super::variables::Variables;
 use super::words::Compare;
 use crate::faults::{Fault, planted};
@@ -36,7 +36,7 @@ pub(super) type Stack = alloc::vec::Vec<f64>;
 
 impl<'a> Calculator<'a> {
     /// The value of an expression.
-    pub(super) fn number(&self, part: Part, stack: &mut Stack) -> Result<f64, Refused> {
+    pub(super) fn number(&self, part: IndexRange, stack: &mut Stack) -> Result<f64, Refused> {
         let base = stack.len();
         for operation in part.of(&self.program.operations) {
             let value = match *operation {

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Stop, too_deep};
 use super::lexer::{self, Token};
-use super::program::{Operation, Part, Place, Sum};
+use super::program::{IndexRange, Operation, Place, Sum};
 use super::variables::Variable;
 use super::words::{self, Compare, Keyword};
 
@@ -192,7 +192,7 @@ impl Compiler<'_> {
         let from = self.program.operations.len();
         let node = self.sum(false)?;
         self.write(node)?;
-        let index = Part { from, to: self.program.operations.len() };
+        let index = IndexRange { from, to: self.program.operations.len() };
         self.expect("]")?;
         self.leave();
         Ok((Place::Member { variable, index }, is_text))

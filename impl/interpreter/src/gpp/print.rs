@@ -5,7 +5,7 @@ use alloc::format;
 use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::Refused;
-use super::program::{Item, Part, Place};
+use super::program::{IndexRange, Item, Place};
 use super::run::tell;
 use super::runner::{Printing, Runner};
 use crate::canon::Sink;
@@ -17,7 +17,7 @@ impl Runner {
     pub(super) fn print<S: Sink>(
         &mut self,
         (line, at): (u32, usize),
-        (items, is_output): (Part, bool),
+        (items, is_output): (IndexRange, bool),
         sink: &mut S,
     ) -> Result<bool, Refused> {
         let within = self.printing.waits;

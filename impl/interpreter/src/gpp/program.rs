@@ -3,7 +3,7 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-pub(super) use crate::part::Part;
+pub(super) use crate::index_range::IndexRange;
 
 use super::words::Compare;
 
@@ -33,18 +33,18 @@ pub(super) enum Statement {
     /// OUTPUT and PRINT.
     Print {
         line: u32,
-        items: Part,
+        items: IndexRange,
         is_output: bool,
     },
     Switch {
         line: u32,
         on: bool,
-        targets: Part,
+        targets: IndexRange,
     },
     /// Goes on elsewhere where the tests do not hold; warns where the variable of an `IF_SET` is not modal.
     Test {
         line: u32,
-        tests: Part,
+        tests: IndexRange,
         otherwise: usize,
         warns: bool,
     },
@@ -59,7 +59,7 @@ pub(super) enum Place {
     /// A slot.
     Alone(usize),
     /// A member of an array, by the variable and the expression of its index.
-    Member { variable: usize, index: Part },
+    Member { variable: usize, index: IndexRange },
 }
 
 /// Where a value comes from.
@@ -68,7 +68,7 @@ pub(super) enum Source {
     /// A place among the texts.
     Text(usize),
     Variable(Place),
-    Expression(Part),
+    Expression(IndexRange),
 }
 
 /// An operation of an expression, after its operands.

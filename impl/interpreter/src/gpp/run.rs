@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::calculate::{Refused, Stack, too_long};
 use super::choices::AssignedAgain;
-use super::program::{Part, Place, Source, Statement, Target, Test};
+use super::program::{IndexRange, Place, Source, Statement, Target, Test};
 use super::runner::{Next, Runner};
 use super::statement_end::{File, StatementEnd};
 use super::toolpath::Value;
@@ -237,7 +237,7 @@ impl Runner {
         Ok(())
     }
 
-    fn switch(&mut self, on: bool, targets: Part) -> Result<(), Refused> {
+    fn switch(&mut self, on: bool, targets: IndexRange) -> Result<(), Refused> {
         self.stack.clear();
         for place in targets.from..targets.to {
             match self.program.targets.get(place).copied() {
@@ -271,7 +271,7 @@ impl Runner {
     fn tests<S: Sink>(
         &mut self,
         line: u32,
-        tests: Part,
+        tests: IndexRange,
         warns: bool,
         sink: &mut S,
     ) -> Result<bool, Refused> {

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::calculate::{Calculator, Stack};
 use super::choices::Choices;
 use super::formats::Format;
-use super::program::{Part, Program, Statement};
+use super::program::{IndexRange, Program, Statement};
 use super::toolpath::{System, Value};
 use super::variables::Variables;
 
@@ -22,7 +22,7 @@ pub(super) struct Printing {
     /// Whether it has let the newline procedure run.
     pub(super) has_run: bool,
     /// The items that are left.
-    pub(super) items: Part,
+    pub(super) items: IndexRange,
     /// Slots that go off when it is done.
     pub(super) goes_off: Vec<usize>,
     /// The text of the item that let the newline procedure run.

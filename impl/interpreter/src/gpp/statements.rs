@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::compile::{Compiler, NO_STATEMENT, SYMBOLS, Stop, old_word};
 use super::expressions::{Node, WRONG_TYPE};
 use super::lexer::Token;
-use super::program::{Item, Part, Source, Statement, Target, Test};
+use super::program::{IndexRange, Item, Source, Statement, Target, Test};
 use super::words::{self, Compare, Keyword};
 
 impl Compiler<'_> {
@@ -42,7 +42,7 @@ impl Compiler<'_> {
             };
             self.program.items.push(item);
         }
-        let items = Part { from, to: self.program.items.len() };
+        let items = IndexRange { from, to: self.program.items.len() };
         let line = self.line;
         self.program.statements.push(Statement::Print { line, items, is_output });
         Ok(())
@@ -69,7 +69,7 @@ impl Compiler<'_> {
             };
             self.program.targets.push(target);
         }
-        let targets = Part { from, to: self.program.targets.len() };
+        let targets = IndexRange { from, to: self.program.targets.len() };
         if targets.from == targets.to {
             return Err(NO_STATEMENT);
         }
@@ -93,7 +93,7 @@ impl Compiler<'_> {
     }
 
     /// The tests of a condition in its parentheses, and whether what an `IF_SET` tests is not modal.
-    pub(super) fn condition(&mut self, keyword: Keyword) -> Result<(Part, bool), Stop> {
+    pub(super) fn condition(&mut self, keyword: Keyword) -> Result<(IndexRange, bool), Stop> {
         self.expect("(")?;
         let from = self.program.tests.len();
         let mut warns = false;
@@ -113,7 +113,7 @@ impl Compiler<'_> {
                 | Token::End => return Err(NO_STATEMENT),
             }
         }
-        Ok((Part { from, to: self.program.tests.len() }, warns))
+        Ok((IndexRange { from, to: self.program.tests.len() }, warns))
     }
 
     /// A test; whether it is the one of an `IF_SET`, of a variable that is not modal.
@@ -229,7 +229,7 @@ impl Compiler<'_> {
             Node::Variable { place, is_text } => Ok((Source::Variable(place), is_text)),
             Node::Number => {
                 let to = self.program.operations.len();
-                Ok((Source::Expression(Part { from, to }), false))
+                Ok((Source::Expression(IndexRange { from, to }), false))
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Statements by their keyword, and the structures that IF and REPEAT open.
 
 use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Opened, Stop, Structure, too_deep};
-use super::program::{Part, Statement};
+use super::program::{IndexRange, Statement};
 use super::words::Keyword;
 
 impl Compiler<'_> {
@@ -49,7 +49,7 @@ impl Compiler<'_> {
         self.opened.push(Opened { line: self.line, structure });
     }
 
-    fn test(&mut self, tests: Part, otherwise: usize, warns: bool) {
+    fn test(&mut self, tests: IndexRange, otherwise: usize, warns: bool) {
         let line = self.line;
         self.program.statements.push(Statement::Test { line, tests, otherwise, warns });
     }

@@ -14,8 +14,8 @@ use crate::words::Words;
 use super::Modal;
 use super::coordinates::Coordinates;
 use super::letters::{F, I, J, K, R, X, Y, Z};
+use super::mode_select::checked_feed;
 use super::refusal::{Flow, Refusal, refuse};
-use super::units::checked_feed;
 use super::values::integer_in;
 
 /// A point in the selected plane, or a distance in it: along the first and along the second axis.
@@ -137,7 +137,7 @@ impl Modal {
             Some(_) | None => self.motion,
         };
         let feed = if words.present & F != 0 { words.get(b'F') } else { None };
-        let rate_before = self.in_force.now().feed_rate;
+        let rate_before = self.active.now().feed_rate;
         let rate = feed.map_or(Ok(rate_before), checked_feed)?;
         if rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "an arc without a feed rate");
@@ -152,7 +152,7 @@ impl Modal {
             }
         };
         if feed.is_some() {
-            self.in_force.set_feed_rate(rate);
+            self.active.set_feed_rate(rate);
         }
         self.motion = motion;
         self.only_effect(words.line, before, &effect, sink)
@@ -168,18 +168,17 @@ impl Modal {
     ) -> Result<Effect, Refusal> {
         let plane = self.arc_plane(start)?;
         let counterclockwise = motion == Motion::ArcCounterclockwise;
-        let mut tolerances = Tolerances::of(self.in_force.now().units);
+        let mut tolerances = Tolerances::of(self.active.now().units);
         if self.choices.arc_fine_tolerance {
-            tolerances.fine = match self.in_force.now().units {
+            tolerances.fine = match self.active.now().units {
                 LengthUnit::Inch => 0.0001,
                 LengthUnit::Millimetre => 0.001,
             };
         }
         if self.emulates_rs274 {
             tolerances.of_larger = true;
-            tolerances.least = quirks::arc_least_radius(self.in_force.now().units);
-            (tolerances.fine, tolerances.coarse) =
-                quirks::arc_tolerances(self.in_force.now().units);
+            tolerances.least = quirks::arc_least_radius(self.active.now().units);
+            (tolerances.fine, tolerances.coarse) = quirks::arc_tolerances(self.active.now().units);
         }
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;
@@ -209,7 +208,7 @@ impl Modal {
         let x = Along { offset: b'I', offset_word: I, axis_word: X, start: x, end: end_x };
         let y = Along { offset: b'J', offset_word: J, axis_word: Y, start: y, end: end_y };
         let z = Along { offset: b'K', offset_word: K, axis_word: Z, start: z, end: end_z };
-        let (first, second) = match self.in_force.now().plane {
+        let (first, second) = match self.active.now().plane {
             Plane::Xy => (x, y),
             Plane::Zx => (z, x),
             Plane::Yz => (y, z),
@@ -242,12 +241,12 @@ impl Modal {
             return refuse(FaultKind::MissingWord, "an arc without offsets and without R");
         }
         let diameter =
-            self.choices.arc_centre_diameter && self.in_force.now().lathe == Lathe::Diameter;
+            self.choices.arc_centre_diameter && self.active.now().lathe == Lathe::Diameter;
         let [first, second] = plane.offsets.map(|letter| {
             let offset = words.get(letter).unwrap_or(0.0);
             if diameter && letter == b'I' { offset / 2.0 } else { offset }
         });
-        let centre = match self.in_force.now().arc_distance {
+        let centre = match self.active.now().arc_distance {
             Distance::Absolute if given != plane.offset_words => {
                 return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
             }

@@ -13,11 +13,11 @@ impl Modal {
     pub(super) fn compensation(&mut self, words: &Words, code: u16) -> Result<(), Refusal> {
         if code == 400 {
             self.compensation_radius = 0.0;
-            self.in_force.put(|modes| &mut modes.compensation, Compensation::Off);
+            self.active.put(|modes| &mut modes.compensation, Compensation::Off);
             return Ok(());
         }
         self.refuse_under_compensation("cutter compensation")?;
-        let plane = self.in_force.now().plane;
+        let plane = self.active.now().plane;
         if !matches!(plane, Plane::Xy | Plane::Zx) {
             return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY and ZX");
         }
@@ -42,7 +42,7 @@ impl Modal {
             411 => Compensation::DynamicLeft,
             _ => Compensation::DynamicRight,
         };
-        self.in_force.put(|modes| &mut modes.compensation, compensation);
+        self.active.put(|modes| &mut modes.compensation, compensation);
         Ok(())
     }
 }

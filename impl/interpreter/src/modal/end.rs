@@ -29,7 +29,7 @@ impl Modal {
         let mode = self.controller_mode;
         if ends {
             // What the block has switched on before has been on.
-            self.in_force.tell(line, sink);
+            self.active.report(line, sink);
             self.reset_at_end(numbered);
         }
         if matches!(code, 30 | 60) && !(code == 60 && planted(Fault::NoPallets)) {
@@ -55,14 +55,14 @@ impl Modal {
         if !planted(Fault::SystemStays) {
             self.use_work_offset(1, numbered);
         }
-        let feed = self.in_force.now().feed_rate;
+        let feed = self.active.now().feed_rate;
         self.select_feed_mode(940);
         if self.choices.feed_kept_at_end {
-            self.in_force.set_feed_rate(feed);
+            self.active.set_feed_rate(feed);
         }
         self.compensation_radius = 0.0;
         self.motion = Motion::Feed;
-        let modes = self.in_force.set();
+        let modes = self.active.set();
         modes.plane = Plane::Xy;
         if !planted(Fault::IncrementalStays) {
             modes.distance = Distance::Absolute;
@@ -102,6 +102,6 @@ impl Modal {
         if !self.choices.abort_leaves_running {
             self.stop_running(self.all_spindles());
         }
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
     }
 }

@@ -16,8 +16,8 @@ use super::codes::{
 };
 use super::coordinates::Coordinates;
 use super::letters::{ARC_WORDS, AXES, F};
+use super::mode_select::checked_feed;
 use super::refusal::{Flow, Refusal, refuse};
-use super::units::checked_feed;
 
 impl Modal {
     /// Checks and executes the words of one block. Settings and effects go to the sink in the documents' order.
@@ -87,7 +87,7 @@ impl Modal {
     /// Whether no mode in force wants more than the end point of a straight move.
     #[inline]
     fn is_plain(&self) -> bool {
-        let now = self.in_force.now();
+        let now = self.active.now();
         now.compensation == Compensation::Off
             && now.lathe == Lathe::Radius
             && now.feed_mode != FeedMode::InverseTime
@@ -102,7 +102,7 @@ impl Modal {
             Some(_) if words.g_count == 1 => Motion::Feed,
             Some(_) | None => self.motion,
         };
-        let rate_before = self.in_force.now().feed_rate;
+        let rate_before = self.active.now().feed_rate;
         let feed = if words.present & F != 0 { words.get(b'F') } else { None };
         let rate = feed.map_or(Ok(rate_before), checked_feed)?;
         let feeds = motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
@@ -110,7 +110,7 @@ impl Modal {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
         if feed.is_some() {
-            self.in_force.set_feed_rate(rate);
+            self.active.set_feed_rate(rate);
         }
         let before = (self.motion, self.position, rate_before);
         self.motion = motion;
@@ -133,13 +133,13 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
         match sink.perform(line, effect) {
             Reply::Stop => Ok(Flow::Stopped),
             Reply::Failed(kind) => {
                 let rate;
                 (self.motion, self.position, rate) = before;
-                self.in_force.set_feed_rate(rate);
+                self.active.set_feed_rate(rate);
                 refuse(kind, "refused from outside")
             }
             Reply::Aborted => {
@@ -147,7 +147,7 @@ impl Modal {
                 Err(Refusal::Aborted)
             }
             Reply::ReadOnly => {
-                self.read_ahead_from(before.1);
+                self.begin_read_ahead_at(before.1);
                 Ok(Flow::More)
             }
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
@@ -163,7 +163,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         let block = self.check(words)?;
-        let before = self.before_block(numbered);
+        let before = self.snapshot_block(numbered);
         let flow = self.phases(&block, numbered, sink);
         self.end_step(before, flow, numbered)
     }
@@ -180,7 +180,7 @@ impl Modal {
         self.feed(block)?;
         self.spindle_speed(block)?;
         if words.m_count != 0 {
-            self.in_force.tell(words.line, sink);
+            self.active.report(words.line, sink);
         }
         if let Some(tool) = words.get(b'T') {
             self.prepare_tool(tool, words.line, sink)?;
@@ -189,7 +189,7 @@ impl Modal {
             if rank < STOP_RANK {
                 self.before_motion(block, code, numbered, sink)?;
                 // What one code does and the next one undoes has happened.
-                self.in_force.tell(words.line, sink);
+                self.active.report(words.line, sink);
             }
         }
         self.g_phases(block, numbered, sink)?;
@@ -291,7 +291,7 @@ impl Modal {
             self.select_feed_mode(code);
         }
         let feed = block.words.get(b'F');
-        if self.in_force.now().feed_mode != FeedMode::InverseTime {
+        if self.active.now().feed_mode != FeedMode::InverseTime {
             return feed.map_or(Ok(()), |feed| self.set_feed(feed));
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
@@ -306,7 +306,7 @@ impl Modal {
     pub(super) fn check_inverse_time(&self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
         let moves = block.axes_move || self.choices.move_in_place;
-        let needs = self.in_force.now().feed_mode == FeedMode::InverseTime
+        let needs = self.active.now().feed_mode == FeedMode::InverseTime
             && takes_inverse_time(code)
             && moves;
         if needs && block.words.get(b'F').is_none() && !planted(Fault::InverseTimeOld) {
@@ -322,12 +322,12 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
         match sink.perform(line, effect) {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Aborted => return Err(Refusal::Aborted),
-            Reply::ReadOnly => self.read_ahead_from(self.position),
+            Reply::ReadOnly => self.begin_read_ahead_at(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
@@ -342,13 +342,13 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let is_ahead = self.stands.is_some();
+        let is_ahead = self.machine_snapshot.is_some();
         let done = self.perform(line, effect, sink);
         if matches!(done, Err(Refusal::Aborted)) {
             self.position = start;
-        } else if self.stands.is_some() && !is_ahead {
-            self.stands = None;
-            self.read_ahead_from(start);
+        } else if self.machine_snapshot.is_some() && !is_ahead {
+            self.machine_snapshot = None;
+            self.begin_read_ahead_at(start);
         }
         done
     }
@@ -360,13 +360,13 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<Reply, Refusal> {
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
         let reply = sink.perform(line, effect);
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Aborted => return Err(Refusal::Aborted),
-            Reply::ReadOnly => self.read_ahead_from(self.position),
+            Reply::ReadOnly => self.begin_read_ahead_at(self.position),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

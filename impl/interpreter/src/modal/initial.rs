@@ -10,8 +10,8 @@ use crate::parameters::{Numbered, is_stored};
 use super::Modal;
 use super::choices::{Choices, InitialMotion};
 use super::coordinates::{Conversion, Coordinates};
-use super::cycles::Series;
-use super::modes::{InForce, Modes, SPINDLES};
+use super::cycles::MotionSeries;
+use super::modes::{ActiveSettings, Modes, SPINDLES};
 use super::saved_states::SavedStates;
 use super::tool::number_of;
 use super::{letters, offsets};
@@ -34,15 +34,15 @@ impl Modal {
             numbered.set(*number, *value);
         }
         let mut modal = Self {
-            in_force: InForce::new(initial_modes(machine, &choices, numbered), spindles),
+            active: ActiveSettings::new(initial_modes(machine, &choices, numbered), spindles),
             motion: match choices.initial_motion {
                 InitialMotion::None => Motion::None,
                 InitialMotion::Feed => Motion::Feed,
                 InitialMotion::Traverse => Motion::Traverse,
             },
             position: Coordinates::default(),
-            series: Series::default(),
-            unfinished: None,
+            series: MotionSeries::default(),
+            pending: None,
             compensation_radius: 0.0,
             surface_speed: false,
             feed_spindle: 0,
@@ -51,7 +51,7 @@ impl Modal {
             selected: None,
             tools: machine.tools.clone(),
             changed_tools: Vec::with_capacity(2),
-            stands: None,
+            machine_snapshot: None,
             controller_mode: ControllerMode::Auto,
             saved: SavedStates::default(),
             stop_asked: false,
@@ -69,7 +69,7 @@ impl Modal {
             choices,
         };
         // The machine stands at its origin (11.1.2).
-        modal.position = modal.in_force.now().program_of(Coordinates::default());
+        modal.position = modal.active.now().program_of(Coordinates::default());
         modal.publish_tool(numbered);
         Ok(modal)
     }
@@ -77,7 +77,7 @@ impl Modal {
     /// Does as `rs274` from the start on: the point where the machine stands is one without the stored rotation.
     pub(crate) fn emulate_rs274(&mut self) {
         self.emulates_rs274 = true;
-        let now = *self.in_force.now();
+        let now = *self.active.now();
         self.position = Modes { rotation: 0.0, ..now }.program_of(Coordinates::default());
     }
 }

@@ -12,27 +12,29 @@
 //! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine
 //!   coordinates.
 
-mod ahead;
 mod arcs;
 mod check;
 mod choices;
 mod codes;
 mod compensation;
+mod coolant_and_overrides;
 mod coordinates;
 mod cycles;
 mod end;
+mod end_point;
 mod execute;
 mod initial;
 mod io;
 pub(crate) mod letters;
+mod mode_select;
 mod modes;
 mod motion;
 mod motion_codes;
-mod motions;
-mod named;
+mod motion_dispatch;
 pub(crate) mod offsets;
+mod predefined;
 mod probe;
-mod reference;
+mod read_ahead;
 mod refusal;
 mod report;
 mod saved;
@@ -41,16 +43,14 @@ mod snapshots;
 mod spindle;
 mod splines;
 mod state;
-mod switches;
-mod target;
+mod stored_positions;
 mod threads;
 mod tool;
 mod tool_table;
 mod transforms;
 mod undo;
-mod units;
 mod values;
-mod work;
+mod work_offsets;
 
 #[cfg(test)]
 mod tests;

@@ -110,11 +110,11 @@ impl Default for Modes {
 
 /// The modes, and what the sink has been told of them.
 #[derive(Clone, Debug)]
-pub(crate) struct InForce {
+pub(crate) struct ActiveSettings {
     /// As they are now.
     pub(super) now: Modes,
     /// As the sink knows them, where `changed` is set.
-    pub(super) told: Modes,
+    pub(super) reported: Modes,
     /// Whether anything but F was touched since the sink was told.
     pub(super) changed: bool,
     /// Whether F was.
@@ -129,12 +129,12 @@ pub(crate) struct InForce {
     pub(super) spindles: usize,
 }
 
-impl InForce {
+impl ActiveSettings {
     /// Nothing is to be told yet: a run begins with all settings known.
     pub(crate) fn new(now: Modes, spindles: usize) -> Self {
         Self {
             now,
-            told: now,
+            reported: now,
             changed: false,
             feed_changed: false,
             before: now,
@@ -185,7 +185,7 @@ impl InForce {
 
     /// What the block set is as it was before; what the sink was told stays told.
     #[cold]
-    pub(crate) fn take_back(&mut self) {
+    pub(crate) fn roll_back(&mut self) {
         let feed = self.feed_before;
         if self.noted {
             self.now = self.before;
@@ -201,18 +201,18 @@ impl InForce {
 }
 
 /// The value where it is another one.
-pub(super) fn since<T: PartialEq, U>(now: T, told: T, record: impl Fn(T) -> U) -> Option<U> {
-    (now != told).then(|| record(now))
+pub(super) fn since<T: PartialEq, U>(now: T, reported: T, record: impl Fn(T) -> U) -> Option<U> {
+    (now != reported).then(|| record(now))
 }
 
 macro_rules! settings {
     ($($field:ident => $record:expr),* ; $($indexed:ident => $spindle:ident),*) => {
-        pub(super) fn difference(now: &Modes, told: &Modes, spindles: usize) -> Settings {
+        pub(super) fn difference(now: &Modes, reported: &Modes, spindles: usize) -> Settings {
             let mut settings = Settings::default();
-            $(settings.$field = since(now.$field, told.$field, $record);)*
-            if now.spindles != told.spindles {
-                for ((place, now), told) in (0_u8..).zip(&now.spindles).zip(&told.spindles).take(spindles) {
-                    $(if let Some(value) = since(now.$spindle, told.$spindle, |value| value) {
+            $(settings.$field = since(now.$field, reported.$field, $record);)*
+            if now.spindles != reported.spindles {
+                for ((place, now), reported) in (0_u8..).zip(&now.spindles).zip(&reported.spindles).take(spindles) {
+                    $(if let Some(value) = since(now.$spindle, reported.$spindle, |value| value) {
                         settings.$indexed.get_or_insert_default().0.insert(place, value);
                     })*
                 }

@@ -91,7 +91,7 @@ impl Modal {
 
     /// A feed rate must have been set.
     pub(super) fn check_feed_rate(&self) -> Result<(), Refusal> {
-        if self.in_force.now().feed_rate <= 0.0 {
+        if self.active.now().feed_rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }
         Ok(())
@@ -107,7 +107,7 @@ impl Modal {
 
     /// What every move needs under cutter compensation.
     pub(super) fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
-        if self.in_force.now().compensation == Compensation::Off {
+        if self.active.now().compensation == Compensation::Off {
             return Ok(());
         }
         if machine_coordinates {

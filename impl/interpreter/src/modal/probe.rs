@@ -23,7 +23,7 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if self.in_force.now().compensation != Compensation::Off {
+        if self.active.now().compensation != Compensation::Off {
             return refuse(FaultKind::CompensationActive, "probing under cutter compensation");
         }
         self.check_feed_rate()?;
@@ -36,7 +36,7 @@ impl Modal {
         }
         self.motion = mode_of(code);
         let effect = Effect::StraightProbe { end: end.position(), contact: None };
-        let now = *self.in_force.now();
+        let now = *self.active.now();
         let to_stored = self.active_to_stored();
         let probing = ProbeMove {
             toward: matches!(code, 382 | 383) || planted(Fault::TowardOnly),
@@ -46,7 +46,7 @@ impl Modal {
             stored_to_active: self.stored_to_active(),
         };
         // That the probe is in the target state already only the outside can tell; it refuses then.
-        self.in_force.tell(words.line, sink);
+        self.active.report(words.line, sink);
         let reply = sink.probe(words.line, &effect, &probing);
         match reply {
             Reply::Stop => self.stop_asked = true,

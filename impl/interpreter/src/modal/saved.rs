@@ -42,7 +42,7 @@ impl Modal {
             if place.autorestore && place.valid && !planted(Fault::NoAutorestore) {
                 let state = place.state;
                 self.restore(&state, numbered);
-                self.in_force.tell(line, sink);
+                self.active.report(line, sink);
             }
             self.saved.places.pop();
         }
@@ -59,7 +59,7 @@ impl Modal {
         match code {
             70 | 73 => {
                 let state = Saved {
-                    modes: *self.in_force.now(),
+                    modes: *self.active.now(),
                     motion: self.motion,
                     compensation_radius: self.compensation_radius,
                     feed_spindle: self.feed_spindle,
@@ -103,7 +103,7 @@ impl Modal {
         if !planted(Fault::UnitsForgotten) {
             self.change_units(modes.units);
         }
-        if self.in_force.now().work_offset != modes.work_offset {
+        if self.active.now().work_offset != modes.work_offset {
             self.use_work_offset(modes.work_offset, numbered);
         }
         self.offset_by(|now| {
@@ -112,11 +112,11 @@ impl Modal {
         self.compensation_radius = saved.compensation_radius;
         self.feed_spindle = saved.feed_spindle;
         let feed_rate = if planted(Fault::FeedNotRestored) {
-            self.in_force.now().feed_rate
+            self.active.now().feed_rate
         } else {
             modes.feed_rate
         };
-        let now = self.in_force.set();
+        let now = self.active.set();
         // G61 and G61.1 have no tolerances of their own; what they do not use stays.
         let own = if modes.path == PathControlMode::Continuous { modes } else { &*now };
         let tolerances = (own.blend_tolerance, own.naive_cam_tolerance);

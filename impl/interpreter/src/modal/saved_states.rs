@@ -67,7 +67,7 @@ impl SavedStates {
     }
 
     /// Takes back what the block did.
-    pub(super) fn take_back(&mut self) {
+    pub(super) fn roll_back(&mut self) {
         if self.noted {
             let level = self.level;
             self.places.retain(|place| place.level != level);

@@ -5,15 +5,15 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{ControllerMode, Motion, Tool};
 
 use super::coordinates::Coordinates;
-use super::cycles::Series;
+use super::cycles::MotionSeries;
 
 /// The state before a block, as far as it is small. Settings, tools, saved states and parameters are noted when they
 /// change.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Before {
+pub(super) struct BlockSnapshot {
     pub(super) motion: Motion,
     pub(super) position: Coordinates,
-    pub(super) series: Series,
+    pub(super) series: MotionSeries,
     pub(super) compensation_radius: f64,
     pub(super) surface_speed: bool,
     pub(super) feed_spindle: u32,
@@ -23,7 +23,7 @@ pub(super) struct Before {
     pub(super) controller_mode: ControllerMode,
 }
 
-impl Before {
+impl BlockSnapshot {
     /// The motion mode.
     pub(super) fn motion(&self) -> Motion {
         self.motion
@@ -32,7 +32,7 @@ impl Before {
 
 /// What of the machine a program that is only read does not change: where it stands and which tools it has.
 #[derive(Clone, Debug)]
-pub(super) struct Stands {
+pub(super) struct MachineSnapshot {
     /// The controlled point, machine coordinates and unit.
     pub(super) point: Coordinates,
     pub(super) tool: i32,

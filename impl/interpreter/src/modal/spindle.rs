@@ -37,7 +37,7 @@ impl Modal {
 
     /// Sets something for each of a set of spindles.
     pub(super) fn for_spindles(&mut self, which: Spindles, mut set: impl FnMut(&mut Spindle)) {
-        for (place, spindle) in (0_u32..).zip(self.in_force.set().spindles.iter_mut()) {
+        for (place, spindle) in (0_u32..).zip(self.active.set().spindles.iter_mut()) {
             if which & FIRST.wrapping_shl(place) != 0 {
                 set(spindle);
             }
@@ -154,13 +154,13 @@ impl Modal {
     pub(super) fn surface_speed_stands(&self) -> bool {
         let stands =
             |spindle: &Spindle| spindle.mode == SpindleMode::SurfaceSpeed && !spindle.turns();
-        self.surface_speed && self.in_force.now().spindles.iter().any(stands)
+        self.surface_speed && self.active.now().spindles.iter().any(stands)
     }
 
     /// Whether any spindle is under constant surface speed; kept apart since every feed move asks.
     pub(super) fn note_surface_speed(&mut self) {
         self.surface_speed = self
-            .in_force
+            .active
             .now()
             .spindles
             .iter()

@@ -7,7 +7,7 @@ use crate::faults::{Fault, planted};
 use crate::words::Words;
 
 use super::Modal;
-use super::cycles::{Curve, Series};
+use super::cycles::{Curve, MotionSeries};
 use super::letters::{AXES, I, J, X, Y};
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
@@ -29,7 +29,7 @@ impl Modal {
         }
         self.check_feed_move()?;
         self.motion = mode_of(code);
-        self.series = Series::of_spline(code == 50);
+        self.series = MotionSeries::of_spline(code == 50);
         let end = self.end_point(words);
         let start = core::mem::replace(&mut self.position, end);
         let points = if code == 50 && !planted(Fault::QuadraticOnly) { 4 } else { 3 };
@@ -39,7 +39,7 @@ impl Modal {
 
     /// What no spline takes: another plane, another axis, compensation.
     fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
-        if self.in_force.now().plane != Plane::Xy && !planted(Fault::AnySplinePlane) {
+        if self.active.now().plane != Plane::Xy && !planted(Fault::AnySplinePlane) {
             return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
         }
         if words.present & AXES & !(X | Y) != 0 {
@@ -81,7 +81,7 @@ impl Modal {
             return refuse(FaultKind::MissingWord, "a weight without its control point");
         }
         self.motion = Motion::Nurbs;
-        self.series = Series::of_curve(curve);
+        self.series = MotionSeries::of_curve(curve);
         Ok(())
     }
 
@@ -108,7 +108,7 @@ impl Modal {
             self.check_feed_move()?;
         }
         self.motion = Motion::None;
-        self.series = Series::default();
+        self.series = MotionSeries::default();
         let start = core::mem::replace(&mut self.position, curve.last);
         let end = curve.last.position();
         self.perform_move(line, start, &Effect::NurbsFeed { points: curve.points, end }, sink)

@@ -10,11 +10,11 @@ use crate::parameters::Numbered;
 
 use super::choices::Choices;
 use super::coordinates::{Conversion, Coordinates};
-use super::cycles::{Series, Unfinished};
-use super::modes::InForce;
+use super::cycles::{MotionSeries, PendingBlock};
+use super::modes::ActiveSettings;
 use super::offsets;
 use super::saved_states::SavedStates;
-use super::snapshots::Stands;
+use super::snapshots::MachineSnapshot;
 
 /// No tool is selected.
 pub(super) const NO_TOOL: i32 = -1;
@@ -23,15 +23,15 @@ pub(super) const NO_TOOL: i32 = -1;
 #[derive(Clone, Debug)]
 pub(crate) struct Modal {
     /// The settings in force.
-    pub(super) in_force: InForce,
+    pub(super) active: ActiveSettings,
     /// Motion mode.
     pub(super) motion: Motion,
     /// The controlled point: program coordinates, active length unit and degrees.
     pub(super) position: Coordinates,
     /// What a series of cycles or splines keeps from block to block.
-    pub(super) series: Series,
+    pub(super) series: MotionSeries,
     /// The rest of a block that is more than a step does.
-    pub(super) unfinished: Option<Unfinished>,
+    pub(super) pending: Option<PendingBlock>,
     /// Radius under cutter compensation, active length unit.
     pub(super) compensation_radius: f64,
     /// Whether any spindle is under constant surface speed.
@@ -49,7 +49,7 @@ pub(crate) struct Modal {
     /// Tools that the block has changed, with their places, as they were.
     pub(super) changed_tools: Vec<(usize, Tool)>,
     /// The machine as it is, where what is executed now is only read ahead.
-    pub(super) stands: Option<Box<Stands>>,
+    pub(super) machine_snapshot: Option<Box<MachineSnapshot>>,
     /// Mode of the controller.
     pub(super) controller_mode: ControllerMode,
     /// What M70 and M73 saved.
@@ -85,7 +85,7 @@ pub(crate) struct Modal {
 impl Modal {
     /// All settings in force.
     pub(crate) fn settings(&self) -> Settings {
-        self.in_force.settings()
+        self.active.settings()
     }
 
     /// The state as far as the modes know it: call level and parameters are the caller's to add.
@@ -113,7 +113,7 @@ impl Modal {
 
     /// The controlled point in machine coordinates, machine unit.
     pub(crate) fn machine_point(&self) -> Coordinates {
-        self.in_force.now().machine_of(self.position).converted(self.active_to_stored())
+        self.active.now().machine_of(self.position).converted(self.active_to_stored())
     }
 
     /// The tool table as the program has changed it.
@@ -133,11 +133,11 @@ impl Modal {
 
     /// From the unit of stored lengths to the active one.
     pub(super) fn stored_to_active(&self) -> Conversion {
-        Conversion::between(self.machine_unit, self.in_force.now().units)
+        Conversion::between(self.machine_unit, self.active.now().units)
     }
 
     /// From the active unit to that of stored lengths.
     pub(super) fn active_to_stored(&self) -> Conversion {
-        Conversion::between(self.in_force.now().units, self.machine_unit)
+        Conversion::between(self.active.now().units, self.machine_unit)
     }
 }

@@ -77,7 +77,7 @@ impl Modal {
     /// The move must not be faster than an axis is, by the speed that S says (11.5.22, 11.5.23). Under constant
     /// surface speed that is not known.
     fn check_velocity(&self, end: Coordinates, pitch: f64, spindle: u32) -> Result<(), Refusal> {
-        let now = self.in_force.now();
+        let now = self.active.now();
         let Some(spindle) = usize::try_from(spindle).ok().and_then(|at| now.spindles.get(at))
         else {
             return Ok(());

@@ -106,16 +106,16 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         if self.tool_change.quill_up {
-            let [x, y, _, a, b, c, u, v, w] = self.in_force.now().machine_of(self.position).0;
+            let [x, y, _, a, b, c, u, v, w] = self.active.now().machine_of(self.position).0;
             let up = Coordinates([x, y, 0.0, a, b, c, u, v, w]);
-            self.traverse_to(line, self.in_force.now().program_of(up), sink)?;
+            self.traverse_to(line, self.active.now().program_of(up), sink)?;
         }
         if self.tool_change.at_g30 {
             let stored = offsets::row(numbered, offsets::G30_POSITION);
             // An axis that the machine has not stands at zero, whatever is stored of it.
             let place = Coordinates::default().taking(self.axes, stored);
             let place = place.converted(self.stored_to_active());
-            self.traverse_to(line, self.in_force.now().program_of(place), sink)?;
+            self.traverse_to(line, self.active.now().program_of(place), sink)?;
         }
         Ok(())
     }
@@ -171,7 +171,7 @@ impl Modal {
         if self.choices.length_uncompensated {
             self.refuse_under_compensation("a tool length offset")?;
         }
-        let old = self.in_force.now().tool_offset;
+        let old = self.active.now().tool_offset;
         let offset = match code {
             490 => Coordinates::default(),
             430 => self.table_offset(words.get(b'H'))?,

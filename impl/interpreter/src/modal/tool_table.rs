@@ -90,7 +90,7 @@ impl Modal {
             table.taking(letters, Coordinates::default().replaced(&written).converted(to_stored))
         } else {
             let frame = self.measuring_frame(kind, table, numbered);
-            let machine = self.in_force.now().machine_of(self.position);
+            let machine = self.active.now().machine_of(self.position);
             // Axes that have no word keep the coordinates that they would have with the old entry.
             let wanted = frame.program_of(machine).replaced(&written);
             let untooled = Modes { tool_offset: Coordinates::default(), ..frame };
@@ -114,7 +114,7 @@ impl Modal {
     /// without that of G92.
     fn measuring_frame(&self, kind: i32, table: Coordinates, numbered: &Numbered) -> Modes {
         let conversion = self.stored_to_active();
-        let now = Modes { tool_offset: table.converted(conversion), ..*self.in_force.now() };
+        let now = Modes { tool_offset: table.converted(conversion), ..*self.active.now() };
         if kind == 10 {
             return now;
         }

@@ -8,16 +8,16 @@ use gaugeblock_vocabulary::Tool;
 use crate::parameters::Numbered;
 
 use super::Modal;
-use super::snapshots::Before;
+use super::snapshots::BlockSnapshot;
 
 impl Modal {
     /// Begins a block that can be taken back.
-    pub(super) fn before_block(&mut self, numbered: &mut Numbered) -> Before {
+    pub(super) fn snapshot_block(&mut self, numbered: &mut Numbered) -> BlockSnapshot {
         numbered.begin_notes();
-        self.in_force.begin_notes();
+        self.active.begin_notes();
         self.changed_tools.clear();
         self.saved.begin_notes();
-        Before {
+        BlockSnapshot {
             motion: self.motion,
             position: self.position,
             series: self.series,
@@ -41,15 +41,15 @@ impl Modal {
 
     /// Takes back what the block did to the state.
     #[cold]
-    pub(super) fn take_back(&mut self, before: &Before, numbered: &mut Numbered) {
-        numbered.take_back();
-        self.saved.take_back();
+    pub(super) fn roll_back(&mut self, before: &BlockSnapshot, numbered: &mut Numbered) {
+        numbered.roll_back();
+        self.saved.roll_back();
         while let Some((place, before)) = self.changed_tools.pop() {
             if let Some(tool) = self.tools.get_mut(place) {
                 *tool = before;
             }
         }
-        self.in_force.take_back();
+        self.active.roll_back();
         self.motion = before.motion;
         self.position = before.position;
         self.series = before.series;

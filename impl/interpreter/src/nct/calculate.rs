@@ -11,8 +11,8 @@ use super::program::{
 };
 use super::variables::Variables;
 use crate::faults::{Fault, planted};
+use crate::index_range::IndexRange;
 use crate::math;
-use crate::part::Part;
 
 /// Operands that wait.
 pub(super) type Stack = Vec<Option<f64>>;
@@ -66,7 +66,7 @@ impl Calculator<'_> {
         Ok(left.partial_cmp(&right).is_some_and(|order| condition.compare.says(order)))
     }
 
-    fn expression(&self, part: Part, stack: &mut Stack) -> Result<Option<f64>, Stop> {
+    fn expression(&self, part: IndexRange, stack: &mut Stack) -> Result<Option<f64>, Stop> {
         stack.clear();
         for operation in part.of(&self.code.operations) {
             let value = match *operation {

@@ -9,7 +9,7 @@ use super::expressions::Reader;
 use super::program::{Block, Code, Kind, Program, Stop, refuse};
 use super::statements::Ring;
 use super::text::{self, Cursor};
-use crate::part::Part;
+use crate::index_range::IndexRange;
 
 /// A DO that is open: its block, its number, and the loop around it.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ struct Numbers {
 
 /// Compiles a text. Whatever is wrong with a block is found when it is reached.
 pub(super) fn compile(text: &str, block_delete: bool, choices: Choices) -> Code {
-    let main = Program { line: 1, blocks: Part::default() };
+    let main = Program { line: 1, blocks: IndexRange::default() };
     let mut compiler =
         Compiler { code: Code::default(), choices, block_delete, opened: Vec::new(), open: [0; 4] };
     let mut bytes = Vec::new();
@@ -108,14 +108,16 @@ impl Compiler {
         self.close();
         self.code.numbers.push((number, self.code.programs.len()));
         let begins = self.code.blocks.len();
-        self.code.programs.push(Program { line, blocks: Part { from: begins, to: begins } });
+        self.code.programs.push(Program { line, blocks: IndexRange { from: begins, to: begins } });
     }
 
     /// A block, and its place.
     fn push(&mut self, line: u32, kind: Kind, sequence: Option<u32>) -> usize {
         let place = self.code.blocks.len();
         if self.code.programs.is_empty() {
-            self.code.programs.push(Program { line, blocks: Part { from: place, to: place } });
+            self.code
+                .programs
+                .push(Program { line, blocks: IndexRange { from: place, to: place } });
         }
         if let Some(number) = sequence {
             let program = self.code.programs.len().saturating_sub(1);
@@ -149,7 +151,7 @@ impl Compiler {
         // Blocks of loops within this one know theirs already.
         let place = self.code.loops.len();
         let from = opened.block.saturating_add(1);
-        self.code.loops.push(Part { from, to: behind });
+        self.code.loops.push(IndexRange { from, to: behind });
         let mut block = end;
         while block >= from {
             let Some(one) = self.code.blocks.get_mut(block) else { break };

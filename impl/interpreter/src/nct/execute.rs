@@ -7,9 +7,9 @@ use super::codes::Codes;
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};
 use crate::faults::{Fault, planted};
+use crate::index_range::IndexRange;
 use crate::math;
 use crate::modal::Coordinates;
-use crate::part::Part;
 
 /// Letters that stand for the nine axes, in their order.
 const AXES: [u8; 9] = *b"XYZABCUVW";
@@ -51,7 +51,7 @@ fn bit(letter: u8) -> u32 {
 
 impl Runner {
     /// A block of words.
-    pub(super) fn words(&mut self, words: Part) -> Result<Flow, Stop> {
+    pub(super) fn words(&mut self, words: IndexRange) -> Result<Flow, Stop> {
         self.evaluate(words)?;
         self.tell_g()?;
         if self.g.iter().any(|code| is_call(*code)) {
@@ -74,7 +74,7 @@ impl Runner {
     }
 
     /// The words that have a value, from the left.
-    fn evaluate(&mut self, words: Part) -> Result<(), Stop> {
+    fn evaluate(&mut self, words: IndexRange) -> Result<(), Stop> {
         let mut valued = core::mem::take(&mut self.words);
         valued.clear();
         for place in words.from..words.to {

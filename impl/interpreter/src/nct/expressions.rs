@@ -9,7 +9,7 @@ use super::program::{
 };
 use super::text::Cursor;
 use crate::faults::{Fault, planted};
-use crate::part::Part;
+use crate::index_range::IndexRange;
 
 /// Most brackets within each other.
 const DEEPEST: u32 = 5;
@@ -104,7 +104,7 @@ impl Reader<'_> {
         }
         // Without its last operation it is the number of the variable.
         self.code.operations.pop();
-        Ok(Target::Indirect(Part { from, to: self.code.operations.len() }))
+        Ok(Target::Indirect(IndexRange { from, to: self.code.operations.len() }))
     }
 
     /// What has been read since.
@@ -113,7 +113,7 @@ impl Reader<'_> {
         let alone = match self.code.operations.get(from..to) {
             Some([Operation::Number(number)]) => Value::Number(*number),
             Some([Operation::Variable(slot)]) => Value::Variable(*slot),
-            Some(_) | None => return Value::Expression(Part { from, to }),
+            Some(_) | None => return Value::Expression(IndexRange { from, to }),
         };
         self.code.operations.truncate(from);
         alone

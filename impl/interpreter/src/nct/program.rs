@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::part::Part;
+use crate::index_range::IndexRange;
 
 /// All programs of a text. Nothing in it is looked up by its text any more.
 #[derive(Clone, Debug, Default)]
@@ -20,14 +20,14 @@ pub(super) struct Code {
     /// Sequence numbers by program, sorted, and the block of each.
     pub(super) labels: Vec<(usize, u32, usize)>,
     /// The blocks of each loop, from behind its WHILE up to its END.
-    pub(super) loops: Vec<Part>,
+    pub(super) loops: Vec<IndexRange>,
 }
 
 /// A program: its blocks, and the line of its O.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Program {
     pub(super) line: u32,
-    pub(super) blocks: Part,
+    pub(super) blocks: IndexRange,
 }
 
 /// A block.
@@ -45,7 +45,7 @@ pub(super) struct Block {
 pub(super) enum Kind {
     /// Block delete skips it.
     Skipped,
-    Words(Part),
+    Words(IndexRange),
     Assign {
         to: Target,
         from: Value,
@@ -79,7 +79,7 @@ pub(super) struct Word {
 pub(super) enum Value {
     Number(f64),
     Variable(Slot),
-    Expression(Part),
+    Expression(IndexRange),
 }
 
 /// Which variable is assigned.
@@ -87,7 +87,7 @@ pub(super) enum Value {
 pub(super) enum Target {
     Variable(Slot),
     /// The one whose number this is.
-    Indirect(Part),
+    Indirect(IndexRange),
 }
 
 /// A comparison.

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::expressions::{Reader, bad_statement};
 use super::program::{Kind, Stop, Word, refuse};
-use crate::part::Part;
+use crate::index_range::IndexRange;
 
 /// What a loop's block is, before it is known which other one belongs to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +96,7 @@ impl Reader<'_> {
             let value = self.value()?;
             self.code.words.push(Word { letter, value });
         }
-        Ok(Kind::Words(Part { from, to: self.code.words.len() }))
+        Ok(Kind::Words(IndexRange { from, to: self.code.words.len() }))
     }
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Numbered {
     /// A bit for each word of marks that has one, since a block sets few parameters.
     marked: u128,
     /// A bit for each that was told of then.
-    told: [u64; MARKS],
+    reported: [u64; MARKS],
     /// What a block has set, with the values before, while it can still be refused.
     notes: Vec<(u32, f64)>,
     /// Whether notes are taken.
@@ -40,7 +40,7 @@ impl Numbered {
             values: Box::new([0.0; COUNT]),
             marks: [0; MARKS],
             marked: 0,
-            told: [0; MARKS],
+            reported: [0; MARKS],
             notes: Vec::with_capacity(NOTES),
             noting: false,
         }
@@ -48,15 +48,17 @@ impl Numbered {
 
     /// All parameters zero again, as [`Self::new`] makes them. Only those are looked at that were ever set.
     pub(crate) fn clear(&mut self) {
-        for (word, (marks, told)) in (0_u32..).zip(self.marks.iter_mut().zip(&mut self.told)) {
-            for number in numbers(word, *marks | *told) {
+        for (word, (marks, reported)) in
+            (0_u32..).zip(self.marks.iter_mut().zip(&mut self.reported))
+        {
+            for number in numbers(word, *marks | *reported) {
                 if let Some(value) =
                     usize::try_from(number).ok().and_then(|at| self.values.get_mut(at))
                 {
                     *value = 0.0;
                 }
             }
-            (*marks, *told) = (0, 0);
+            (*marks, *reported) = (0, 0);
         }
         self.marked = 0;
         self.notes.clear();
@@ -109,7 +111,7 @@ impl Numbered {
 
     /// What was set since [`Self::begin_notes`] gets its values back.
     #[cold]
-    pub(crate) fn take_back(&mut self) {
+    pub(crate) fn roll_back(&mut self) {
         self.noting = false;
         while let Some((number, before)) = self.notes.pop() {
             self.replace(number, before);
@@ -123,9 +125,10 @@ impl Numbered {
             let word = marked.trailing_zeros();
             marked &= marked.wrapping_sub(1);
             let place = usize::try_from(word).unwrap_or(usize::MAX);
-            if let (Some(marks), Some(told)) = (self.marks.get_mut(place), self.told.get_mut(place))
+            if let (Some(marks), Some(reported)) =
+                (self.marks.get_mut(place), self.reported.get_mut(place))
             {
-                *told |= *marks;
+                *reported |= *marks;
                 for number in numbers(word, core::mem::take(marks)) {
                     tell(number, value_of(&*self.values, number));
                 }
@@ -135,7 +138,7 @@ impl Numbered {
 
     /// The parameters that are not zero, in ascending order: some of those that were ever set.
     pub(crate) fn not_zero(&self) -> impl Iterator<Item = (u32, f64)> {
-        let marks = self.marks.iter().zip(&self.told).map(|(marks, told)| marks | told);
+        let marks = self.marks.iter().zip(&self.reported).map(|(marks, reported)| marks | reported);
         (0_u32..)
             .zip(marks)
             .flat_map(|(word, marks)| numbers(word, marks))

@@ -215,31 +215,32 @@ impl<M: Machine> Sink for TaskState<M> {
         }
     }
 
-    fn probe(&mut self, line: u32, effect: &Effect, probing: &ProbeMove) -> Reply {
+    fn probe(&mut self, line: u32, effect: &Effect, probe_move: &ProbeMove) -> Reply {
         if self.reading_ahead {
             return self.abort_waiting_reply();
         }
         self.line = line;
-        let reply = self.perform_move(Motion::Feed, |machine| machine.probe(line, effect, probing));
+        let reply =
+            self.perform_move(Motion::Feed, |machine| machine.probe(line, effect, probe_move));
         self.aborted_waiting = self.abort_cause.is_some();
         if self.aborted_waiting { Reply::Aborted } else { reply }
     }
 
-    fn start_block(&mut self, begun: &BlockStart<'_>) {
+    fn start_block(&mut self, start: &BlockStart<'_>) {
         if !self.reading_ahead {
-            self.machine.start_block(begun);
+            self.machine.start_block(start);
         }
     }
 
-    fn end_block(&mut self, done: &mut BlockEnd<'_>) {
+    fn end_block(&mut self, end: &mut BlockEnd<'_>) {
         if core::mem::take(&mut self.items_changed) {
-            done.set_items(&self.items);
+            end.set_items(&self.items);
         }
         if self.reading_ahead {
             return;
         }
         self.within_block = false;
-        self.call_level = done.call_level();
-        self.machine.end_block(done);
+        self.call_level = end.call_level();
+        self.machine.end_block(end);
     }
 }

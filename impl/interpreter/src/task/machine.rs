@@ -32,9 +32,7 @@ pub trait Machine: Sink {
 
     /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this
     /// was read: -1 where nothing came in time.
-    fn record_input(&mut self, value: f64) {
-        let _nothing = value;
-    }
+    fn record_input(&mut self, _value: f64) {}
 
     /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::end_block`] is
     /// not called for it.
@@ -42,8 +40,7 @@ pub trait Machine: Sink {
 
     /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but
     /// misses one.
-    fn has_user_program(&self, code: u32) -> bool {
-        let _code = code;
+    fn has_user_program(&self, _code: u32) -> bool {
         true
     }
 

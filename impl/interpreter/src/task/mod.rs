@@ -355,13 +355,13 @@ impl<M: Machine> Task<M> {
     /// It comes to no such block, nor to an end, within as many blocks as may be read.
     fn read_ahead<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
         let read = if self.state.begin_read_ahead() {
-            self.interpreter.read_ahead();
+            self.interpreter.begin_read_ahead();
             self.read_ahead_blocks(source)
         } else {
             Ok(())
         };
         // The block itself may have been read to where it waits for the machine.
-        self.interpreter.stand();
+        self.interpreter.end_read_ahead();
         read
     }
 

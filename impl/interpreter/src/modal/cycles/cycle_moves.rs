@@ -8,38 +8,38 @@ use crate::faults::{Fault, planted};
 use super::super::Modal;
 use super::super::modes::Spindles;
 use super::super::refusal::Refusal;
-use super::drilling::{At, Drilling, Levels, Stroke};
+use super::drilling::{At, CycleMove, Drilling, Levels};
 
 impl Modal {
     /// Performs the next stroke of a cycle; whether the cycle is over then.
-    pub(super) fn stroke<K: Sink>(
+    pub(super) fn perform_cycle_move<K: Sink>(
         &mut self,
         drilling: &mut Drilling,
         line: u32,
         sink: &mut K,
     ) -> Result<bool, Refusal> {
-        let Some(stroke) = drilling.next() else { return Ok(true) };
+        let Some(perform_cycle_move) = drilling.next() else { return Ok(true) };
         let cycle = drilling.cycle;
         let Levels { retract, bottom, clear } = cycle.levels;
         let normal = cycle.axes.normal;
         let level = self.position.of_axis(normal);
         let to = |modal: &Self, level| modal.position.with_axis(normal, level);
-        match stroke {
-            Stroke::Across => {
+        match perform_cycle_move {
+            CycleMove::Across => {
                 let [first, second] = cycle.hole;
                 let across = self.position.with_axis(cycle.axes.first, first);
                 self.traverse_to(line, across.with_axis(cycle.axes.second, second), sink)?;
             }
-            Stroke::Approach => {
+            CycleMove::Approach => {
                 let once = drilling.at == At::Preliminary;
                 if level < retract || !once && level > retract {
                     self.traverse_to(line, to(self, retract), sink)?;
                 }
             }
-            Stroke::Drill => self.feed_to(line, to(self, bottom), sink)?,
-            Stroke::DrillBreaking | Stroke::DrillPecking => {
+            CycleMove::Drill => self.feed_to(line, to(self, bottom), sink)?,
+            CycleMove::DrillBreaking | CycleMove::DrillPecking => {
                 let clearance = self.peck_clearance();
-                let breaking = stroke == Stroke::DrillBreaking;
+                let breaking = perform_cycle_move == CycleMove::DrillBreaking;
                 let (level, feeds, done) = drilling.next_peck(breaking, clearance);
                 if feeds {
                     self.feed_to(line, to(self, level), sink)?;
@@ -50,19 +50,19 @@ impl Modal {
                     return Ok(false);
                 }
             }
-            Stroke::Dwell => {
+            CycleMove::Dwell => {
                 self.perform(line, &Effect::Dwell { seconds: cycle.dwell }, sink)?;
             }
-            Stroke::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
-            Stroke::FeedOut => self.feed_to(line, to(self, clear), sink)?,
-            Stroke::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
-            Stroke::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
-            Stroke::TurnAgain if planted(Fault::SpindleStays) => {}
-            Stroke::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
-            Stroke::OverridesOff => {
+            CycleMove::RapidOut => self.traverse_to(line, to(self, clear), sink)?,
+            CycleMove::FeedOut => self.feed_to(line, to(self, clear), sink)?,
+            CycleMove::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
+            CycleMove::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
+            CycleMove::TurnAgain if planted(Fault::SpindleStays) => {}
+            CycleMove::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
+            CycleMove::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
-            Stroke::OverridesBack => {
+            CycleMove::OverridesBack => {
                 if self.choices.tap_turns_back {
                     self.turn(cycle.spindle, SpindleTurn::Stopped, line, sink);
                     self.turn(cycle.spindle, cycle.turn, line, sink);
@@ -76,7 +76,7 @@ impl Modal {
     /// Tells spindles to turn; what the next stroke tells them has not been told yet.
     fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
         self.for_spindles(which, |spindle| spindle.turn = turn);
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
     }
 
     /// Overrides as they were before the cycle.
@@ -86,7 +86,7 @@ impl Modal {
 
     /// .010 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.
     fn peck_clearance(&self) -> f64 {
-        match self.in_force.now().units {
+        match self.active.now().units {
             LengthUnit::Inch => 0.01,
             LengthUnit::Millimetre => 0.254,
         }
@@ -94,7 +94,7 @@ impl Modal {
 
     /// The feed override, and the speed override of a spindle.
     fn set_overrides(&mut self, spindle: Spindles, (feed, speed): (Switch, Switch)) {
-        self.in_force.put(|modes| &mut modes.feed_override, feed);
+        self.active.put(|modes| &mut modes.feed_override, feed);
         self.set_speed_override(spindle, speed);
     }
 }

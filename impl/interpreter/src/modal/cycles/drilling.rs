@@ -10,7 +10,7 @@ use super::plane_axes::PlaneAxes;
 
 /// A part of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Stroke {
+pub(super) enum CycleMove {
     /// A rapid move to where the hole is, at the level at which the point is.
     Across,
     /// A rapid move to the R plane, where the point is not there already.
@@ -40,9 +40,9 @@ pub(super) enum Stroke {
     OverridesBack,
 }
 
-/// The strokes of one go-around, behind [`Stroke::Across`] and [`Stroke::Approach`] (11.5.43.6).
-const fn strokes(code: u16) -> &'static [Stroke] {
-    use Stroke::{
+/// The strokes of one go-around, behind [`CycleMove::Across`] and [`CycleMove::Approach`] (11.5.43.6).
+const fn moves(code: u16) -> &'static [CycleMove] {
+    use CycleMove::{
         Drill, DrillBreaking, DrillPecking, Dwell, FeedOut, FeedToRetract, OverridesBack,
         OverridesOff, RapidOut, Turn, TurnAgain,
     };
@@ -102,7 +102,7 @@ pub(super) struct Cycle {
 pub(super) struct Drilling {
     pub(super) cycle: Cycle,
     /// Strokes of one go-around.
-    strokes: &'static [Stroke],
+    moves: &'static [CycleMove],
     /// How many holes are left, with this one.
     repeats: u64,
     /// The next stroke of this one.
@@ -121,7 +121,7 @@ pub(super) enum At {
     Across,
     Approach,
     /// A place among the strokes.
-    Stroke(usize),
+    CycleMove(usize),
 }
 
 /// What comes next in a peck.
@@ -138,22 +138,15 @@ enum Peck {
 impl Drilling {
     /// A cycle of a code, before its first stroke.
     pub(super) fn new(code: u16, cycle: Cycle, repeats: u64) -> Self {
-        Self {
-            cycle,
-            strokes: strokes(code),
-            repeats,
-            at: At::Preliminary,
-            pecks: 0,
-            peck: Peck::Down,
-        }
+        Self { cycle, moves: moves(code), repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
     }
 
     /// The stroke that comes next, and none where the cycle is over.
-    pub(super) fn next(&self) -> Option<Stroke> {
+    pub(super) fn next(&self) -> Option<CycleMove> {
         match self.at {
-            At::Preliminary | At::Approach => Some(Stroke::Approach),
-            At::Across => Some(Stroke::Across),
-            At::Stroke(place) => self.strokes.get(place).copied(),
+            At::Preliminary | At::Approach => Some(CycleMove::Approach),
+            At::Across => Some(CycleMove::Across),
+            At::CycleMove(place) => self.moves.get(place).copied(),
         }
     }
 
@@ -162,8 +155,8 @@ impl Drilling {
         self.at = match self.at {
             At::Preliminary => At::Across,
             At::Across => At::Approach,
-            At::Approach => At::Stroke(0),
-            At::Stroke(place) => At::Stroke(place.saturating_add(1)),
+            At::Approach => At::CycleMove(0),
+            At::CycleMove(place) => At::CycleMove(place.saturating_add(1)),
         };
         if self.next().is_some() {
             return false;

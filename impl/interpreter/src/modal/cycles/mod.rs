@@ -19,8 +19,8 @@ mod steps;
 mod thread_moves;
 mod threading;
 
-pub(super) use pending::Unfinished;
-pub(super) use series::{Curve, Series};
+pub(super) use pending::PendingBlock;
+pub(super) use series::{Curve, MotionSeries};
 
 use gaugeblock_vocabulary::{
     Axis, Compensation, FaultKind, FeedMode, Lathe, ReturnMode, SpindleTurn,
@@ -32,11 +32,11 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
+use super::end_point::with_radius;
 use super::letters::{A, AXES, B, C};
 use super::modes::FIRST;
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
-use super::target::with_radius;
 
 use drilling::{Cycle, Drilling, Levels};
 use numbers::Numbers;
@@ -70,14 +70,14 @@ impl Modal {
         }
         self.check_cycle_modes(block.words)?;
         let radius;
-        let words = if self.in_force.now().lathe == Lathe::Diameter {
+        let words = if self.active.now().lathe == Lathe::Diameter {
             radius = with_radius(block.words);
             &radius
         } else {
             block.words
         };
-        let axes = PlaneAxes::of(self.in_force.now().plane);
-        let series = self.series.of_cycles(self.motion, self.position);
+        let axes = PlaneAxes::of(self.active.now().plane);
+        let series = self.series.cycle_series(self.motion, self.position);
         let sticky = series.sticky(code).filter(|_| !planted(Fault::NothingSticky));
         let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
         let numbers = Numbers::read(words, code, axes.normal, sticky, (&self.choices, tap))?;
@@ -113,7 +113,7 @@ impl Modal {
             spindle,
             // One that was held at an angle is not turned back to it.
             turn: if turning.turns() { turning.turn } else { SpindleTurn::Stopped },
-            overrides: (self.in_force.now().feed_override, turning.speed_override),
+            overrides: (self.active.now().feed_override, turning.speed_override),
         };
         let job = Job::Drilling(Drilling::new(
             code,
@@ -126,7 +126,7 @@ impl Modal {
 
     /// Modes and axis words that no cycle takes (11.5.43, 11.5.43.5).
     fn check_cycle_modes(&self, words: &Words) -> Result<(), Refusal> {
-        let now = self.in_force.now();
+        let now = self.active.now();
         if now.compensation != Compensation::Off {
             return refuse(FaultKind::CompensationActive, "a canned cycle under compensation");
         }
@@ -145,7 +145,7 @@ impl Modal {
     /// R, the bottom and the clear level as positions. In incremental mode R counts from where the axis is, and the
     /// bottom from R (11.5.43.2).
     fn levels(&self, numbers: &Numbers, normal: Axis, start: Coordinates) -> Levels {
-        let now = self.in_force.now();
+        let now = self.active.now();
         let (retract, bottom) = if self.is_incremental() {
             let origin = if self.emulates_rs274 { start } else { self.position };
             let retract = origin.of_axis(normal) + numbers.retract;

@@ -1,6 +1,6 @@
 //! The rest of a block that may be more than a step does.
 
-use super::super::snapshots::Before;
+use super::super::snapshots::BlockSnapshot;
 use super::drilling::Drilling;
 use super::threading::Threading;
 
@@ -15,11 +15,11 @@ pub(super) enum Job {
 
 /// The rest of a block.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Unfinished {
+pub(in super::super) struct PendingBlock {
     pub(super) line: u32,
     pub(super) job: Job,
     /// The code of group 4 that comes after the motion.
     pub(super) stop: Option<u16>,
     /// The state before the block, once a step has passed.
-    pub(super) before: Option<Before>,
+    pub(super) before: Option<BlockSnapshot>,
 }

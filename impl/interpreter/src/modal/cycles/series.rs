@@ -12,7 +12,7 @@ use super::numbers::Numbers;
 
 /// What is kept.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in super::super) struct Series {
+pub(in super::super) struct MotionSeries {
     /// Where the point was before the first cycle.
     start: Option<Coordinates>,
     /// The numbers of the last cycle, and its code in tenths.
@@ -36,23 +36,23 @@ pub(in super::super) struct Curve {
 
 /// A series of cycles that a block goes on with or begins.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OfCycles {
+pub(super) struct CycleSeries {
     start: Coordinates,
     sticky: Option<(u16, Numbers)>,
 }
 
-impl Series {
+impl MotionSeries {
     /// The series of cycles under a motion mode; a new one begins where the point is.
-    pub(super) fn of_cycles(&self, motion: Motion, position: Coordinates) -> OfCycles {
+    pub(super) fn cycle_series(&self, motion: Motion, position: Coordinates) -> CycleSeries {
         match self.start {
-            Some(start) if is_cycle(motion) => OfCycles { start, sticky: self.sticky },
-            Some(_) | None => OfCycles { start: position, sticky: None },
+            Some(start) if is_cycle(motion) => CycleSeries { start, sticky: self.sticky },
+            Some(_) | None => CycleSeries { start: position, sticky: None },
         }
     }
 
     /// Begins a series of cycles with a code that has no sticky words, unless one is under way.
     pub(super) fn with_cycle(&self, motion: Motion, position: Coordinates) -> Self {
-        let start = self.of_cycles(motion, position).start;
+        let start = self.cycle_series(motion, position).start;
         Self { start: Some(start), ..Self::default() }
     }
 
@@ -87,7 +87,7 @@ impl Series {
     }
 }
 
-impl OfCycles {
+impl CycleSeries {
     /// Where the point was before the series.
     pub(super) fn start(&self) -> Coordinates {
         self.start
@@ -99,7 +99,11 @@ impl OfCycles {
     }
 
     /// The series with the numbers of this block.
-    pub(super) fn with_sticky(&self, code: u16, numbers: Numbers) -> Series {
-        Series { start: Some(self.start), sticky: Some((code, numbers)), ..Series::default() }
+    pub(super) fn with_sticky(&self, code: u16, numbers: Numbers) -> MotionSeries {
+        MotionSeries {
+            start: Some(self.start),
+            sticky: Some((code, numbers)),
+            ..MotionSeries::default()
+        }
     }
 }

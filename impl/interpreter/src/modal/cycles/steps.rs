@@ -5,22 +5,22 @@ use crate::parameters::Numbered;
 
 use super::super::Modal;
 use super::super::refusal::{Flow, Refusal};
-use super::super::snapshots::Before;
-use super::pending::{Job, Unfinished};
+use super::super::snapshots::BlockSnapshot;
+use super::pending::{Job, PendingBlock};
 
 /// Most strokes of a step.
-const STROKES: u8 = 32;
+const MOVES_PER_STEP: u8 = 32;
 
 impl Modal {
     /// The block has work that is done in steps.
     pub(super) fn begin_job(&mut self, line: u32, job: Job) {
-        self.unfinished = Some(Unfinished { line, job, stop: None, before: None });
+        self.pending = Some(PendingBlock { line, job, stop: None, before: None });
     }
 
     /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the
     /// cycle.
     pub(in super::super) fn abandon(&mut self) {
-        if let Some(Unfinished { job: Job::Drilling(drilling), .. }) = self.unfinished.take() {
+        if let Some(PendingBlock { job: Job::Drilling(drilling), .. }) = self.pending.take() {
             self.restore_overrides(&drilling);
         }
     }
@@ -33,24 +33,24 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
-        if let Some(unfinished) = &mut self.unfinished {
-            unfinished.stop = stop;
-            return self.strokes(numbered, sink);
+        if let Some(pending) = &mut self.pending {
+            pending.stop = stop;
+            return self.continue_pending(numbered, sink);
         }
         self.finish(line, stop, numbered, sink)
     }
 
     /// Goes on within a block that is not finished.
     #[inline(never)]
-    pub(crate) fn go_on<K: Sink>(
+    pub(crate) fn resume_block<K: Sink>(
         &mut self,
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
-        let Some(before) = self.unfinished.as_ref().and_then(|unfinished| unfinished.before) else {
+        let Some(before) = self.pending.as_ref().and_then(|pending| pending.before) else {
             return Ok(Flow::More);
         };
-        let flow = self.strokes(numbered, sink);
+        let flow = self.continue_pending(numbered, sink);
         self.end_step(before, flow, numbered)
     }
 
@@ -59,13 +59,13 @@ impl Modal {
     #[inline]
     pub(in super::super) fn end_step(
         &mut self,
-        before: Before,
+        before: BlockSnapshot,
         flow: Result<Flow, Refusal>,
         numbered: &mut Numbered,
     ) -> Result<Flow, Refusal> {
         match &flow {
             Err(Refusal::Aborted) => {
-                if self.unfinished.is_some() {
+                if self.pending.is_some() {
                     self.abandon();
                     self.motion = before.motion();
                 }
@@ -73,12 +73,12 @@ impl Modal {
             // The block has been executed up to its probe.
             Err(Refusal::Missed) => {}
             Err(_) => {
-                self.unfinished = None;
-                self.take_back(&before, numbered);
+                self.pending = None;
+                self.roll_back(&before, numbered);
             }
             Ok(Flow::Within { .. }) => {
-                if let Some(unfinished) = &mut self.unfinished {
-                    unfinished.before = Some(before);
+                if let Some(pending) = &mut self.pending {
+                    pending.before = Some(before);
                 }
                 return flow;
             }
@@ -89,27 +89,31 @@ impl Modal {
     }
 
     /// Performs so many strokes as are a step.
-    fn strokes<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K) -> Result<Flow, Refusal> {
-        let Some(mut unfinished) = self.unfinished.take() else { return Ok(Flow::More) };
-        for _ in 0..STROKES {
+    fn continue_pending<K: Sink>(
+        &mut self,
+        numbered: &mut Numbered,
+        sink: &mut K,
+    ) -> Result<Flow, Refusal> {
+        let Some(mut pending) = self.pending.take() else { return Ok(Flow::More) };
+        for _ in 0..MOVES_PER_STEP {
             if self.stop_asked {
                 break;
             }
-            let line = unfinished.line;
-            let over = match &mut unfinished.job {
-                Job::Drilling(drilling) => self.stroke(drilling, line, sink),
+            let line = pending.line;
+            let over = match &mut pending.job {
+                Job::Drilling(drilling) => self.perform_cycle_move(drilling, line, sink),
                 Job::Threading(threading) => self.pass(threading, line, sink),
             };
             if matches!(over, Err(Refusal::Aborted)) {
-                self.unfinished = Some(unfinished);
+                self.pending = Some(pending);
             }
             if over? {
-                return self.finish(line, unfinished.stop, numbered, sink);
+                return self.finish(line, pending.stop, numbered, sink);
             }
         }
         let stopped = self.stop_asked;
         self.stop_asked = false;
-        self.unfinished = Some(unfinished);
+        self.pending = Some(pending);
         Ok(Flow::Within { stopped })
     }
 
@@ -121,7 +125,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         let ended = stop.map_or(Ok(false), |code| self.stop(code, line, numbered, sink))?;
-        self.in_force.tell(line, sink);
+        self.active.report(line, sink);
         Ok(match (ended, self.stop_asked) {
             (true, _) => Flow::Ended,
             (false, true) => Flow::Stopped,

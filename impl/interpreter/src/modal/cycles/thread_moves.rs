@@ -15,13 +15,13 @@ use super::super::motion_codes::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::{integer, integer_in, not_negative};
 use super::pending::Job;
-use super::threading::{Part, Threading};
+use super::threading::{PassStep, Threading};
 
 impl Modal {
     /// Checks a thread and makes it the unfinished work of its block.
     pub(in super::super) fn thread(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         let words = block.words;
-        if self.in_force.now().plane != Plane::Zx {
+        if self.active.now().plane != Plane::Zx {
             return refuse(FaultKind::ModalConflict, "G76 outside of the ZX plane");
         }
         // 11.4.12: polar words give X and Y.
@@ -46,7 +46,7 @@ impl Modal {
         let word = |letter| words.get(letter).unwrap_or(0.0);
         // Under diameter programming I, J and K are diameters.
         let diameters =
-            self.in_force.now().lathe == Lathe::Diameter && !planted(Fault::DepthAsRadius);
+            self.active.now().lathe == Lathe::Diameter && !planted(Fault::DepthAsRadius);
         let across = if diameters { 0.5 } else { 1.0 };
         let peak_offset = word(b'I') * across;
         let (first_depth, full_depth) = (word(b'J') * across, word(b'K') * across);
@@ -93,7 +93,7 @@ impl Modal {
             pass: 0,
             depth: 0.0,
             springs,
-            at: Part::Back,
+            at: PassStep::Back,
         };
         threading.deepen();
         Ok(threading)
@@ -120,31 +120,37 @@ impl Modal {
         let point = |x, z| at.with_axis(Axis::X, x).with_axis(Axis::Z, z);
         let (enters, exits) = (entry.abs() > 0.0, exit.abs() > 0.0);
         match thread.at {
-            Part::Back if at == point(drive, begin) => {}
-            Part::Back => self.traverse_to(line, point(drive, begin), sink)?,
-            Part::In if enters => {}
-            Part::In => self.traverse_to(line, point(thread.x(depth), begin), sink)?,
-            Part::Synchronise => {
+            PassStep::Back if at == point(drive, begin) => {}
+            PassStep::Back => self.traverse_to(line, point(drive, begin), sink)?,
+            PassStep::In if enters => {}
+            PassStep::In => self.traverse_to(line, point(thread.x(depth), begin), sink)?,
+            PassStep::Synchronise => {
                 let pitch = if enters { thread.slanting(entry) } else { thread.pitch };
                 self.synchronise(line, thread.spindle, pitch, sink)?;
             }
-            Part::ToTaper if enters => self.feed_to(line, point(shallow, begin), sink)?,
-            Part::Taper if enters => {
+            PassStep::ToTaper if enters => self.feed_to(line, point(shallow, begin), sink)?,
+            PassStep::Taper if enters => {
                 self.feed_to(line, point(thread.x(depth), begin + entry), sink)?;
             }
-            Part::Straighten if enters => {
+            PassStep::Straighten if enters => {
                 self.synchronise(line, thread.spindle, thread.pitch, sink)?;
             }
-            Part::Cut => self.feed_to(line, point(thread.x(depth), finish - exit), sink)?,
-            Part::Slant if exits => {
+            PassStep::Cut => self.feed_to(line, point(thread.x(depth), finish - exit), sink)?,
+            PassStep::Slant if exits => {
                 self.synchronise(line, thread.spindle, thread.slanting(exit), sink)?;
             }
-            Part::TaperOut if exits => self.feed_to(line, point(shallow, finish), sink)?,
-            Part::ToTaper | Part::Taper | Part::Straighten | Part::Slant | Part::TaperOut => {}
-            Part::Release => self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)?,
-            Part::Out => self.traverse_to(line, point(drive, finish), sink)?,
-            Part::Last if at == point(drive, end) => {}
-            Part::Last => self.traverse_to(line, point(drive, end), sink)?,
+            PassStep::TaperOut if exits => self.feed_to(line, point(shallow, finish), sink)?,
+            PassStep::ToTaper
+            | PassStep::Taper
+            | PassStep::Straighten
+            | PassStep::Slant
+            | PassStep::TaperOut => {}
+            PassStep::Release => {
+                self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)?
+            }
+            PassStep::Out => self.traverse_to(line, point(drive, finish), sink)?,
+            PassStep::Last if at == point(drive, end) => {}
+            PassStep::Last => self.traverse_to(line, point(drive, end), sink)?,
         }
         Ok(thread.advance())
     }

@@ -38,12 +38,12 @@ pub(super) struct Threading {
     pub(super) depth: f64,
     /// Spring passes left.
     pub(super) springs: u32,
-    pub(super) at: Part,
+    pub(super) at: PassStep,
 }
 
 /// The parts of a pass.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Part {
+pub(super) enum PassStep {
     /// Along the drive line to where the pass begins.
     Back,
     /// To the depth, or with a tapered entry to the start of synchronisation.
@@ -83,22 +83,22 @@ impl Threading {
     /// Goes on behind a part; whether the thread is over then.
     pub(super) fn advance(&mut self) -> bool {
         self.at = match self.at {
-            Part::Back => Part::In,
-            Part::In => Part::Synchronise,
-            Part::Synchronise => Part::ToTaper,
-            Part::ToTaper => Part::Taper,
-            Part::Taper => Part::Straighten,
-            Part::Straighten => Part::Cut,
-            Part::Cut => Part::Slant,
-            Part::Slant => Part::TaperOut,
-            Part::TaperOut => Part::Release,
-            Part::Release => Part::Out,
-            Part::Out if self.is_last() => Part::Last,
-            Part::Out => {
+            PassStep::Back => PassStep::In,
+            PassStep::In => PassStep::Synchronise,
+            PassStep::Synchronise => PassStep::ToTaper,
+            PassStep::ToTaper => PassStep::Taper,
+            PassStep::Taper => PassStep::Straighten,
+            PassStep::Straighten => PassStep::Cut,
+            PassStep::Cut => PassStep::Slant,
+            PassStep::Slant => PassStep::TaperOut,
+            PassStep::TaperOut => PassStep::Release,
+            PassStep::Release => PassStep::Out,
+            PassStep::Out if self.is_last() => PassStep::Last,
+            PassStep::Out => {
                 self.deepen();
-                Part::Back
+                PassStep::Back
             }
-            Part::Last => return true,
+            PassStep::Last => return true,
         };
         false
     }

@@ -19,7 +19,7 @@ fn standing(place: [f64; 3], plane: Plane, units: &str) -> Modal {
     let mut sink = Recorder { settings: modal.settings(), ..Recorder::default() };
     let head = words(1, &alloc::format!("{units} f100"));
     assert!(modal.execute(&head, &mut numbered, &mut sink).is_ok());
-    modal.in_force.put(|modes| &mut modes.plane, plane);
+    modal.active.put(|modes| &mut modes.plane, plane);
     let [x, y, z] = place;
     modal.position = Coordinates([x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     modal
@@ -128,7 +128,7 @@ proptest! {
         let from = modal.position;
         modal.position = modal.moved(&incremental);
         let found = modal.arc(&incremental, motion(counterclockwise), &from).unwrap();
-        modal.in_force.put(|modes| &mut modes.arc_distance, gaugeblock_vocabulary::Distance::Absolute);
+        modal.active.put(|modes| &mut modes.arc_distance, gaugeblock_vocabulary::Distance::Absolute);
         let also = modal.arc(&absolute, motion(counterclockwise), &from).unwrap();
         let (
             Effect::ArcFeed { first_centre, second_centre, turns: found_turns, end },

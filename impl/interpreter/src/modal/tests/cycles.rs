@@ -377,7 +377,7 @@ fn a_refusal_from_outside_undoes_the_cycle() {
         let mut execute = |modal: &mut super::Modal, text| {
             let mut flow = modal.execute(&super::words(1, text), &mut numbered, &mut sink);
             while let Ok(super::Flow::Within { .. }) = flow {
-                flow = modal.go_on(&mut numbered, &mut sink);
+                flow = modal.resume_block(&mut numbered, &mut sink);
             }
             flow
         };

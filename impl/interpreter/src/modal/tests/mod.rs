@@ -13,11 +13,11 @@ mod offsets;
 mod polar;
 mod probes;
 mod property;
-mod reference;
 mod saved;
 mod shifts_property;
 mod spindles;
 mod splines;
+mod stored_positions;
 mod threads;
 mod tool_table;
 mod tools;
@@ -42,7 +42,7 @@ use super::{Flow, Modal, Refusal};
 pub(super) struct Recorder {
     pub(super) effects: Vec<String>,
     pub(super) settings: Settings,
-    pub(super) told: usize,
+    pub(super) reported: usize,
     stop: bool,
 }
 
@@ -50,7 +50,7 @@ impl Sink for Recorder {
     fn set(&mut self, _line: u32, changed: &Settings) {
         assert!(!changed.is_empty(), "an empty report");
         self.settings.overlay(changed);
-        self.told += 1;
+        self.reported += 1;
     }
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
@@ -148,7 +148,7 @@ pub(super) fn run(machine: &Machine, options: &[(&str, &str)], program: &str) ->
                 let words = words(line, text);
                 let mut result = run.modal.execute(&words, &mut run.numbered, &mut run.sink);
                 while let Ok(Flow::Within { .. }) = result {
-                    result = run.modal.go_on(&mut run.numbered, &mut run.sink);
+                    result = run.modal.resume_block(&mut run.numbered, &mut run.sink);
                 }
                 let goes_on = matches!(result, Ok(Flow::More | Flow::Stopped));
                 run.last = (line, result);

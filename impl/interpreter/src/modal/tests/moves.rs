@@ -133,6 +133,7 @@ fn machine_coordinates_of_a_turned_system() {
     let run = super::run(&machine(), &[], "g10 l2 p1 x10 r90; g53 g0 x10 y4; g0 x1");
     let [x, y, ..] = run.modal.position.0;
     assert!((x - 1.0).abs() < 1e-9 && y.abs() < 1e-9, "{x} {y}");
-    let machine_y = run.modal.named(crate::parameters::Predefined::from_name("_abs_y").unwrap());
+    let machine_y =
+        run.modal.predefined(crate::parameters::Predefined::from_name("_abs_y").unwrap());
     assert!((machine_y - 1.0).abs() < 1e-9, "{machine_y}");
 }

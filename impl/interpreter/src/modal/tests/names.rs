@@ -10,7 +10,7 @@ use crate::parameters::Predefined;
 fn named(options: &[(&str, &str)], program: &str, name: &str) -> String {
     let run = run(&machine(), options, program);
     assert!(run.last.1.is_ok(), "{program}: {:?}", run.last);
-    run.modal.named(Predefined::from_name(name).unwrap()).to_string()
+    run.modal.predefined(Predefined::from_name(name).unwrap()).to_string()
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn position_parameters() {
 
 #[test]
 fn only_changes_are_told() {
-    let told = |program: &str| run(&machine(), &[], program).sink.told;
+    let told = |program: &str| run(&machine(), &[], program).sink.reported;
     assert_eq!(told("g17 g21 g90 g94 g40 g49 g54; m5; m9; m48; s0"), 0);
     assert_eq!(told("f5; g1 x1 f5; x2 f5; g0 x3"), 1);
     assert_eq!(told("g20 g91 f5"), 1);

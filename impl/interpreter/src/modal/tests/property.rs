@@ -87,7 +87,7 @@ proptest! {
             let mut flow = modal.execute(&words, &mut numbered, &mut sink);
             for _ in 0..20 {
                 if let Ok(Flow::Within { .. }) = flow {
-                    flow = modal.go_on(&mut numbered, &mut sink);
+                    flow = modal.resume_block(&mut numbered, &mut sink);
                 }
             }
             if let Ok(Flow::Within { .. }) = flow {
@@ -155,7 +155,7 @@ proptest! {
             let before = state(&modal, &numbered);
             let mut flow = modal.execute(&words, &mut numbered, &mut sink);
             while let Ok(Flow::Within { .. }) = flow {
-                flow = modal.go_on(&mut numbered, &mut sink);
+                flow = modal.resume_block(&mut numbered, &mut sink);
             }
             // An unsuccessful probe has been made.
             if flow.is_err() && flow != Err(Refusal::Missed) {

@@ -51,7 +51,7 @@ fn near(found: [f64; 9], wanted: [f64; 9]) -> bool {
 }
 
 fn machine_position(run: &Run) -> [f64; 9] {
-    let modes = run.modal.in_force.now();
+    let modes = run.modal.active.now();
     modes.machine_of(run.modal.position).converted(run.modal.active_to_stored()).0
 }
 
@@ -120,7 +120,7 @@ proptest! {
     fn axes_offsets(inch: bool, before in shifts(), x in number()) {
         let run = accepted(inch, &format!("{before}; g92 x{x}"));
         prop_assert!((run.modal.position.0[0] - x).abs() < 1e-6);
-        let offset = run.modal.in_force.now().g92_offset.0;
+        let offset = run.modal.active.now().g92_offset.0;
         prop_assert!(offset[1..].iter().all(|offset| offset.abs() <= 0.0));
     }
 }

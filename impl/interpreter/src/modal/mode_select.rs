@@ -16,7 +16,7 @@ impl Modal {
     /// F.
     #[inline]
     pub(super) fn set_feed(&mut self, feed: f64) -> Result<(), Refusal> {
-        self.in_force.set_feed_rate(checked_feed(feed)?);
+        self.active.set_feed_rate(checked_feed(feed)?);
         Ok(())
     }
 
@@ -27,8 +27,8 @@ impl Modal {
             940 => FeedMode::PerMinute,
             _ => FeedMode::PerRevolution,
         };
-        if self.in_force.now().feed_mode != mode {
-            let modes = self.in_force.set();
+        if self.active.now().feed_mode != mode {
+            let modes = self.active.set();
             modes.feed_mode = mode;
             // A switch to G94 or G95 asks for a new rate, one to G93 for one in each block (11.5.59).
             if mode != FeedMode::InverseTime && !planted(Fault::FeedKeptOverMode) {
@@ -48,11 +48,11 @@ impl Modal {
             181 => Plane::Wu,
             _ => Plane::Vw,
         };
-        let changes = self.in_force.now().plane != plane && matches!(code, 170 | 180 | 190);
+        let changes = self.active.now().plane != plane && matches!(code, 170 | 180 | 190);
         if changes && self.choices.plane_uncompensated {
             self.refuse_under_compensation("another plane")?;
         }
-        self.in_force.put(|modes| &mut modes.plane, plane);
+        self.active.put(|modes| &mut modes.plane, plane);
         Ok(())
     }
 
@@ -63,15 +63,15 @@ impl Modal {
 
     /// Tells every length in another unit.
     pub(super) fn change_units(&mut self, units: LengthUnit) {
-        let conversion = Conversion::between(self.in_force.now().units, units);
-        if self.in_force.now().units == units {
+        let conversion = Conversion::between(self.active.now().units, units);
+        if self.active.now().units == units {
             return;
         }
         self.position = self.position.converted(conversion);
         self.series.convert(conversion);
         self.compensation_radius = conversion.of(self.compensation_radius);
         let keep_feed = self.choices.feed_number_kept || planted(Fault::FeedNumber);
-        let modes = self.in_force.set();
+        let modes = self.active.set();
         modes.units = units;
         modes.tool_offset = modes.tool_offset.converted(conversion);
         modes.g5x_offset = modes.g5x_offset.converted(conversion);
@@ -87,19 +87,19 @@ impl Modal {
     /// G7, G8.
     pub(super) fn select_lathe_mode(&mut self, code: u16) {
         let lathe = if code == 70 { Lathe::Diameter } else { Lathe::Radius };
-        self.in_force.put(|modes| &mut modes.lathe, lathe);
+        self.active.put(|modes| &mut modes.lathe, lathe);
     }
 
     /// G90, G91.
     pub(super) fn select_distance(&mut self, code: u16) {
         let distance = if code == 900 { Distance::Absolute } else { Distance::Incremental };
-        self.in_force.put(|modes| &mut modes.distance, distance);
+        self.active.put(|modes| &mut modes.distance, distance);
     }
 
     /// G90.1, G91.1.
     pub(super) fn select_arc_distance(&mut self, code: u16) {
         let distance = if code == 901 { Distance::Absolute } else { Distance::Incremental };
-        self.in_force.put(|modes| &mut modes.arc_distance, distance);
+        self.active.put(|modes| &mut modes.arc_distance, distance);
     }
 
     /// G98, G99.
@@ -108,7 +108,7 @@ impl Modal {
             self.refuse_under_compensation("a return mode is selected")?;
         }
         let retract = if code == 980 { ReturnMode::OldZ } else { ReturnMode::RPlane };
-        self.in_force.put(|modes| &mut modes.retract, retract);
+        self.active.put(|modes| &mut modes.retract, retract);
         Ok(())
     }
 
@@ -120,7 +120,7 @@ impl Modal {
         if code != 640 {
             let path =
                 if code == 610 { PathControlMode::ExactPath } else { PathControlMode::ExactStop };
-            self.in_force.put(|modes| &mut modes.path, path);
+            self.active.put(|modes| &mut modes.path, path);
             return Ok(());
         }
         if words.get(b'P').is_none() && words.get(b'Q').is_some() {
@@ -128,14 +128,14 @@ impl Modal {
         }
         let (blend, naive) = match (self.tolerance(words, b'P')?, self.tolerance(words, b'Q')?) {
             (None, None) if planted(Fault::ToleranceKept) => {
-                let now = self.in_force.now();
+                let now = self.active.now();
                 (now.blend_tolerance, now.naive_cam_tolerance)
             }
             (None, naive) => (0.0, naive.unwrap_or(0.0)),
             (Some(blend), None) if planted(Fault::NoNaiveTolerance) => (blend, 0.0),
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
-        let modes = self.in_force.set();
+        let modes = self.active.set();
         modes.path = PathControlMode::Continuous;
         modes.blend_tolerance = blend;
         modes.naive_cam_tolerance = naive;

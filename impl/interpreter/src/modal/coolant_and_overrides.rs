@@ -13,7 +13,7 @@ use super::values::integer;
 impl Modal {
     /// M7, M8, M9.
     pub(super) fn coolant(&mut self, code: u16) {
-        let modes = self.in_force.set();
+        let modes = self.active.set();
         match code {
             7 => modes.mist = Switch::On,
             8 => modes.flood = Switch::On,
@@ -32,7 +32,7 @@ impl Modal {
             let switch = if code == 48 { Switch::On } else { Switch::Off };
             let which = self.selected(block, without)?;
             if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
-                self.in_force.put(|modes| &mut modes.feed_override, switch);
+                self.active.put(|modes| &mut modes.feed_override, switch);
             }
             if code == 48 || !planted(Fault::SpeedUntouched) {
                 self.set_speed_override(which, switch);
@@ -47,22 +47,22 @@ impl Modal {
             _ => return refuse(FaultKind::WordOutOfRange, "P of M50 to M53 is 0 or 1"),
         };
         match code {
-            50 => self.in_force.put(|modes| &mut modes.feed_override, switch),
+            50 => self.active.put(|modes| &mut modes.feed_override, switch),
             51 => {
                 let which = self.selected(block, without)?;
                 self.set_speed_override(which, switch);
             }
             52 if !planted(Fault::WrongSwitch) => {
-                self.in_force.put(|modes| &mut modes.adaptive_feed, switch);
+                self.active.put(|modes| &mut modes.adaptive_feed, switch);
             }
-            _ => self.in_force.put(|modes| &mut modes.feed_stop, switch),
+            _ => self.active.put(|modes| &mut modes.feed_stop, switch),
         }
         Ok(())
     }
 
     /// Refuses what an option does not allow while cutter compensation is on.
     pub(super) fn refuse_under_compensation(&self, what: &str) -> Result<(), Refusal> {
-        if self.in_force.now().compensation == Compensation::Off {
+        if self.active.now().compensation == Compensation::Off {
             return Ok(());
         }
         refuse(

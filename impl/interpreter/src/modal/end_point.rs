@@ -32,7 +32,7 @@ impl Modal {
     /// The point after the axis words of a plain move: no diameters, no polar words, no machine coordinates.
     #[inline]
     pub(super) fn moved(&self, words: &Words) -> Coordinates {
-        match self.in_force.now().distance {
+        match self.active.now().distance {
             Distance::Absolute => self.position.replaced(words),
             Distance::Incremental => self.position.moved_by(words),
         }
@@ -41,7 +41,7 @@ impl Modal {
     /// Moves the point, likewise, in place.
     #[inline]
     pub(super) fn move_by(&mut self, words: &Words) {
-        match self.in_force.now().distance {
+        match self.active.now().distance {
             Distance::Absolute => self.position.replace(words),
             Distance::Incremental => self.position.add(words),
         }
@@ -50,19 +50,19 @@ impl Modal {
     /// Moves the point to the end of the block's move.
     pub(super) fn move_point(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
-        let radius = self.in_force.now().lathe == Lathe::Radius;
+        let radius = self.active.now().lathe == Lathe::Radius;
         if radius && !block.words.is_polar() && !machine_coordinates {
             self.move_by(block.words);
         } else {
-            self.position = self.target(block)?;
+            self.position = self.block_end_point(block)?;
         }
         Ok(())
     }
 
     /// The end of the block's move, in program coordinates.
-    pub(super) fn target(&self, block: &Block<'_>) -> Result<Coordinates, Refusal> {
+    pub(super) fn block_end_point(&self, block: &Block<'_>) -> Result<Coordinates, Refusal> {
         let radius;
-        let diameter = self.in_force.now().lathe == Lathe::Diameter;
+        let diameter = self.active.now().lathe == Lathe::Diameter;
         let words = if diameter && !planted(Fault::DiameterAsRadius) {
             radius = with_radius(block.words);
             &radius
@@ -70,19 +70,19 @@ impl Modal {
             block.words
         };
         if block.g(NON_MODAL) == Some(530) {
-            return self.machine_target(words);
+            return self.machine_end_point(words);
         }
-        let incremental = self.in_force.now().distance == Distance::Incremental;
+        let incremental = self.active.now().distance == Distance::Incremental;
         let end = self.moved(words);
         if words.is_polar() { end.at_polar(self.position, words, incremental) } else { Ok(end) }
     }
 
     /// G53: absolute positions whatever the distance mode says (11.1.2.1). Axes without a word stay where they are on
     /// the machine, also where the system of the program is turned.
-    fn machine_target(&self, words: &Words) -> Result<Coordinates, Refusal> {
-        let machine = self.in_force.now().machine_of(self.position);
+    fn machine_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
+        let machine = self.active.now().machine_of(self.position);
         let adds = planted(Fault::MachineIncremental)
-            && self.in_force.now().distance == Distance::Incremental;
+            && self.active.now().distance == Distance::Incremental;
         let mut end = if adds { machine.moved_by(words) } else { machine.replaced(words) };
         if words.is_polar() {
             end = end.at_polar(machine, words, false)?;
@@ -97,7 +97,7 @@ impl Modal {
         letters: u32,
         machine: Coordinates,
     ) -> Coordinates {
-        let now = self.in_force.now();
+        let now = self.active.now();
         let machine = now.machine_of(point).taking(letters, machine);
         // The others keep their coordinates to the last bit.
         point.taking(now.turned_letters(letters), now.program_of(machine))

@@ -9,9 +9,9 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
+use super::end_point::with_radius;
 use super::modes::{Spindle, Spindles};
 use super::refusal::Refusal;
-use super::target::with_radius;
 
 impl Modal {
     /// The block's motion.
@@ -55,7 +55,7 @@ impl Modal {
     /// Where axis words lead, incremental ones from a point.
     pub(super) fn point_from(&self, from: Coordinates, words: &Words) -> Coordinates {
         let radius;
-        let words = if self.in_force.now().lathe == Lathe::Diameter {
+        let words = if self.active.now().lathe == Lathe::Diameter {
             radius = with_radius(words);
             &radius
         } else {
@@ -66,7 +66,7 @@ impl Modal {
 
     /// Whether axis words are increments.
     pub(super) fn is_incremental(&self) -> bool {
-        self.in_force.now().distance == Distance::Incremental
+        self.active.now().distance == Distance::Incremental
     }
 
     /// A straight feed move of a code's own.
@@ -102,8 +102,8 @@ impl Modal {
 
     /// The spindle of a set of one.
     pub(super) fn spindle_of(&self, which: Spindles) -> Spindle {
-        let [first, ..] = self.in_force.now().spindles;
+        let [first, ..] = self.active.now().spindles;
         let number = usize::try_from(which.trailing_zeros()).unwrap_or(0);
-        self.in_force.now().spindles.get(number).copied().unwrap_or(first)
+        self.active.now().spindles.get(number).copied().unwrap_or(first)
     }
 }

@@ -54,7 +54,7 @@ fn turned_systems() {
     // X of the program is Y of the machine: only the machine's X axis goes to its place.
     check("g10 l2 p1 r90; g0 x3 y4; g28 x3", After("#5221 = 0"));
     let run = super::run(&machine(), &[], "g10 l2 p1 r90; g0 x3 y4; g28 x5");
-    let [x, y, ..] = run.modal.in_force.now().machine_of(run.modal.position).0;
+    let [x, y, ..] = run.modal.active.now().machine_of(run.modal.position).0;
     assert!(x.abs() < 1e-9 && (y - 5.0).abs() < 1e-9, "{x} {y}");
 }
 

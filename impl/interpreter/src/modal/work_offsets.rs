@@ -12,27 +12,27 @@ use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
+use super::end_point::with_radius;
 use super::modes::Modes;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
-use super::target::with_radius;
 use super::values::integer_in;
 
 impl Modal {
     /// Changes offsets. Nothing moves: the point keeps its machine coordinates and gets other program coordinates.
     pub(super) fn offset_by(&mut self, change: impl FnOnce(&mut Modes)) {
-        let now = self.in_force.now();
+        let now = self.active.now();
         let machine = now.machine_of(self.position);
         self.series.each_point(|point| now.machine_of(point));
-        change(self.in_force.set());
-        let now = self.in_force.now();
+        change(self.active.set());
+        let now = self.active.now();
         self.position = now.program_of(machine);
         self.series.each_point(|point| now.program_of(point));
     }
 
     /// The axis words of an offset; whether X is a diameter there is an option.
     pub(super) fn offset_words(&self, words: &Words) -> Words {
-        if self.choices.diameter_offsets && self.in_force.now().lathe == Lathe::Diameter {
+        if self.choices.diameter_offsets && self.active.now().lathe == Lathe::Diameter {
             with_radius(words)
         } else {
             words.clone()
@@ -86,7 +86,7 @@ impl Modal {
         }
         match code {
             520 => {
-                let offset = self.in_force.now().g92_offset.replaced(&self.offset_words(words));
+                let offset = self.active.now().g92_offset.replaced(&self.offset_words(words));
                 self.set_g92(offset, numbered);
             }
             920 => self.set_g92(self.offset_to_become(words), numbered),
@@ -117,7 +117,7 @@ impl Modal {
 
     /// The offset of G92: the point gets the coordinates of the words; an axis without a word gets no offset.
     fn offset_to_become(&self, words: &Words) -> Coordinates {
-        let local = self.position.plus(self.in_force.now().g92_offset);
+        let local = self.position.plus(self.active.now().g92_offset);
         let words = self.offset_words(words);
         let wanted = local.replaced(&words);
         // Where no word stands `wanted` is `local`, which leaves zero.
@@ -153,7 +153,7 @@ impl Modal {
         kind: i32,
         numbered: &mut Numbered,
     ) -> Result<(), Refusal> {
-        let active = self.in_force.now().work_offset;
+        let active = self.active.now().work_offset;
         let system = match integer_in(words.get(b'P').unwrap_or(0.0), 0, 9, "P of G10")? {
             0 => active,
             system => u32::try_from(system).unwrap_or(active),
@@ -178,8 +178,8 @@ impl Modal {
 
     /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
     fn origin_to_become(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
-        let machine = self.in_force.now().machine_of(self.position);
-        let there = Modes { g5x_offset: origin, rotation, ..*self.in_force.now() };
+        let machine = self.active.now().machine_of(self.position);
+        let there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
         let wanted = there.program_of(machine).replaced(&self.offset_words(words));
         origin.taking(there.turned_letters(words.present), there.origin_for(machine, wanted))
     }

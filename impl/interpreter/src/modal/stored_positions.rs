@@ -25,7 +25,7 @@ impl Modal {
             G30_POSITION
         };
         if matches!(code, 281 | 301) {
-            let machine = self.in_force.now().machine_of(self.position);
+            let machine = self.active.now().machine_of(self.position);
             // All nine (11.4.3.1), though 11.5.20 stops at 5166.
             offsets::set_row(numbered, first, machine.converted(self.active_to_stored()));
             return Ok(());
@@ -34,7 +34,7 @@ impl Modal {
         if letters == 0 {
             letters = self.axes;
         } else {
-            let intermediate = self.target(block)?;
+            let intermediate = self.block_end_point(block)?;
             if !planted(Fault::StraightToPosition) {
                 self.traverse_to(block.words.line, intermediate, sink)?;
             }
@@ -44,7 +44,7 @@ impl Modal {
         }
         let stored = offsets::row(numbered, first).converted(self.stored_to_active());
         let end = if self.choices.position_program_axes {
-            self.position.taking(letters, self.in_force.now().program_of(stored))
+            self.position.taking(letters, self.active.now().program_of(stored))
         } else {
             self.with_machine(self.position, letters, stored)
         };

@@ -19,8 +19,8 @@ fn flag(set: bool) -> f64 {
 
 impl Modal {
     /// The value of a predefined parameter.
-    pub(crate) fn named(&self, name: Predefined) -> f64 {
-        let now = self.in_force.now();
+    pub(crate) fn predefined(&self, name: Predefined) -> f64 {
+        let now = self.active.now();
         let [spindle, ..] = &now.spindles;
         match name {
             Predefined::MotionMode => f64::from(code_of(self.motion)),
@@ -72,17 +72,17 @@ impl Modal {
 
     /// Whether the name of the old Z is 1: the table gives it the code of the R plane, or it is called after it.
     fn names_old_z(&self) -> bool {
-        (self.in_force.now().retract == ReturnMode::OldZ) != self.choices.retract_names_as_written
+        (self.active.now().retract == ReturnMode::OldZ) != self.choices.retract_names_as_written
     }
 
     /// Whether a name of the lathe modes is 1.
     fn names_lathe(&self, mode: Lathe) -> bool {
-        !self.choices.lathe_flags_zero && self.in_force.now().lathe == mode
+        !self.choices.lathe_flags_zero && self.active.now().lathe == mode
     }
 
     /// Whether a name of the overrides is 1: the list gives each the other one's code.
     fn names_override(&self, speed: bool) -> bool {
-        let now = self.in_force.now();
+        let now = self.active.now();
         let [spindle, ..] = &now.spindles;
         let switch = if speed == self.choices.override_names_as_written {
             now.feed_override

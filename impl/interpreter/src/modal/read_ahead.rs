@@ -1,0 +1,43 @@
+//! Reading ahead of what is executed: modes and parameters change, the machine does not.
+
+use alloc::boxed::Box;
+
+use crate::parameters::Numbered;
+
+use super::Modal;
+use super::coordinates::Coordinates;
+use super::snapshots::MachineSnapshot;
+
+impl Modal {
+    /// From here on nothing is executed; the point stands here, program coordinates.
+    #[cold]
+    pub(super) fn begin_read_ahead_at(&mut self, point: Coordinates) {
+        if self.machine_snapshot.is_some() {
+            return;
+        }
+        self.machine_snapshot = Some(Box::new(MachineSnapshot {
+            point: self.active.now().machine_of(point).converted(self.active_to_stored()),
+            tool: self.tool,
+            prepared: self.prepared,
+            selected: self.selected,
+            tools: self.tools.clone(),
+        }));
+    }
+
+    /// From here on nothing is executed.
+    pub(crate) fn begin_read_ahead(&mut self) {
+        self.begin_read_ahead_at(self.position);
+    }
+
+    /// Reading ahead is over: the machine is as it was.
+    pub(crate) fn end_read_ahead(&mut self, numbered: &mut Numbered) {
+        let Some(snapshot) = self.machine_snapshot.take() else { return };
+        let point = snapshot.point.converted(self.stored_to_active());
+        self.position = self.active.now().program_of(point);
+        self.tool = snapshot.tool;
+        self.prepared = snapshot.prepared;
+        self.selected = snapshot.selected;
+        self.tools = snapshot.tools;
+        self.publish_tool(numbered);
+    }
+}
