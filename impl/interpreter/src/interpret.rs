@@ -6,21 +6,21 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{
-    BlockLocation as Place, ControllerMode, End, Machine, Options, Position, Program, Rs274State,
-    Settings, Tool,
+    BlockLocation, ControllerMode, End, Machine, Options, Position, Program, Rs274State, Settings,
+    Tool,
 };
 
 use crate::block_end::BlockKind;
 use crate::canon::Sink;
-use crate::control::{Calculator, Cursor, LOOP, Logs, Reader, STREAM, Scopes};
+use crate::control::{CallStack, Cursor, Evaluator, LOOP, Logs, Reader, STREAM};
+use crate::dialect::Dialect;
 use crate::error::Error;
 use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{ItemName, NameId, Named, Numbered, Parameters, is_stored};
-use crate::readings::Readings;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Kind, NONE};
-use crate::syntax::{Packer, Segment};
+use crate::syntax::bytecode::{Block, Kind, NONE};
+use crate::syntax::{CodeSegment, LineCompiler};
 use crate::words::Words;
 
 /// An interpreter of LinuxCNC's dialect of RS-274, with the options of a chosen edition.
@@ -53,22 +53,22 @@ use crate::words::Words;
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     pub(crate) machine: Machine,
-    pub(crate) readings: Readings,
+    pub(crate) dialect: Dialect,
     pub(crate) limits: Limits,
     /// Names, and how lines become blocks.
-    pub(crate) packer: Packer,
+    pub(crate) compiler: LineCompiler,
     /// Where the source stands.
     pub(crate) reader: Reader,
     /// Packed blocks: the line being read, a loop of the main program, numbered subprograms, then subs.
-    pub(crate) segments: Vec<Segment>,
+    pub(crate) segments: Vec<CodeSegment>,
     /// Names of the files that were read; the main program first.
     pub(crate) files: Vec<String>,
     /// The next block.
     pub(crate) cursor: Cursor,
     /// Whether the line in the first segment has been read but not executed.
-    pub(crate) held: bool,
+    pub(crate) line_pending: bool,
     /// Whether the next block is one that a search for a branch has led to.
-    pub(crate) landed: bool,
+    pub(crate) at_branch: bool,
     /// Whether the main program begins with a percent line; not known before its first line.
     pub(crate) percent: Option<bool>,
     /// Whether the percent line was come by that ends the main program, perhaps ahead of what is executed.
@@ -79,10 +79,10 @@ pub struct Interpreter {
     pub(crate) parameters: Parameters,
     /// The modes.
     pub(crate) modal: Modal,
-    pub(crate) calculator: Calculator,
+    pub(crate) evaluator: Evaluator,
     pub(crate) words: Words,
     /// Call levels and labels.
-    pub(crate) scopes: Scopes,
+    pub(crate) call_stack: CallStack,
     /// Segments of subs by label; `u32::MAX` where there is no such sub.
     pub(crate) subs: Vec<u32>,
     /// Numbered subprograms by label, once M98 has looked for them.
@@ -92,9 +92,9 @@ pub struct Interpreter {
     /// The line of each sub of the main program.
     pub(crate) defined_lines: BTreeMap<NameId, u32>,
     /// Labels of the subs that the last program has defined.
-    pub(crate) former_subs: BTreeSet<NameId>,
+    pub(crate) previous_subs: BTreeSet<NameId>,
     /// Bytes of packed subs and subprograms.
-    pub(crate) packed: usize,
+    pub(crate) code_bytes: usize,
     /// Open log files.
     pub(crate) logs: Logs,
     /// The block of words that is not finished: where it stands, its line, and what kind it is.
@@ -105,7 +105,7 @@ pub struct Interpreter {
 
 /// Reusable memory for parameters, and the documents' options as read: making it costs more than a few blocks.
 #[derive(Debug, Default)]
-pub struct Scratch(Option<(Numbered, Readings)>);
+pub struct Scratch(Option<(Numbered, Dialect)>);
 
 /// Where a numbered subprogram begins.
 #[derive(Clone, Copy, Debug)]
@@ -150,27 +150,27 @@ impl Interpreter {
         limits: Limits,
         scratch: Scratch,
     ) -> Result<Self, Error> {
-        let (numbered, readings) = scratch.0.unzip();
-        let readings = match readings.filter(|readings| *readings.options() == options) {
-            Some(readings) => readings,
-            None => Readings::of(options)?,
+        let (numbered, dialect) = scratch.0.unzip();
+        let dialect = match dialect.filter(|dialect| *dialect.options() == options) {
+            Some(dialect) => dialect,
+            None => Dialect::of(options)?,
         };
         let mut numbered = numbered.unwrap_or_else(Numbered::new);
         // DEBUG speaks unless the program turns it off (11.4.3.1).
         numbered.set(5599, 1.0);
-        let modal = Modal::new(&machine, readings.modes.clone(), &mut numbered)?;
+        let modal = Modal::new(&machine, dialect.modes.clone(), &mut numbered)?;
         numbered.take_changes(|_, _| ());
         Ok(Self {
-            packer: Packer::new(&machine, readings.text.clone(), &limits),
+            compiler: LineCompiler::new(&machine, dialect.text.clone(), &limits),
             machine,
-            readings,
+            dialect,
             limits,
             reader: Reader::new(),
-            segments: vec![Segment::default(); 3],
+            segments: vec![CodeSegment::default(); 3],
             files: vec![Program::MAIN.into()],
             cursor: Cursor::MAIN,
-            held: false,
-            landed: false,
+            line_pending: false,
+            at_branch: false,
             percent: None,
             percent_closed: false,
             generation: 0,
@@ -185,15 +185,15 @@ impl Interpreter {
                 items: Vec::new(),
             },
             modal,
-            calculator: Calculator::new(),
+            evaluator: Evaluator::new(),
             words: Words::new(),
-            scopes: Scopes::new(),
+            call_stack: CallStack::new(),
             subs: Vec::new(),
             programs: None,
             subs_ahead: Vec::new(),
             defined_lines: BTreeMap::new(),
-            former_subs: BTreeSet::new(),
-            packed: 0,
+            previous_subs: BTreeSet::new(),
+            code_bytes: 0,
             logs: Logs::default(),
             pending: None,
             ended: None,
@@ -204,18 +204,18 @@ impl Interpreter {
     pub fn into_scratch(self) -> Scratch {
         let mut numbered = self.parameters.numbered;
         numbered.clear();
-        Scratch(Some((numbered, self.readings)))
+        Scratch(Some((numbered, self.dialect)))
     }
 
     /// Sets whether blocks that begin with a slash are skipped, for the next program; the default is no.
     pub fn set_block_delete(&mut self, skipped: bool) {
-        self.packer.block_delete = skipped;
+        self.compiler.block_delete = skipped;
     }
 
     /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
     /// they are none.
     pub fn set_report_comments(&mut self, told: bool) {
-        self.packer.report_comments = told;
+        self.compiler.report_comments = told;
     }
 
     /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
@@ -228,7 +228,7 @@ impl Interpreter {
     /// only, which the module `quirks` lists. Off unless this is called before the program begins, with all that is
     /// stored: also what is not persistent is taken over.
     pub fn emulate_rs274(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
-        self.packer.emulates_rs274 = true;
+        self.compiler.emulates_rs274 = true;
         for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
             self.parameters.numbered.set(number, value);
         }
@@ -264,7 +264,7 @@ impl Interpreter {
             return ended.clone().map(Progress::Ended);
         }
         for _ in 0..blocks {
-            match self.one(source, sink) {
+            match self.execute_next(source, sink) {
                 Ok(Progress::More) => {}
                 Ok(progress @ (Progress::Stopped | Progress::Aborted)) => return Ok(progress),
                 Ok(Progress::Ended(end)) => {
@@ -300,7 +300,7 @@ impl Interpreter {
         self.parameters.value = 0.0;
         self.modal.end_run();
         self.begin_over();
-        self.former_subs.clear();
+        self.previous_subs.clear();
     }
 
     /// Makes it ready for the program's first block, where that follows its last one without an end between them.
@@ -319,18 +319,18 @@ impl Interpreter {
         self.leave_calls();
         self.reader = Reader::new();
         self.segments.truncate(3);
-        self.segments.iter_mut().for_each(Segment::clear);
+        self.segments.iter_mut().for_each(CodeSegment::clear);
         self.files.truncate(1);
         self.cursor = Cursor::MAIN;
-        self.held = false;
-        self.landed = false;
+        self.line_pending = false;
+        self.at_branch = false;
         (self.percent, self.percent_closed) = (None, false);
-        self.scopes = Scopes::new();
+        self.call_stack = CallStack::new();
         self.subs.clear();
         self.programs = None;
         self.subs_ahead.clear();
-        self.former_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
-        self.packed = 0;
+        self.previous_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
+        self.code_bytes = 0;
         self.parameters.numbered.end_notes();
         self.pending = None;
         self.ended = None;
@@ -339,12 +339,12 @@ impl Interpreter {
     /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one
     /// after the outermost call. What a refused block has done already stays done.
     pub fn skip_faulted_block(&mut self) {
-        if let Some(frame) = self.scopes.frames.first() {
+        if let Some(frame) = self.call_stack.frames.first() {
             self.cursor = frame.back;
             self.leave_calls();
             self.modal.begin();
         }
-        self.landed = false;
+        self.at_branch = false;
         self.ended = None;
     }
 
@@ -371,7 +371,7 @@ impl Interpreter {
 
     /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
     pub fn needs_text(&self) -> bool {
-        self.cursor.segment == STREAM && !self.held && self.pending.is_none()
+        self.cursor.segment == STREAM && !self.line_pending && self.pending.is_none()
     }
 
     /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
@@ -385,7 +385,7 @@ impl Interpreter {
         }
         if self.needs_text() {
             match self.read_block(source) {
-                Ok(None) => self.held = true,
+                Ok(None) => self.line_pending = true,
                 Ok(Some(end)) => self.ended = Some(Ok(end)),
                 Err(error) => self.ended = Some(Err(error)),
             }
@@ -403,8 +403,8 @@ impl Interpreter {
     }
 
     /// The block that was executed last, or is being executed.
-    pub fn block(&self) -> Place {
-        self.place(self.cursor.segment, self.parameters.line)
+    pub fn block(&self) -> BlockLocation {
+        self.location(self.cursor.segment, self.parameters.line)
     }
 
     fn block_at(&self, at: Cursor) -> Option<&Block> {
@@ -414,11 +414,11 @@ impl Interpreter {
     /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor
     /// where the INI file disables them. Their values are zero until they are set.
     pub fn declare_items(&mut self, names: impl IntoIterator<Item = ItemName>) {
-        if !self.packer.items_enabled {
+        if !self.compiler.items_enabled {
             return;
         }
-        self.packer.items.extend(names);
-        self.parameters.items.resize(self.packer.items.len(), 0.0);
+        self.compiler.items.extend(names);
+        self.parameters.items.resize(self.compiler.items.len(), 0.0);
     }
 
     /// Puts the values of HAL items, in the order in which they were declared.
@@ -488,12 +488,12 @@ impl Interpreter {
 
     /// The readings of the documents that apply.
     pub fn options(&self) -> &Options {
-        self.readings.options()
+        self.dialect.options()
     }
 }
 
 /// A segment by its number.
 #[inline]
-pub(crate) fn segment(segments: &[Segment], number: u32) -> Option<&Segment> {
+pub(crate) fn segment(segments: &[CodeSegment], number: u32) -> Option<&CodeSegment> {
     usize::try_from(number).ok().and_then(|number| segments.get(number))
 }

@@ -14,9 +14,9 @@
 //! Source      bytes, as many as lie ready
 //!   reader      lines, in place                                     control/reader
 //!   direct      a plain line is evaluated while it is read          control/direct, control/operand
-//!   packer      a line becomes a block of operations, once          syntax/
+//!   compiler      a line becomes a block of operations, once          syntax/
 //!   segment     blocks that can run again lie together, packed      syntax/packed, control/gather
-//!   calculator  operations become words and settings of parameters  control/evaluate, parameters/
+//!   evaluator  operations become words and settings of parameters  control/evaluate, parameters/
 //!   control     o-words, calls, M98, M99: which block comes next    control/
 //!   modal       words become settings and effects, in order         modal/
 //! Sink        settings, effects, and a look at each block when it is done
@@ -73,6 +73,7 @@ mod block_end;
 mod block_start;
 mod canon;
 mod control;
+mod dialect;
 mod error;
 #[cfg(feature = "faults")]
 pub mod faults;
@@ -91,7 +92,6 @@ mod parameters;
 pub mod path;
 mod probe_move;
 mod quirks;
-mod readings;
 mod source;
 mod syntax;
 pub mod task;

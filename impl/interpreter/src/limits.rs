@@ -14,7 +14,7 @@ pub struct Limits {
     /// Named parameters that exist at one time, all levels together.
     pub named_parameters: u32,
     /// Bytes that packed loops and subroutines take together, their labels included.
-    pub packed_bytes: u32,
+    pub code_bytes: u32,
     /// Blocks that are read behind one that an abort has broken off, where the documents are read so.
     pub blocks_ahead: u32,
 }
@@ -26,7 +26,7 @@ impl Default for Limits {
             bracket_depth: 64,
             call_depth: 64,
             named_parameters: 65_536,
-            packed_bytes: 16_777_216,
+            code_bytes: 16_777_216,
             blocks_ahead: 100_000,
         }
     }
@@ -41,8 +41,8 @@ pub enum Limit {
     CallDepth,
     /// [`Limits::named_parameters`].
     NamedParameters,
-    /// [`Limits::packed_bytes`].
-    PackedBytes,
+    /// [`Limits::code_bytes`].
+    CodeBytes,
     /// [`Limits::blocks_ahead`].
     BlocksAhead,
 }
@@ -53,7 +53,7 @@ impl fmt::Display for Limit {
             Self::BracketDepth => "nested brackets",
             Self::CallDepth => "nested calls",
             Self::NamedParameters => "named parameters",
-            Self::PackedBytes => "bytes of loops and subroutines",
+            Self::CodeBytes => "bytes of loops and subroutines",
             Self::BlocksAhead => "blocks read behind an abort",
         })
     }

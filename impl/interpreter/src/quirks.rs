@@ -5,7 +5,7 @@
 //! shows it.
 //!
 //! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a
-//!   number sign (`syntax::parameter`), and a name alone behind an O (`syntax::oword`): no page, since no document
+//!   number sign (`syntax::parameter`), and a name alone behind an O (`syntax::o_word`): no page, since no document
 //!   speaks of them.
 //! * `rs274.file-with-two-subs`: `control::files`, but for calls of those other subs.
 //! * `rs274.unpassed-arguments-zero`: `control::calls`.

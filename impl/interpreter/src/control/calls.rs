@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{End, FaultKind};
 
 use crate::block_end::BlockKind;
 use crate::canon::Sink;
-use crate::control::flow::{Halt, refuse};
+use crate::control::o_words::{ControlError, refuse};
 use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
 use crate::error::Error;
 use crate::faults::{Fault, planted};
@@ -15,7 +15,7 @@ use crate::parameters::NameId;
 use crate::quirks;
 use crate::source::Source;
 use crate::syntax::LinePlace;
-use crate::syntax::packed::{Block, Keyword, NONE, OWord};
+use crate::syntax::bytecode::{Block, Keyword, NONE, OWord};
 
 /// Deepest nesting of calls (11.7.4).
 const LEVELS: usize = 10;
@@ -47,7 +47,7 @@ impl Interpreter {
         block: &Block,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         if at.segment != STREAM {
             return refuse(FaultKind::NestedSub, "a sub within a sub");
         }
@@ -58,7 +58,7 @@ impl Interpreter {
         if self.segment_of(label).is_some() {
             return refuse(FaultKind::DuplicateSub, "the sub is defined twice");
         }
-        let segment = self.sub_of_main(block, label, source)?;
+        let segment = self.compile_main_sub(block, label, source)?;
         self.defined_lines.insert(label, block.line);
         self.set_segment(label, segment);
         Ok(())
@@ -72,7 +72,7 @@ impl Interpreter {
         label: NameId,
         segment: u32,
     ) -> Result<(), Error> {
-        if !self.scopes.frames.is_empty() {
+        if !self.call_stack.frames.is_empty() {
             let message = "a sub within a called program".into();
             return Err(self.fault(at.segment, block.line, FaultKind::NestedSub, message, None));
         }
@@ -102,27 +102,27 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         let segment = match self.segment_of(label) {
             Some(segment) => segment,
             None => {
                 // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values
                 // in between.
-                self.values(at, block, oword)?;
+                self.values(at, block, o_word)?;
                 self.find_sub(label, source)?
             }
         };
-        self.values(at, block, oword)?;
+        self.values(at, block, o_word)?;
         let entry = Cursor { segment, place: 0 };
         self.enter(entry, FrameKind::Sub, label)?;
-        if self.packer.emulates_rs274 {
+        if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
         let first = if planted(Fault::ArgumentsShifted) { 2 } else { 1_u32 };
-        for (number, value) in (first..).zip(self.calculator.stack.iter()) {
+        for (number, value) in (first..).zip(self.evaluator.stack.iter()) {
             self.parameters.numbered.set(number, *value);
         }
         self.parameters.value = 0.0;
@@ -132,17 +132,17 @@ impl Interpreter {
 
     /// A sub that has not been defined: in a file of its name, or in the other style.
     #[cold]
-    fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, Halt> {
+    fn find_sub<S: Source>(&mut self, label: NameId, source: &mut S) -> Result<u32, ControlError> {
         let mixed = "this number begins a numbered program, which M98 calls";
-        if self.is_mdi() && self.former_subs.contains(&label) {
+        if self.is_mdi() && self.previous_subs.contains(&label) {
             let why = "whether the subs of a program that has ended can be called by hand";
-            return Err(Halt::Refusal(Refusal::Unspecified(why.into())));
+            return Err(ControlError::Refusal(Refusal::Unspecified(why.into())));
         }
-        if let Some(segment) = self.sub_of_file(label, source)? {
+        if let Some(segment) = self.compile_file_sub(label, source)? {
             self.set_segment(label, segment);
             return Ok(segment);
         }
-        if self.gather_programs(None, source)?
+        if self.compile_programs(None, source)?
             && self.programs.as_ref().is_some_and(|programs| programs.contains_key(&label))
         {
             return refuse(FaultKind::MixedStyles, mixed);
@@ -151,13 +151,13 @@ impl Interpreter {
     }
 
     /// Opens a call level.
-    fn enter(&mut self, entry: Cursor, kind: FrameKind, label: NameId) -> Result<(), Halt> {
+    fn enter(&mut self, entry: Cursor, kind: FrameKind, label: NameId) -> Result<(), ControlError> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
         let most = most.saturating_add(usize::from(planted(Fault::ElevenLevels)));
-        if self.scopes.frames.len() >= most {
+        if self.call_stack.frames.len() >= most {
             return refuse(FaultKind::TooManyLevels, "calls are nested too deep");
         }
-        let shared = self.packer.choices.locals_shared && kind != FrameKind::Sub;
+        let shared = self.compiler.choices.locals_shared && kind != FrameKind::Sub;
         let named = &mut self.parameters.named;
         let shared = shared || planted(Fault::LocalsInherited);
         let mark = if shared { named.share() } else { named.enter() };
@@ -167,9 +167,9 @@ impl Interpreter {
             back: self.cursor,
             arguments: self.parameters.numbered.arguments(),
             mark,
-            definitions: self.scopes.definitions(),
+            definitions: self.call_stack.definitions(),
         };
-        self.scopes.frames.push(frame);
+        self.call_stack.frames.push(frame);
         self.parameters.call_level = self.parameters.call_level.saturating_add(1);
         self.modal.enter_call();
         self.cursor = entry;
@@ -180,19 +180,19 @@ impl Interpreter {
     fn leave_level<K: Sink>(&mut self, frame: &Frame, line: u32, sink: &mut K) {
         self.modal.leave_call(&mut self.parameters.numbered, sink, line);
         self.parameters.named.leave(frame.mark);
-        self.scopes.forget_definitions(frame.definitions);
-        self.scopes.frames.pop();
+        self.call_stack.forget_definitions(frame.definitions);
+        self.call_stack.frames.pop();
         self.parameters.call_level = self.parameters.call_level.saturating_sub(1);
     }
 
     /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which
     /// numbered subprograms share. Nothing is restored besides: that is for a return (11.6.22).
     pub(crate) fn leave_calls(&mut self) {
-        let first = self.scopes.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
+        let first = self.call_stack.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
         if let Some(arguments) = first.map(|frame| frame.arguments) {
             self.parameters.numbered.set_arguments(&arguments);
         }
-        while let Some(frame) = self.scopes.frames.pop() {
+        while let Some(frame) = self.call_stack.frames.pop() {
             self.parameters.named.leave(frame.mark);
         }
         self.parameters.call_level = 0;
@@ -203,22 +203,22 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         sink: &mut K,
-    ) -> Result<(), Halt> {
-        let Some(frame) = self.scopes.frames.last().copied() else {
+    ) -> Result<(), ControlError> {
+        let Some(frame) = self.call_stack.frames.last().copied() else {
             return refuse(FaultKind::OutsideSub, "no sub is being executed");
         };
         if frame.kind != FrameKind::Sub {
             return refuse(FaultKind::MixedStyles, "a numbered program ends with M99");
         }
-        let own = oword.keyword == Keyword::EndSub || self.packer.choices.return_own;
+        let own = o_word.keyword == Keyword::EndSub || self.compiler.choices.return_own;
         if own && label != frame.label {
             return refuse(FaultKind::UnknownLabel, "this is not the number of the sub");
         }
-        self.values(at, block, oword)?;
-        let value = self.calculator.stack.first().copied();
+        self.values(at, block, o_word)?;
+        let value = self.evaluator.stack.first().copied();
         let kept = if planted(Fault::ValueLost) { None } else { value };
         self.parameters.value = kept.unwrap_or(0.0);
         self.parameters.value_returned = value.is_some();
@@ -248,16 +248,16 @@ impl Interpreter {
                 self.report_block_end(at, block.line, kind, sink);
                 Ok(progress)
             }
-            Err(Halt::Refusal(refusal)) => self.roll_back(at, block.line, refusal),
-            Err(Halt::Error(error)) => {
-                self.calculator.roll_back(&mut self.parameters);
+            Err(ControlError::Refusal(refusal)) => self.roll_back(at, block.line, refusal),
+            Err(ControlError::Error(error)) => {
+                self.evaluator.roll_back(&mut self.parameters);
                 Err(error)
             }
         }
     }
 
     /// Refuses a block that has other words than M98 or M99 and the letters that it takes.
-    fn check_alone(&self, letters: u32) -> Result<(), Halt> {
+    fn check_alone(&self, letters: u32) -> Result<(), ControlError> {
         if !self.machine.fanuc_subs && !planted(Fault::DisabledFanuc) {
             return refuse(FaultKind::FanucDisabled, "M98 and M99 are disabled");
         }
@@ -278,17 +278,17 @@ impl Interpreter {
         at: Cursor,
         block: &Block,
         source: &mut S,
-    ) -> Result<Progress, Halt> {
+    ) -> Result<Progress, ControlError> {
         self.check_alone(P_AND_L)?;
         let Some(number) = self.words.get(b'P') else {
             return refuse(FaultKind::MissingWord, "M98 needs P");
         };
         let number = count(number)?;
         let turns = math::to_count(count(self.words.get(b'L').unwrap_or(1.0))?);
-        if turns == 0 && self.packer.choices.uncalled_free {
+        if turns == 0 && self.compiler.choices.uncalled_free {
             return Ok(Progress::More);
         }
-        let label = self.packer.computed_label(number).unwrap_or(NONE);
+        let label = self.compiler.computed_label(number).unwrap_or(NONE);
         let entry = self.find_program(label, (at, block), turns != 0, source)?;
         if turns == 0 {
             return Ok(Progress::More);
@@ -300,7 +300,7 @@ impl Interpreter {
         };
         let kind = FrameKind::Numbered { left, entry };
         self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
-        if !self.packer.choices.value_kept {
+        if !self.compiler.choices.value_kept {
             self.parameters.value = 0.0;
             self.parameters.value_returned = false;
         }
@@ -314,7 +314,7 @@ impl Interpreter {
         (at, block): (Cursor, &Block),
         called: bool,
         source: &mut S,
-    ) -> Result<u32, Halt> {
+    ) -> Result<u32, ControlError> {
         let mixed = "this number is that of a sub, which an o-word calls";
         if self.segment_of(label).is_some() {
             return refuse(FaultKind::MixedStyles, mixed);
@@ -327,11 +327,11 @@ impl Interpreter {
             );
         }
         let call = LinePlace { line: block.line, offset: block.offset };
-        if !self.gather_programs((at.segment != STREAM).then_some(call), source)? {
+        if !self.compile_programs((at.segment != STREAM).then_some(call), source)? {
             let what = "M98 in a source that cannot go back";
-            return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
+            return Err(ControlError::Refusal(Refusal::Unsupported(what.into())));
         }
-        let call_itself = self.packer.choices.call_itself;
+        let call_itself = self.compiler.choices.call_itself;
         let found = self.programs.as_mut().and_then(|programs| programs.get_mut(&label));
         match found {
             Some(program) if program.line > block.line || program.called && call_itself => {
@@ -346,9 +346,13 @@ impl Interpreter {
     }
 
     /// M99: the next turn, back to the caller, or, in the main program, for ever from the beginning.
-    fn return_numbered<K: Sink>(&mut self, block: &Block, sink: &mut K) -> Result<Progress, Halt> {
+    fn return_numbered<K: Sink>(
+        &mut self,
+        block: &Block,
+        sink: &mut K,
+    ) -> Result<Progress, ControlError> {
         self.check_alone(0)?;
-        let Some(frame) = self.scopes.frames.last().copied() else {
+        let Some(frame) = self.call_stack.frames.last().copied() else {
             return Ok(Progress::Ended(End::Endless));
         };
         let FrameKind::Numbered { left, entry } = frame.kind else {
@@ -365,7 +369,7 @@ impl Interpreter {
 }
 
 /// A number of a program or of turns: a whole number of any size.
-fn count(value: f64) -> Result<f64, Halt> {
+fn count(value: f64) -> Result<f64, ControlError> {
     let number = math::round_even(value);
     if (number - value).abs() > math::CLOSE || !number.is_finite() {
         return refuse(FaultKind::NotAnInteger, "P and L of M98 are integers");

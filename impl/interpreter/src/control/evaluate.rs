@@ -8,8 +8,10 @@ use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::{NameId, Parameters, Slot};
 use crate::quirks;
-use crate::syntax::packed::Op;
-use crate::syntax::{Packer, arithmetic, code_number, is_position, is_told, parameter_number};
+use crate::syntax::bytecode::Op;
+use crate::syntax::{
+    LineCompiler, arithmetic, code_number, is_machine_state, is_position, parameter_number,
+};
 use crate::words::Words;
 
 impl Parameters {
@@ -39,7 +41,7 @@ pub(crate) enum Setting {
 
 /// The stack, and what waits for the end of the block's evaluation.
 #[derive(Clone, Debug)]
-pub(crate) struct Calculator {
+pub(crate) struct Evaluator {
     /// What the operations pushed and nothing took: a label, a condition, arguments.
     pub(crate) stack: Vec<f64>,
     /// Settings in the order of writing; once they are in force, what was in force before.
@@ -48,7 +50,7 @@ pub(crate) struct Calculator {
     applied: bool,
 }
 
-impl Calculator {
+impl Evaluator {
     /// With room for every line that the documents allow.
     pub(crate) fn new() -> Self {
         Self { stack: Vec::with_capacity(256), settings: Vec::with_capacity(128), applied: false }
@@ -80,7 +82,7 @@ impl Calculator {
         for setting in &mut self.settings {
             match setting {
                 // What tells the tool or the point goes on telling it, where it can be set at all.
-                Setting::Numbered(number, value) if is_told(*number) => {
+                Setting::Numbered(number, value) if is_machine_state(*number) => {
                     *value = parameters.numbered.get(u32::from(*number));
                 }
                 Setting::Numbered(number, value) => {
@@ -150,10 +152,10 @@ impl Calculator {
         ops: &[Op],
         parameters: &Parameters,
         modal: &Modal,
-        packer: &Packer,
+        compiler: &LineCompiler,
         words: &mut Words,
     ) -> Result<(), Refusal> {
-        let choices = &packer.choices;
+        let choices = &compiler.choices;
         for op in ops {
             match *op {
                 Op::WordNumber(letter, value) => words.set(letter, value),
@@ -204,21 +206,21 @@ impl Calculator {
                 }
                 Op::Local(id) => match parameters.named.local(id) {
                     Some(value) => self.stack.push(value),
-                    None => return Err(no_such(packer.names.name(id))),
+                    None => return Err(no_such(compiler.names.name(id))),
                 },
                 Op::Global(id) => match parameters.named.global(id) {
                     Some(value) => self.stack.push(value),
                     None if choices.absent_zero || planted(Fault::AbsentIsZero) => {
                         self.stack.push(0.0);
                     }
-                    None => return Err(no_such(packer.names.name(id))),
+                    None => return Err(no_such(compiler.names.name(id))),
                 },
                 Op::Function(function) => {
                     let value = self.pop();
                     let result = arithmetic::function(function, value, choices).map_err(wrong)?;
                     self.stack.push(result);
                 }
-                _ => self.rare(op, parameters, modal, packer, words)?,
+                _ => self.rare(op, parameters, modal, compiler, words)?,
             }
         }
         Ok(())
@@ -231,7 +233,7 @@ impl Calculator {
         op: &Op,
         parameters: &Parameters,
         modal: &Modal,
-        packer: &Packer,
+        compiler: &LineCompiler,
         words: &mut Words,
     ) -> Result<(), Refusal> {
         match *op {
@@ -252,7 +254,7 @@ impl Calculator {
             Op::Arctangent => {
                 let x = self.pop();
                 let y = self.pop();
-                self.stack.push(arithmetic::arctangent(y, x, &packer.choices));
+                self.stack.push(arithmetic::arctangent(y, x, &compiler.choices));
             }
             Op::ExistsLocal(id) => self.push_truth(parameters.named.local(id).is_some()),
             Op::ExistsGlobal(id) => self.push_truth(parameters.named.global(id).is_some()),
@@ -275,7 +277,7 @@ impl Calculator {
             Op::SetIndirect => {
                 let value = self.pop();
                 let number = parameter_number(self.pop()).map_err(wrong)?;
-                if packer.is_read_only(number) {
+                if compiler.is_read_only(number) {
                     return Err(Refusal::fault(
                         FaultKind::ReadOnlyParameter,
                         "this parameter is read-only",
@@ -310,7 +312,7 @@ fn push_m(words: &mut Words, code: u16) -> Result<(), Refusal> {
 }
 
 #[cold]
-fn wrong((kind, message): arithmetic::Wrong) -> Refusal {
+fn wrong((kind, message): arithmetic::ArithmeticError) -> Refusal {
     Refusal::fault(*kind, *message)
 }
 

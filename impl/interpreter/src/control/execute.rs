@@ -10,13 +10,13 @@ use crate::faults::{Fault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::{Flow, Refusal};
 use crate::source::Source;
-use crate::syntax::packed::{Block, Kind, NONE};
-use crate::syntax::{PercentAlone, Taken};
+use crate::syntax::bytecode::{Block, Kind, NONE};
+use crate::syntax::{LineKind, PercentAlone};
 
 impl Interpreter {
     /// Finds and executes one block.
     #[inline]
-    pub(crate) fn one<S: Source, K: Sink>(
+    pub(crate) fn execute_next<S: Source, K: Sink>(
         &mut self,
         source: &mut S,
         sink: &mut K,
@@ -26,14 +26,14 @@ impl Interpreter {
         }
         loop {
             let at = self.cursor;
-            if at.segment == STREAM && !self.held {
-                if let Some(progress) = self.direct_line(source, sink)? {
+            if at.segment == STREAM && !self.line_pending {
+                if let Some(progress) = self.execute_line_fast(source, sink)? {
                     return Ok(progress);
                 }
                 if let Some(end) = self.read_block(source)? {
                     return Ok(Progress::Ended(end));
                 }
-                self.held = true;
+                self.line_pending = true;
                 continue;
             }
             let block = segment(&self.segments, at.segment).and_then(|code| code.block(at.place));
@@ -46,18 +46,18 @@ impl Interpreter {
                 }
                 return Err(self.file_ended());
             };
-            self.held = false;
+            self.line_pending = false;
             self.cursor = if at.segment == STREAM { at } else { at.after() };
             self.parameters.line = block.line;
             if block.refused != NONE {
                 return Err(self.refused(at, &block));
             }
             return match block.kind {
-                Kind::Plain => self.plain(at, &block, source, sink),
-                Kind::Control(oword) => self.control(at, &block, oword, source, sink),
-                Kind::Definition { label: NONE, .. } if self.scopes.frames.is_empty() => {
+                Kind::Plain => self.execute_plain(at, &block, source, sink),
+                Kind::Control(o_word) => self.control(at, &block, o_word, source, sink),
+                Kind::Definition { label: NONE, .. } if self.call_stack.frames.is_empty() => {
                     let why = "when the number of a sub is computed that is defined in a loop";
-                    let block = self.place(at.segment, block.line);
+                    let block = self.location(at.segment, block.line);
                     Ok(Progress::Ended(End::Unspecified { block, why: why.into() }))
                 }
                 Kind::Definition { label, segment } => {
@@ -75,7 +75,7 @@ impl Interpreter {
 
     /// Executes a block of words, settings and comments.
     #[inline]
-    fn plain<S: Source, K: Sink>(
+    fn execute_plain<S: Source, K: Sink>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -139,25 +139,25 @@ impl Interpreter {
     ) -> Result<Option<Flow>, Refusal> {
         let Some(code) = segment(&self.segments, at.segment) else { return Ok(Some(Flow::More)) };
         self.words.clear(block.line);
-        self.calculator.clear();
-        self.calculator.run(
+        self.evaluator.clear();
+        self.evaluator.run(
             code.ops_of(block),
             &self.parameters,
             &self.modal,
-            &self.packer,
+            &self.compiler,
             &mut self.words,
         )?;
         let mut stopped = false;
-        let first = self.packer.choices.settings_first;
+        let first = self.compiler.choices.settings_first;
         if block.comment != NONE {
-            let before = self.packer.choices.message_old;
+            let before = self.compiler.choices.message_old;
             if !before {
-                self.calculator.apply(&mut self.parameters);
+                self.evaluator.apply(&mut self.parameters);
             }
             let view = View {
                 parameters: &self.parameters,
                 modal: &self.modal,
-                packer: &self.packer,
+                compiler: &self.compiler,
                 segment: code,
             };
             let comment = usize::try_from(block.comment).ok();
@@ -165,12 +165,12 @@ impl Interpreter {
                 stopped = self.logs.perform(*comment, view, block.line, sink)?;
             }
             if !before {
-                self.calculator.postpone(&mut self.parameters);
+                self.evaluator.postpone(&mut self.parameters);
             }
         }
         let called = self.words.m_count != 0 && (self.words.has_m(98) || self.words.has_m(99));
         if first || called || self.words.is_empty() {
-            self.calculator.apply(&mut self.parameters);
+            self.evaluator.apply(&mut self.parameters);
         }
         if self.words.is_empty() {
             return Ok(Some(if stopped { Flow::Stopped } else { Flow::More }));
@@ -180,7 +180,7 @@ impl Interpreter {
         }
         let flow = self.modal.execute(&self.words, &mut self.parameters.numbered, sink)?;
         if !first {
-            self.calculator.apply(&mut self.parameters);
+            self.evaluator.apply(&mut self.parameters);
         }
         Ok(Some(match flow {
             Flow::More if stopped => Flow::Stopped,
@@ -197,7 +197,7 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
-        let needed = self.packer.choices.percent_needed && self.percent == Some(true);
+        let needed = self.compiler.choices.percent_needed && self.percent == Some(true);
         if needed && !self.percent_closed {
             loop {
                 let percent = self.reader.next(source, |line, _| crate::syntax::is_percent(line));
@@ -217,29 +217,31 @@ impl Interpreter {
     #[inline]
     pub(crate) fn read_block<S: Source>(&mut self, source: &mut S) -> Result<Option<End>, Error> {
         loop {
-            let Self { reader, segments, packer, .. } = self;
+            let Self { reader, segments, compiler, .. } = self;
             let Some(code) = segments.first_mut() else { return Ok(None) };
             code.clear();
             let taken = reader.next(source, |line, place| {
-                let taken = packer.pack(line, place, code);
-                (taken, place, taken == Taken::Nothing && line.trim_ascii().is_empty())
+                let taken = compiler.compile_line(line, place, code);
+                (taken, place, taken == LineKind::Nothing && line.trim_ascii().is_empty())
             })?;
-            if packer.beyond.is_some() || packer.names.len() != self.parameters.named.covered() {
-                self.after_packing(STREAM)?;
+            if compiler.limit_exceeded.is_some()
+                || compiler.names.len() != self.parameters.named.covered()
+            {
+                self.finish_line(STREAM)?;
             }
             match taken {
-                Some((Taken::Block, ..)) => {
+                Some((LineKind::Block, ..)) => {
                     if self.percent.is_none() {
                         self.percent = Some(false);
                     }
                     return Ok(None);
                 }
-                Some((Taken::Nothing, _, blank)) => {
+                Some((LineKind::Nothing, _, blank)) => {
                     if !blank && self.percent.is_none() {
                         self.percent = Some(false);
                     }
                 }
-                Some((Taken::Percent, place, _)) => {
+                Some((LineKind::Percent, place, _)) => {
                     if let Some(end) = self.percent_line(place.line)? {
                         self.modal.end_run();
                         return Ok(Some(end));
@@ -252,7 +254,7 @@ impl Interpreter {
 
     /// A line that holds a percent sign only (11.4.1): it begins the file, ends it, or belongs nowhere.
     pub(crate) fn percent_line(&mut self, line: u32) -> Result<Option<End>, Error> {
-        match (self.percent, self.packer.choices.percent_alone) {
+        match (self.percent, self.compiler.choices.percent_alone) {
             (None, _) => {
                 self.percent = Some(true);
                 Ok(None)
@@ -271,10 +273,10 @@ impl Interpreter {
     }
 
     /// Makes room for names that a line brought, and tells when there are too many.
-    pub(crate) fn after_packing(&mut self, segment: u32) -> Result<(), Error> {
-        self.parameters.named.cover(&self.packer.names);
-        match self.packer.beyond.take() {
-            Some(limit) => Err(self.beyond(segment, limit)),
+    pub(crate) fn finish_line(&mut self, segment: u32) -> Result<(), Error> {
+        self.parameters.named.cover(&self.compiler.names);
+        match self.compiler.limit_exceeded.take() {
+            Some(limit) => Err(self.limit_exceeded(segment, limit)),
             None => Ok(()),
         }
     }
@@ -296,7 +298,7 @@ impl Interpreter {
             kind,
             parameters: &mut self.parameters,
             modal: &self.modal,
-            names: &self.packer.names,
+            names: &self.compiler.names,
         });
     }
 }

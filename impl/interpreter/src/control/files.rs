@@ -5,27 +5,27 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::control::flow::{Halt, refuse};
-use crate::control::gather::{Bad, Ends, Next, refuse_endless};
+use crate::control::compile::{Bad, Ends, Next, refuse_endless};
+use crate::control::o_words::{ControlError, refuse};
 use crate::control::{PROGRAMS, Reader};
 use crate::error::Error;
 use crate::interpret::{Interpreter, NumberedProgram, segment};
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
-use crate::syntax::{LinePlace, Segment};
+use crate::syntax::bytecode::{Block, Keyword, Kind, NONE, OWord};
+use crate::syntax::{CodeSegment, LinePlace};
 
 impl Interpreter {
     /// Packs the sub of a file of its name (11.7.9); none where there is no such file or sub.
     ///
     /// # Errors
     /// The file cannot be read, or the sub cannot be packed.
-    pub(crate) fn sub_of_file<S: Source>(
+    pub(crate) fn compile_file_sub<S: Source>(
         &mut self,
         label: NameId,
         source: &mut S,
-    ) -> Result<Option<u32>, Halt> {
-        let name = self.packer.labels.name(label);
+    ) -> Result<Option<u32>, ControlError> {
+        let name = self.compiler.labels.name(label);
         // The name of a file, and never a way to another folder.
         let leads_away = |byte: u8| matches!(byte, b'/' | b'\\');
         if name.is_empty() || name.starts_with('.') || name.bytes().any(leads_away) {
@@ -53,12 +53,12 @@ impl Interpreter {
         label: NameId,
         file: u32,
         source: &mut S,
-    ) -> Result<Option<u32>, Halt> {
+    ) -> Result<Option<u32>, ControlError> {
         let mut found = None;
-        let mut code = Segment { file, ..Segment::default() };
+        let mut code = CodeSegment { file, ..CodeSegment::default() };
         loop {
             code.clear();
-            match self.next_into(source, &mut code)? {
+            match self.compile_next(source, &mut code)? {
                 Next::Over => return Ok(found),
                 Next::Percent(place) => {
                     // What is refused outside of its sub is never executed.
@@ -72,7 +72,7 @@ impl Interpreter {
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
                             if found.is_some() || other != label {
-                                if self.packer.emulates_rs274 {
+                                if self.compiler.emulates_rs274 {
                                     continue;
                                 }
                                 return refuse(
@@ -80,7 +80,7 @@ impl Interpreter {
                                     "a file holds one sub, of its own name",
                                 );
                             }
-                            found = Some(self.sub_in_file(&block, label, file, source)?);
+                            found = Some(self.compile_sub_in_file(&block, label, file, source)?);
                         }
                         Kind::Control(_)
                         | Kind::Plain
@@ -93,32 +93,32 @@ impl Interpreter {
     }
 
     /// Packs a sub of a file; its faults have their places there.
-    fn sub_in_file<S: Source>(
+    fn compile_sub_in_file<S: Source>(
         &mut self,
         head: &Block,
         label: NameId,
         file: u32,
         source: &mut S,
     ) -> Result<u32, Error> {
-        let (line, kind, message) = match self.gather_sub(label, file, source, false)? {
+        let (line, kind, message) = match self.compile_sub(label, file, source, false)? {
             Ok(segment) => return Ok(segment),
             Err(Bad::Nested(line)) => (line, FaultKind::NestedSub, "a sub within a sub"),
             Err(Bad::Endless) => (head.line, FaultKind::UnknownLabel, "the sub does not end"),
         };
         let number = u32::try_from(self.segments.len()).unwrap_or(NONE);
-        self.segments.push(Segment { file, ..Segment::default() });
+        self.segments.push(CodeSegment { file, ..CodeSegment::default() });
         Err(self.fault(number, line, kind, message.into(), None))
     }
 
     /// Where a sub begins among numbered subprograms, it gets a segment of its own. One that does not end holds
     /// nothing: what follows its head can begin a program. That none ends is found out once, so that the text is not
     /// read again for each.
-    fn called_sub_into<S: Source>(
+    fn compile_called_sub<S: Source>(
         &mut self,
         head: &Block,
         ends: &mut Option<Ends>,
         source: &mut S,
-        code: &mut Segment,
+        code: &mut CodeSegment,
     ) -> Result<bool, Error> {
         if let (Some(ends), Kind::Control(OWord { keyword: Keyword::Sub, label, .. })) =
             (ends.as_ref(), head.kind)
@@ -128,7 +128,7 @@ impl Interpreter {
             return Ok(false);
         }
         let body = self.reader.place();
-        let is_sub = self.sub_into(head, source, code)?;
+        let is_sub = self.compile_inner_sub(head, source, code)?;
         if !is_sub {
             self.rewind(source, body)?;
             *ends = Some(self.ends(code.file, source)?);
@@ -141,7 +141,7 @@ impl Interpreter {
     /// together, since one that does not end runs into the next. False where the source cannot go back.
     ///
     /// They follow the call, which stands before the place of the reader where a loop or sub holds it.
-    pub(crate) fn gather_programs<S: Source>(
+    pub(crate) fn compile_programs<S: Source>(
         &mut self,
         call: Option<LinePlace>,
         source: &mut S,
@@ -155,17 +155,17 @@ impl Interpreter {
         {
             return Ok(false);
         }
-        let mut code = Segment::default();
+        let mut code = CodeSegment::default();
         let (mut programs, mut ends) = (BTreeMap::new(), None);
         loop {
             if programs.is_empty() {
                 code.clear();
             }
-            match self.next_of(source, &mut code, programs.is_empty())? {
+            match self.compile_next_of(source, &mut code, programs.is_empty())? {
                 Next::Over => break,
                 Next::Nothing => {}
                 Next::Percent(place) => {
-                    if self.percent_into(place, &mut code) {
+                    if self.add_percent_line(place, &mut code) {
                         break;
                     }
                 }
@@ -181,7 +181,7 @@ impl Interpreter {
                     programs.entry(label).or_insert(begun);
                 }
                 Next::Block(block) => {
-                    if self.called_sub_into(&block, &mut ends, source, &mut code)?
+                    if self.compile_called_sub(&block, &mut ends, source, &mut code)?
                         && block.refused == NONE
                         && let Some(Block { kind: Kind::Definition { label, segment: at }, .. }) =
                             code.blocks.last()
@@ -194,7 +194,7 @@ impl Interpreter {
             self.check_size(&code)?;
         }
         code.join_labels();
-        self.packed = self.packed.saturating_add(code.bytes());
+        self.code_bytes = self.code_bytes.saturating_add(code.bytes());
         if let Some(slot) = usize::try_from(PROGRAMS).ok().and_then(|at| self.segments.get_mut(at))
         {
             *slot = code;

@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::control::flow::{Halt, refuse};
-use crate::control::seek::Wanted;
+use crate::control::label_search::LabelTarget;
+use crate::control::o_words::{ControlError, refuse};
 use crate::control::{Cursor, Definition, LOOP};
 use crate::faults::{Fault, planted};
 use crate::interpret::Interpreter;
@@ -11,7 +11,7 @@ use crate::math;
 use crate::modal::Refusal;
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Keyword, OWord};
+use crate::syntax::bytecode::{Block, Keyword, OWord};
 use crate::syntax::{DoLabel, LinePlace, RepeatFraction};
 
 impl Interpreter {
@@ -20,29 +20,29 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
-        let followed = self.packer.choices.ended_followed;
-        if let Some(head) = self.scopes.find(label).copied()
+    ) -> Result<(), ControlError> {
+        let followed = self.compiler.choices.ended_followed;
+        if let Some(head) = self.call_stack.find(label).copied()
             && head.keyword == Keyword::Do
-            && (followed || !head.ended || self.packer.choices.do_label == DoLabel::First)
+            && (followed || !head.ended || self.compiler.choices.do_label == DoLabel::First)
         {
-            if self.condition(at, block, oword)? {
+            if self.condition(at, block, o_word)? {
                 return self.jump(head, true, source);
             }
-            if let Some(head) = self.scopes.find(label) {
+            if let Some(head) = self.call_stack.find(label) {
                 head.ended = true;
             }
             return Ok(());
         }
         self.check_label(block, label)?;
-        let holds = self.condition(at, block, oword)?;
+        let holds = self.condition(at, block, o_word)?;
         let definition = self.definition(at, block, label, Keyword::While);
-        self.scopes.define(definition);
+        self.call_stack.define(definition);
         if holds {
-            return self.gather_loop(at, label, Keyword::EndWhile, source);
+            return self.compile_loop(at, label, Keyword::EndWhile, source);
         }
         self.leave(at, block, label, |keyword| keyword == Keyword::EndWhile, source)
     }
@@ -54,11 +54,11 @@ impl Interpreter {
         block: &Block,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
-        if let Some(defined) = self.scopes.find(label).copied()
+    ) -> Result<(), ControlError> {
+        if let Some(defined) = self.call_stack.find(label).copied()
             && defined.line != block.line
         {
-            match self.packer.choices.do_label {
+            match self.compiler.choices.do_label {
                 DoLabel::Each => {}
                 DoLabel::First if defined.keyword == Keyword::Do => return Ok(()),
                 DoLabel::First => {}
@@ -68,8 +68,8 @@ impl Interpreter {
             self.check_label(block, label)?;
         }
         let definition = self.definition(at, block, label, Keyword::Do);
-        self.scopes.define(definition);
-        self.gather_loop(at, label, Keyword::While, source)
+        self.call_stack.define(definition);
+        self.compile_loop(at, label, Keyword::While, source)
     }
 
     /// `repeat`.
@@ -77,29 +77,29 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         self.check_label(block, label)?;
-        self.values(at, block, oword)?;
-        let count = self.calculator.stack.first().copied().unwrap_or(0.0);
+        self.values(at, block, o_word)?;
+        let count = self.evaluator.stack.first().copied().unwrap_or(0.0);
         let left = self.turns(count)?;
         let definition = self.definition(at, block, label, Keyword::Repeat);
-        self.scopes.define(Definition { left, ..definition });
+        self.call_stack.define(Definition { left, ..definition });
         if left != 0 {
-            return self.gather_loop(at, label, Keyword::EndRepeat, source);
+            return self.compile_loop(at, label, Keyword::EndRepeat, source);
         }
         self.leave(at, block, label, |keyword| keyword == Keyword::EndRepeat, source)
     }
 
     /// How many turns a repeat makes.
-    fn turns(&self, count: f64) -> Result<u64, Halt> {
-        if count < 0.0 && self.packer.choices.negative_refused {
+    fn turns(&self, count: f64) -> Result<u64, ControlError> {
+        if count < 0.0 && self.compiler.choices.negative_refused {
             return refuse(FaultKind::WordOutOfRange, "a count is not negative");
         }
         let near = math::near_integer(count);
-        let turns = match self.packer.choices.repeat_fraction {
+        let turns = match self.compiler.choices.repeat_fraction {
             RepeatFraction::Rounded => math::round_away(count),
             RepeatFraction::RoundedToEven => math::round_even(count),
             RepeatFraction::RoundedDown => math::floor(count),
@@ -118,7 +118,7 @@ impl Interpreter {
         &mut self,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         let head = self.pointed(label, |keyword| keyword == Keyword::Repeat)?;
         if head.ended {
             let head = *head;
@@ -140,7 +140,7 @@ impl Interpreter {
         block: &Block,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
         let head = *self.pointed(label, loops)?;
         if head.keyword == Keyword::While {
@@ -148,14 +148,14 @@ impl Interpreter {
                 let end = |keyword| keyword == Keyword::EndWhile;
                 return self.leave(at, block, label, end, source);
             }
-            if self.packer.emulates_rs274 {
-                let wanted = Wanted { label, accept: |keyword| keyword == Keyword::EndWhile };
-                self.seek(at, block.line, wanted, source)?;
+            if self.compiler.emulates_rs274 {
+                let target = LabelTarget { label, accept: |keyword| keyword == Keyword::EndWhile };
+                self.search_label(at, block.line, target, source)?;
             }
             return self.jump(head, false, source);
         }
-        let wanted = Wanted { label, accept: |keyword| keyword == Keyword::While };
-        self.seek(at, block.line, wanted, source)?;
+        let target = LabelTarget { label, accept: |keyword| keyword == Keyword::While };
+        self.search_label(at, block.line, target, source)?;
         Ok(())
     }
 
@@ -165,7 +165,7 @@ impl Interpreter {
         head: Definition,
         behind: bool,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         // Behind the loop in LOOP the text goes on where the source stands; from elsewhere one does not get back into
         // it.
         let packed = head.at.segment > LOOP
@@ -179,10 +179,10 @@ impl Interpreter {
         let place = LinePlace { line: head.line, offset: head.offset };
         if !self.rewind(source, place)? {
             let what = "a jump back to a loop that has ended, in a source that cannot go back";
-            return Err(Halt::Refusal(Refusal::Unsupported(what.into())));
+            return Err(ControlError::Refusal(Refusal::Unsupported(what.into())));
         }
         self.cursor = Cursor::MAIN;
-        self.held = false;
+        self.line_pending = false;
         if behind {
             self.read_block(source)?;
         }

@@ -9,8 +9,8 @@ use crate::canon::{Reply, Sink};
 use crate::faults::{Fault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::Parameters;
-use crate::syntax::packed::{Act, Comment, Piece, Segment};
-use crate::syntax::{AbsentName, Packer};
+use crate::syntax::bytecode::{Act, CodeSegment, Comment, Piece};
+use crate::syntax::{AbsentName, LineCompiler};
 
 /// #5599 is zero where DEBUG shall say nothing.
 const DEBUG_SWITCH: u32 = 5599;
@@ -32,9 +32,9 @@ pub(crate) struct View<'a> {
     /// The modes.
     pub(crate) modal: &'a Modal,
     /// The names and the readings.
-    pub(crate) packer: &'a Packer,
+    pub(crate) compiler: &'a LineCompiler,
     /// Where the comment lies.
-    pub(crate) segment: &'a Segment,
+    pub(crate) segment: &'a CodeSegment,
 }
 
 impl Logs {
@@ -96,7 +96,7 @@ impl View<'_> {
     /// A comment's text with its parameters expanded.
     fn text(&self, comment: Comment) -> String {
         let mut text = String::new();
-        let mut decimals = if self.packer.choices.default_four { 4 } else { 6 };
+        let mut decimals = if self.compiler.choices.default_four { 4 } else { 6 };
         let first = usize::try_from(comment.first).unwrap_or(usize::MAX);
         let end = usize::try_from(comment.end).unwrap_or(usize::MAX);
         for piece in self.segment.pieces.get(first..end).unwrap_or(&[]) {
@@ -132,7 +132,7 @@ impl View<'_> {
     /// A value with so many decimals.
     fn show(&self, value: Option<f64>, decimals: u8, text: &mut String) {
         let Some(value) = value else {
-            text.push_str(match self.packer.choices.absent_name {
+            text.push_str(match self.compiler.choices.absent_name {
                 AbsentName::One => "#",
                 AbsentName::Six => "######",
             });
@@ -140,7 +140,7 @@ impl View<'_> {
         };
         // An integer has no negative zero.
         let value = if decimals == 0 && value.abs() <= 0.5 { 0.0 } else { value };
-        let value = if self.packer.choices.zero_signed { value } else { value + 0.0 };
+        let value = if self.compiler.choices.zero_signed { value } else { value + 0.0 };
         // Writing into a text cannot fail.
         let _done = write!(text, "{value:.places$}", places = usize::from(decimals));
     }

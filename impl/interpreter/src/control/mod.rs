@@ -4,22 +4,23 @@
 //! block that jumps knows its label only; where that leads is looked up among the definitions of the running call
 //! level, because the documents speak of labels that are defined when a block is executed, and not of nested text.
 
+mod call_stack;
 mod calls;
-mod direct;
+mod compile;
 mod evaluate;
 mod execute;
+mod fast_path;
 mod files;
-mod flow;
-mod gather;
+mod label_search;
 mod loops;
 mod message;
-mod operand;
+mod o_words;
 mod reader;
 mod refuse;
-mod scope;
-mod seek;
 
-pub(crate) use evaluate::Calculator;
+pub(crate) use call_stack::{
+    CallStack, Cursor, Definition, Frame, FrameKind, LOOP, PROGRAMS, STREAM,
+};
+pub(crate) use evaluate::Evaluator;
 pub(crate) use message::{Logs, View};
 pub(crate) use reader::Reader;
-pub(crate) use scope::{Cursor, Definition, Frame, FrameKind, LOOP, PROGRAMS, STREAM, Scopes};

@@ -2,14 +2,14 @@
 
 use alloc::string::String;
 
-use gaugeblock_vocabulary::{BlockLocation as Place, End, Fault, FaultKind, Program, Span};
+use gaugeblock_vocabulary::{BlockLocation, End, Fault, FaultKind, Program, Span};
 
 use crate::control::Cursor;
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::limits::Limit;
 use crate::modal::Refusal;
-use crate::syntax::packed::Block;
+use crate::syntax::bytecode::Block;
 
 impl Interpreter {
     /// A block of words that is refused while it is executed: its settings of parameters are taken back, unless what
@@ -22,7 +22,7 @@ impl Interpreter {
         refusal: Refusal,
     ) -> Result<Progress, Error> {
         if refusal.undoes() {
-            self.calculator.roll_back(&mut self.parameters);
+            self.evaluator.roll_back(&mut self.parameters);
         }
         self.refuse(at, line, refusal)
     }
@@ -37,12 +37,14 @@ impl Interpreter {
     ) -> Result<Progress, Error> {
         match refusal {
             Refusal::Fault(kind, message) => Err(self.fault(at.segment, line, kind, message, None)),
-            Refusal::Unsupported(what) => {
-                Ok(Progress::Ended(End::Unsupported { block: self.place(at.segment, line), what }))
-            }
-            Refusal::Unspecified(why) => {
-                Ok(Progress::Ended(End::Unspecified { block: self.place(at.segment, line), why }))
-            }
+            Refusal::Unsupported(what) => Ok(Progress::Ended(End::Unsupported {
+                block: self.location(at.segment, line),
+                what,
+            })),
+            Refusal::Unspecified(why) => Ok(Progress::Ended(End::Unspecified {
+                block: self.location(at.segment, line),
+                why,
+            })),
             Refusal::Missed => {
                 let message = "the probe did not change".into();
                 Err(self.fault(at.segment, line, FaultKind::Probe, message, None))
@@ -86,21 +88,21 @@ impl Interpreter {
         message: String,
         span: Option<Span>,
     ) -> Error {
-        let block = Some(self.place(segment, line));
+        let block = Some(self.location(segment, line));
         Error::Fault(Fault { kind: Some(kind), block, span, message }.into())
     }
 
     /// The program needs more than it may use.
     #[cold]
-    pub(crate) fn beyond(&self, segment: u32, limit: Limit) -> Error {
+    pub(crate) fn limit_exceeded(&self, segment: u32, limit: Limit) -> Error {
         let line = self.reader.line().saturating_sub(1);
-        Error::LimitExceeded { limit, block: self.place(segment, line) }
+        Error::LimitExceeded { limit, block: self.location(segment, line) }
     }
 
     /// A line of the file that a segment comes from.
-    pub(crate) fn place(&self, at: u32, line: u32) -> Place {
+    pub(crate) fn location(&self, at: u32, line: u32) -> BlockLocation {
         let file = segment(&self.segments, at).map_or(0, |code| code.file);
         let name = usize::try_from(file).ok().and_then(|file| self.files.get(file));
-        Place::new(name.map_or(Program::MAIN, |name| name), line)
+        BlockLocation::new(name.map_or(Program::MAIN, |name| name), line)
     }
 }

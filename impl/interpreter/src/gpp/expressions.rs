@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::compile::{Compiler, DEEPEST, NO_STATEMENT, Stop, too_deep};
 use super::lexer::{self, Token};
-use super::program::{IndexRange, Operation, Place, Sum};
+use super::program::{IndexRange, Operation, Sum, VariableRef};
 use super::variables::Variable;
 use super::words::{self, Compare, Keyword};
 
@@ -16,17 +16,17 @@ pub(super) const WRONG_TYPE: Stop =
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Node {
     /// A variable alone, of which only the index has been written.
-    Variable { place: Place, is_text: bool },
+    Variable { place: VariableRef, is_text: bool },
     /// Something else, written.
     Number,
 }
 
 impl Compiler<'_> {
     /// The variable of a place.
-    pub(super) fn variable(&self, place: Place) -> Option<&Variable> {
+    pub(super) fn variable(&self, place: VariableRef) -> Option<&Variable> {
         match place {
-            Place::Alone(slot) => self.variables.variable_of(slot),
-            Place::Member { variable, .. } => self.variables.variables.get(variable),
+            VariableRef::Alone(slot) => self.variables.variable_of(slot),
+            VariableRef::Member { variable, .. } => self.variables.variables.get(variable),
         }
     }
 
@@ -35,10 +35,10 @@ impl Compiler<'_> {
         match node {
             Node::Number => {}
             Node::Variable { is_text: true, .. } => return Err(WRONG_TYPE),
-            Node::Variable { place: Place::Alone(slot), .. } => {
+            Node::Variable { place: VariableRef::Alone(slot), .. } => {
                 self.program.operations.push(Operation::Value(slot));
             }
-            Node::Variable { place: Place::Member { variable, .. }, .. } => {
+            Node::Variable { place: VariableRef::Member { variable, .. }, .. } => {
                 self.program.operations.push(Operation::Member(variable));
             }
         }
@@ -123,7 +123,7 @@ impl Compiler<'_> {
     }
 
     /// What an `IF_SET` of GPP2 tests: a variable, perhaps in parentheses, and no expression.
-    pub(super) fn tested(&mut self) -> Result<Place, Stop> {
+    pub(super) fn tested(&mut self) -> Result<VariableRef, Stop> {
         if !self.takes("(")? {
             let Token::Word(word) = self.take()? else { return Err(NO_STATEMENT) };
             return Ok(self.reference(word, false)?.0);
@@ -165,7 +165,7 @@ impl Compiler<'_> {
         &mut self,
         word: &str,
         in_expression: bool,
-    ) -> Result<(Place, bool), Stop> {
+    ) -> Result<(VariableRef, bool), Stop> {
         let name = word.to_ascii_uppercase();
         if words::is_taken(&name) {
             return Err(NO_STATEMENT);
@@ -185,7 +185,7 @@ impl Compiler<'_> {
             return Err(Stop::Refused(FaultKind::Statement, why));
         }
         if !has_index {
-            return Ok((Place::Alone(first), is_text));
+            return Ok((VariableRef::Alone(first), is_text));
         }
         self.take()?;
         self.enter()?;
@@ -195,6 +195,6 @@ impl Compiler<'_> {
         let index = IndexRange { from, to: self.program.operations.len() };
         self.expect("]")?;
         self.leave();
-        Ok((Place::Member { variable, index }, is_text))
+        Ok((VariableRef::Member { variable, index }, is_text))
     }
 }

@@ -17,10 +17,10 @@
 //! its cost. In steady state nothing is allocated but for a warning. Memory is bounded by the texts of program and
 //! toolpath and by 25 000 variables.
 
-mod calculate;
 mod choices;
 mod compile;
 mod declare;
+mod evaluate;
 mod expressions;
 mod formats;
 mod lexer;

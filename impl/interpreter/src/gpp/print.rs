@@ -4,8 +4,8 @@ use alloc::format;
 
 use gaugeblock_vocabulary::{Channel, Effect};
 
-use super::calculate::Refused;
-use super::program::{IndexRange, Item, Place};
+use super::evaluate::StatementError;
+use super::program::{IndexRange, Item, VariableRef};
 use super::run::tell;
 use super::runner::{Printing, Runner};
 use crate::canon::Sink;
@@ -19,7 +19,7 @@ impl Runner {
         (line, at): (u32, usize),
         (items, is_output): (IndexRange, bool),
         sink: &mut S,
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, StatementError> {
         let within = self.printing.waits;
         let room = if within { &mut self.within } else { &mut self.printing };
         let mut printing = core::mem::take(room);
@@ -40,14 +40,18 @@ impl Runner {
     }
 
     /// The rest of an OUTPUT behind the newline procedure, up to the next one; whether it is done.
-    pub(super) fn print_rest<S: Sink>(&mut self, sink: &mut S) -> Result<bool, Refused> {
+    pub(super) fn print_rest<S: Sink>(&mut self, sink: &mut S) -> Result<bool, StatementError> {
         let mut printing = core::mem::take(&mut self.printing);
         let done = self.go_on(&mut printing, sink);
         self.printing = printing;
         done
     }
 
-    fn go_on<S: Sink>(&mut self, printing: &mut Printing, sink: &mut S) -> Result<bool, Refused> {
+    fn go_on<S: Sink>(
+        &mut self,
+        printing: &mut Printing,
+        sink: &mut S,
+    ) -> Result<bool, StatementError> {
         let done = self.items(printing, sink)?;
         printing.waits = !done;
         if !self.text.is_empty() {
@@ -66,7 +70,11 @@ impl Runner {
         Ok(done)
     }
 
-    fn items<S: Sink>(&mut self, printing: &mut Printing, sink: &mut S) -> Result<bool, Refused> {
+    fn items<S: Sink>(
+        &mut self,
+        printing: &mut Printing,
+        sink: &mut S,
+    ) -> Result<bool, StatementError> {
         self.text.clear();
         self.text.push_str(&printing.carried);
         printing.carried.clear();
@@ -114,12 +122,12 @@ impl Runner {
     /// The slot of a variable that is printed; none where it is left out or has no value.
     fn printed_slot<S: Sink>(
         &mut self,
-        place: Place,
+        place: VariableRef,
         printing: &mut Printing,
         sink: &mut S,
-    ) -> Result<Option<usize>, Refused> {
+    ) -> Result<Option<usize>, StatementError> {
         let mut stack = core::mem::take(&mut self.stack);
-        let slot = self.calculator().slot(place, &mut stack);
+        let slot = self.evaluator().slot(place, &mut stack);
         self.stack = stack;
         let slot = slot?;
         let Some(variable) = self.variables.variable_of(slot) else { return Ok(None) };

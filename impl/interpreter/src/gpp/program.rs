@@ -27,7 +27,7 @@ pub(super) struct Program {
 pub(super) enum Statement {
     Assign {
         line: u32,
-        to: Place,
+        to: VariableRef,
         source: Source,
     },
     /// OUTPUT and PRINT.
@@ -55,7 +55,7 @@ pub(super) enum Statement {
 
 /// A variable.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place {
+pub(super) enum VariableRef {
     /// A slot.
     Alone(usize),
     /// A member of an array, by the variable and the expression of its index.
@@ -67,7 +67,7 @@ pub(super) enum Place {
 pub(super) enum Source {
     /// A place among the texts.
     Text(usize),
-    Variable(Place),
+    Variable(VariableRef),
     Expression(IndexRange),
 }
 
@@ -100,13 +100,13 @@ pub(super) enum Item {
     LineFeed,
     /// A place among the texts.
     Text(usize),
-    Variable(Place),
+    Variable(VariableRef),
 }
 
 /// What is switched.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target {
-    Place(Place),
+    VariableRef(VariableRef),
     /// A whole array.
     Array(usize),
     All,
@@ -115,7 +115,7 @@ pub(super) enum Target {
 /// One of the tests of a condition.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Test {
-    Flag { place: Place, on: bool },
+    Flag { place: VariableRef, on: bool },
     Numbers { left: Source, compare: Compare, right: Source },
     Texts { left: Source, compare: Compare, right: Source },
 }

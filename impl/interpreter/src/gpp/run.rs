@@ -6,9 +6,9 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{Channel, Effect};
 
-use super::calculate::{Refused, Stack, too_long};
 use super::choices::AssignedAgain;
-use super::program::{IndexRange, Place, Source, Statement, Target, Test};
+use super::evaluate::{Stack, StatementError, too_long};
+use super::program::{IndexRange, Source, Statement, Target, Test, VariableRef};
 use super::runner::{Next, Runner};
 use super::statement_end::{File, StatementEnd};
 use super::toolpath::Value;
@@ -16,7 +16,7 @@ use crate::canon::Sink;
 use crate::faults::{Fault, planted};
 
 /// Where a statement was refused, and why.
-pub(super) type RefusedAt = (File, u32, Refused);
+pub(super) type LocatedError = (File, u32, StatementError);
 
 impl Runner {
     /// Goes on to the next step; whether there is one.
@@ -51,7 +51,7 @@ impl Runner {
     }
 
     /// Makes a step; nothing where there is none.
-    pub(super) fn step<S: Sink>(&mut self, sink: &mut S) -> Result<u64, RefusedAt> {
+    pub(super) fn step<S: Sink>(&mut self, sink: &mut S) -> Result<u64, LocatedError> {
         if !self.advance() {
             return Ok(0);
         }
@@ -94,7 +94,7 @@ impl Runner {
     }
 
     /// A line of the toolpath.
-    fn toolpath(&mut self, place: usize) -> Result<(), Refused> {
+    fn toolpath(&mut self, place: usize) -> Result<(), StatementError> {
         let Some(line) = self.lines.get_mut(place) else { return Ok(()) };
         let sets = core::mem::take(&mut line.sets);
         let block = line.block;
@@ -110,7 +110,7 @@ impl Runner {
         done
     }
 
-    fn set_systems(&mut self, sets: &[(usize, Value)]) -> Result<(), Refused> {
+    fn set_systems(&mut self, sets: &[(usize, Value)]) -> Result<(), StatementError> {
         if !planted(Fault::PresenceStays) {
             // Both are in order: the variables are gone through once.
             let mut named: Vec<usize> = sets.iter().map(|(system, _)| *system).collect();
@@ -133,7 +133,7 @@ impl Runner {
         Ok(())
     }
 
-    fn put(&mut self, slot: usize, value: &Value) -> Result<bool, Refused> {
+    fn put(&mut self, slot: usize, value: &Value) -> Result<bool, StatementError> {
         match value {
             Value::Number(number) => self
                 .variables
@@ -150,7 +150,7 @@ impl Runner {
         at: usize,
         after: usize,
         sink: &mut S,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), StatementError> {
         let follows = Next::Statement { at: at.saturating_add(1), line: after };
         self.next = match statement {
             Statement::Assign { to, source, .. } => {
@@ -186,7 +186,7 @@ impl Runner {
     }
 
     /// The rest of an OUTPUT, up to the next newline.
-    fn rest<S: Sink>(&mut self, after: usize, sink: &mut S) -> Result<(), Refused> {
+    fn rest<S: Sink>(&mut self, after: usize, sink: &mut S) -> Result<(), StatementError> {
         let at = self.printing.at;
         self.next = if self.print_rest(sink)? {
             Next::Statement { at: at.saturating_add(1), line: after }
@@ -196,10 +196,10 @@ impl Runner {
         Ok(())
     }
 
-    fn assign(&mut self, to: Place, source: Source) -> Result<(), Refused> {
+    fn assign(&mut self, to: VariableRef, source: Source) -> Result<(), StatementError> {
         let mut stack = core::mem::take(&mut self.stack);
         stack.clear();
-        let slot = self.calculator().slot(to, &mut stack);
+        let slot = self.evaluator().slot(to, &mut stack);
         let done = slot.and_then(|slot| self.assign_slot(slot, source, &mut stack));
         self.stack = stack;
         done
@@ -210,19 +210,19 @@ impl Runner {
         slot: usize,
         source: Source,
         stack: &mut Stack,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), StatementError> {
         let had_value = self.variables.has_value(slot);
         let is_text = self.variables.variable_of(slot).is_some_and(|one| one.is_text());
         let changed = if is_text {
             // The text of a variable lies where it may be changed, and is copied.
             let mut copy = core::mem::take(&mut self.text);
             copy.clear();
-            let text = self.calculator().text(source, stack).map(|text| copy.push_str(text));
+            let text = self.evaluator().text(source, stack).map(|text| copy.push_str(text));
             let changed = text.map(|()| self.variables.set_text(slot, &copy));
             self.text = copy;
             changed?
         } else {
-            let number = self.calculator().source(source, stack)?.0;
+            let number = self.evaluator().source(source, stack)?.0;
             self.put(slot, &Value::Number(number))?
         };
         let goes_on = match self.choices.assigned_again {
@@ -237,7 +237,7 @@ impl Runner {
         Ok(())
     }
 
-    fn switch(&mut self, on: bool, targets: IndexRange) -> Result<(), Refused> {
+    fn switch(&mut self, on: bool, targets: IndexRange) -> Result<(), StatementError> {
         self.stack.clear();
         for place in targets.from..targets.to {
             match self.program.targets.get(place).copied() {
@@ -255,9 +255,9 @@ impl Runner {
                         self.variables.switch(slot, on);
                     }
                 }
-                Some(Target::Place(place)) => {
+                Some(Target::VariableRef(place)) => {
                     let mut stack = core::mem::take(&mut self.stack);
-                    let slot = self.calculator().slot(place, &mut stack);
+                    let slot = self.evaluator().slot(place, &mut stack);
                     self.stack = stack;
                     self.variables.switch(slot?, on);
                 }
@@ -274,15 +274,15 @@ impl Runner {
         tests: IndexRange,
         warns: bool,
         sink: &mut S,
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, StatementError> {
         let mut stack = core::mem::take(&mut self.stack);
         stack.clear();
-        let calculator = self.calculator();
+        let evaluator = self.evaluator();
         let mut holds = Ok(true);
         for test in tests.of(&self.program.tests) {
-            holds = calculator.holds(test, &mut stack);
+            holds = evaluator.holds(test, &mut stack);
             if let (true, Test::Flag { place, .. }, Ok(_)) = (warns, test, &holds)
-                && let Ok(slot) = calculator.slot(*place, &mut stack)
+                && let Ok(slot) = evaluator.slot(*place, &mut stack)
             {
                 let name = self.variables.name_of(slot);
                 tell(sink, line, format!("warning: {name} is not modal"));

@@ -3,8 +3,8 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::calculate::{Calculator, Stack};
 use super::choices::Choices;
+use super::evaluate::{Evaluator, Stack};
 use super::formats::Format;
 use super::program::{IndexRange, Program, Statement};
 use super::toolpath::{System, Value};
@@ -113,8 +113,8 @@ impl Runner {
     }
 
     /// What answers for the variables now.
-    pub(super) fn calculator(&self) -> Calculator<'_> {
-        Calculator {
+    pub(super) fn evaluator(&self) -> Evaluator<'_> {
+        Evaluator {
             program: &self.program,
             variables: &self.variables,
             formats: &self.formats,

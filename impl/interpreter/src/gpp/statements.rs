@@ -89,7 +89,7 @@ impl Compiler<'_> {
         {
             return Ok(Target::Array(*place));
         }
-        Ok(Target::Place(self.reference(word, false)?.0))
+        Ok(Target::VariableRef(self.reference(word, false)?.0))
     }
 
     /// The tests of a condition in its parentheses, and whether what an `IF_SET` tests is not modal.
@@ -210,7 +210,7 @@ impl Compiler<'_> {
     }
 
     /// Warns where the flag of a variable is tested that is not modal.
-    fn warn_of_flag(&mut self, place: super::program::Place) {
+    fn warn_of_flag(&mut self, place: super::program::VariableRef) {
         let Some(variable) = self.variable(place).filter(|variable| !variable.modal) else {
             return;
         };

@@ -283,7 +283,7 @@ fn radius_centre(
         return refuse(FaultKind::MissingWord, "R without an axis word of the plane");
     }
     let signed = words.get(b'R').unwrap_or(0.0);
-    let wanted = Wanted {
+    let wanted = RadiusFormat {
         radius: signed.abs(),
         // The centre of a counterclockwise arc below half a circle is on the left of the chord.
         left: counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius)),
@@ -295,7 +295,7 @@ fn radius_centre(
 
 /// The arc that a radius asks for.
 #[derive(Clone, Copy, Debug)]
-struct Wanted {
+struct RadiusFormat {
     radius: f64,
     /// Whether the centre is on the left of the chord.
     left: bool,
@@ -304,7 +304,7 @@ struct Wanted {
     emulates_rs274: bool,
 }
 
-impl Wanted {
+impl RadiusFormat {
     /// The centre of the arc between two points.
     #[inline]
     fn centre(&self, start: InPlane, end: InPlane) -> Result<InPlane, Refusal> {

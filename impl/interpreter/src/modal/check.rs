@@ -38,7 +38,7 @@ pub(crate) struct Block<'a> {
 
 /// What the codes of a block use and need together.
 #[derive(Default)]
-struct Taken {
+struct WordUse {
     uses: u32,
     needs: u32,
     needs_axes: bool,
@@ -47,7 +47,7 @@ struct Taken {
     axis_codes: u8,
 }
 
-impl Taken {
+impl WordUse {
     fn add(&mut self, code: &GCode) {
         self.uses |= code.uses;
         self.needs |= code.needs;
@@ -78,31 +78,31 @@ impl Modal {
             motion: None,
             axes_move: false,
         };
-        let mut taken = Taken::default();
-        take_g_codes(&mut block, &mut taken)?;
-        self.take_m_codes(&mut block, &mut taken)?;
-        if let Some(tenths) = taken.later {
+        let mut used = WordUse::default();
+        add_g_codes(&mut block, &mut used)?;
+        self.add_m_codes(&mut block, &mut used)?;
+        if let Some(tenths) = used.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
         }
-        let implied = self.implied_motion(&block, &taken);
+        let implied = self.implied_motion(&block, &used);
         if let Some(code) = implied.and_then(g_code) {
-            taken.add(&code);
+            used.add(&code);
         }
         if self.emulates_rs274 && block.m().any(|(_, code)| code == 19) {
             // Quirks rs274.orient-without-angle and rs274.orient-without-timeout.
-            taken.needs = 0;
+            used.needs = 0;
         }
         if self.emulates_rs274 {
             let motion = block.g(MOTION).or(implied);
-            taken.uses |= quirks::ignored(words, block.g(COMPENSATION), motion);
+            used.uses |= quirks::ignored(words, block.g(COMPENSATION), motion);
         }
-        check_words(words, &taken)?;
-        check_polar(&block, &taken)?;
-        self.check_axes(&mut block, &taken, implied)?;
+        check_words(words, &used)?;
+        check_polar(&block, &used)?;
+        self.check_axes(&mut block, &used, implied)?;
         Ok(block)
     }
 
-    fn take_m_codes(&self, block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
+    fn add_m_codes(&self, block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
         let codes = block.words.m_words();
         if codes.len() > M_WORDS_ALLOWED {
             return refuse(FaultKind::TooManyMCodes, "more than four M words in a block");
@@ -120,9 +120,9 @@ impl Modal {
                 );
             }
             groups |= group;
-            taken.uses |= code.uses;
-            taken.needs |= code.needs;
-            taken.dollar |= code.dollar;
+            used.uses |= code.uses;
+            used.needs |= code.needs;
+            used.dollar |= code.dollar;
             let by_number = planted(Fault::ByNumber) && code.rank < STOP_RANK;
             *slot = (if by_number { 0 } else { code.rank }, *number);
         }
@@ -151,7 +151,7 @@ impl Modal {
     fn check_axes(
         &self,
         block: &mut Block<'_>,
-        taken: &Taken,
+        used: &WordUse,
         implied: Option<u16>,
     ) -> Result<(), Refusal> {
         let words = block.words;
@@ -162,10 +162,10 @@ impl Modal {
             // A code that uses axis words does so also where there are none, but for G43.2 with H (11.4.13, 11.5.30).
             let by_length = u8::from(matches!(block.g(TOOL_LENGTH), Some(431 | 432)));
             let moves = !matches!(explicit, None | Some(800 | 53));
-            if moves && taken.axis_codes > by_length {
+            if moves && used.axis_codes > by_length {
                 return refuse(FaultKind::AxisWords, "two codes that use axis words");
             }
-            if taken.needs_axes || machine_coordinates {
+            if used.needs_axes || machine_coordinates {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
             }
             block.motion = explicit.or(implied);
@@ -179,7 +179,7 @@ impl Modal {
             return refuse(FaultKind::NoSuchAxis, format!("the machine has no axis {letter}"));
         }
         self.check_length_alone(block)?;
-        match (taken.axis_codes, explicit) {
+        match (used.axis_codes, explicit) {
             (0, _) => {
                 block.motion = explicit.or(implied);
                 block.axes_move = true;
@@ -252,18 +252,18 @@ impl Modal {
     }
 
     /// The move that is made again because there are axis words and no code that uses them (11.4.11).
-    fn implied_motion(&self, block: &Block<'_>, taken: &Taken) -> Option<u16> {
+    fn implied_motion(&self, block: &Block<'_>, used: &WordUse) -> Option<u16> {
         let words = block.words;
         let offsets_alone = self.choices.arc_offsets_alone
             && matches!(self.motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
-            && words.present & (I | J | K) & !taken.uses != 0;
+            && words.present & (I | J | K) & !used.uses != 0;
         let moves = words.axes() != 0 || offsets_alone;
-        let again = block.g(MOTION).is_none() && taken.axis_codes == 0 && moves;
+        let again = block.g(MOTION).is_none() && used.axis_codes == 0 && moves;
         if again { self.motion_code() } else { None }
     }
 }
 
-fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal> {
+fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
     for tenths in block.words.g_words() {
         let code =
             if *tenths == 100 { Some(set_data(block.words.get(b'L'))) } else { g_code(*tenths) };
@@ -280,28 +280,28 @@ fn take_g_codes(block: &mut Block<'_>, taken: &mut Taken) -> Result<(), Refusal>
                 );
             }
         }
-        taken.add(&code);
+        used.add(&code);
         if code.later {
-            taken.later = Some(*tenths);
+            used.later = Some(*tenths);
         }
         if code.uses_axes() && code.group != MOTION {
-            taken.axis_codes = taken.axis_codes.saturating_add(1);
+            used.axis_codes = used.axis_codes.saturating_add(1);
         }
     }
     Ok(())
 }
 
 /// Words that nothing uses, and words that are missing. F, S and T are codes of their own.
-fn check_words(words: &Words, taken: &Taken) -> Result<(), Refusal> {
-    let unused = words.present & !(taken.uses | AXES | F | S | T);
+fn check_words(words: &Words, used: &WordUse) -> Result<(), Refusal> {
+    let unused = words.present & !(used.uses | AXES | F | S | T);
     if unused != 0 && !planted(Fault::UnusedWord) {
         let letter = first_letter(unused);
         return refuse(FaultKind::UnusedWord, format!("nothing uses the {letter} word"));
     }
-    if words.dollar.is_some() && !taken.dollar && words.present & S == 0 {
+    if words.dollar.is_some() && !used.dollar && words.present & S == 0 {
         return refuse(FaultKind::UnusedWord, "nothing uses the $ word");
     }
-    let missing = taken.needs & !words.present;
+    let missing = used.needs & !words.present;
     if missing != 0 {
         let letter = first_letter(missing);
         return refuse(FaultKind::MissingWord, format!("the {letter} word is missing"));
@@ -310,7 +310,7 @@ fn check_words(words: &Words, taken: &Taken) -> Result<(), Refusal> {
 }
 
 /// Polar words stand for X and Y of a move (11.4.12): they do not stand beside them, nor is an offset a move.
-fn check_polar(block: &Block<'_>, taken: &Taken) -> Result<(), Refusal> {
+fn check_polar(block: &Block<'_>, used: &WordUse) -> Result<(), Refusal> {
     let words = block.words;
     if !words.is_polar() {
         return Ok(());
@@ -318,7 +318,7 @@ fn check_polar(block: &Block<'_>, taken: &Taken) -> Result<(), Refusal> {
     if words.present & (X | Y) != 0 {
         return refuse(FaultKind::AxisWords, "polar words beside X or Y");
     }
-    if taken.axis_codes != 0 && !matches!(block.g(NON_MODAL), Some(280 | 300)) {
+    if used.axis_codes != 0 && !matches!(block.g(NON_MODAL), Some(280 | 300)) {
         return refuse(FaultKind::UnusedWord, "polar words of a code that is no move");
     }
     Ok(())

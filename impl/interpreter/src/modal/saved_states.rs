@@ -17,7 +17,7 @@ pub(super) struct Saved {
 
 /// A place in which state is saved.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct SaveSlot {
     /// Call level to which it belongs.
     pub(super) level: u32,
     /// 70 or 73 where the codes save apart, else 70.
@@ -35,16 +35,16 @@ pub(super) struct Place {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SavedStates {
     pub(super) level: u32,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<SaveSlot>,
     /// The places of the level before the block changed them.
-    pub(super) before: Vec<Place>,
+    pub(super) before: Vec<SaveSlot>,
     /// Whether it has.
     pub(super) noted: bool,
 }
 
 impl SavedStates {
     /// The places of the current call level, the one saved in last first.
-    pub(super) fn here(&mut self) -> impl Iterator<Item = &mut Place> {
+    pub(super) fn here(&mut self) -> impl Iterator<Item = &mut SaveSlot> {
         let level = self.level;
         self.places.iter_mut().rev().take_while(move |place| place.level == level)
     }
@@ -78,9 +78,9 @@ impl SavedStates {
 
     pub(super) fn save(&mut self, place: u16, code: u16, state: Saved) {
         let level = self.level;
-        let same = |saved: &Place| saved.level == level && saved.code == place;
+        let same = |saved: &SaveSlot| saved.level == level && saved.code == place;
         let earlier = self.places.iter().rposition(same).map(|at| self.places.remove(at));
-        self.places.push(Place {
+        self.places.push(SaveSlot {
             level,
             code: place,
             by_m70: code == 70 || earlier.as_ref().is_some_and(|place| place.by_m70),

@@ -79,8 +79,8 @@ impl Runner {
         valued.clear();
         for place in words.from..words.to {
             let Some(word) = self.code.words.get(place).copied() else { break };
-            let (calculator, stack) = self.calculator();
-            match calculator.value(word.value, stack)? {
+            let (evaluator, stack) = self.evaluator();
+            match evaluator.value(word.value, stack)? {
                 Some(value) => valued.push((word.letter, value + 0.0)),
                 None if planted(Fault::VacantWordZero) => valued.push((word.letter, 0.0)),
                 None => {}

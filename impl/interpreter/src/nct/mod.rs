@@ -20,11 +20,11 @@
 //! which a step commands one at most.
 
 mod arcs;
-mod calculate;
 mod calls;
 mod choices;
 mod codes;
 mod compile;
+mod evaluate;
 mod execute;
 mod expressions;
 mod frames;

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
 
-use super::calculate::{Calculator, Stack};
 use super::choices::Choices;
+use super::evaluate::{Evaluator, Stack};
 use super::frames::{Frame, ModalCall, Reach};
 use super::modes::Modes;
 use super::program::{Code, Condition, Kind, Stop, Target, Value, refuse};
@@ -185,20 +185,20 @@ impl Runner {
     }
 
     /// What can be asked of variables, and operands to do it with.
-    pub(super) fn calculator(&mut self) -> (Calculator<'_>, &mut Stack) {
+    pub(super) fn evaluator(&mut self) -> (Evaluator<'_>, &mut Stack) {
         let (code, variables) = (&self.code, &self.variables);
-        (Calculator { code, variables, choices: self.choices }, &mut self.stack)
+        (Evaluator { code, variables, choices: self.choices }, &mut self.stack)
     }
 
     fn holds(&mut self, condition: Condition) -> Result<bool, Stop> {
-        let (calculator, stack) = self.calculator();
-        calculator.holds(condition, stack)
+        let (evaluator, stack) = self.evaluator();
+        evaluator.holds(condition, stack)
     }
 
     fn assign(&mut self, to: Target, from: Value) -> Result<(), Stop> {
-        let (calculator, stack) = self.calculator();
-        let slot = calculator.target(to, stack)?;
-        let value = calculator.value(from, stack)?;
+        let (evaluator, stack) = self.evaluator();
+        let slot = evaluator.target(to, stack)?;
+        let value = evaluator.value(from, stack)?;
         if self.variables.put(slot?, value) {
             return Ok(());
         }
@@ -206,8 +206,8 @@ impl Runner {
     }
 
     fn jump(&mut self, to: Value) -> Result<(), Stop> {
-        let (calculator, stack) = self.calculator();
-        let Some(number) = calculator.value(to, stack)? else {
+        let (evaluator, stack) = self.evaluator();
+        let Some(number) = evaluator.value(to, stack)? else {
             return Err(Stop::Open("GOTO with a vacant value"));
         };
         self.jump_to(number)

@@ -6,15 +6,15 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;
-use crate::syntax::packed::{Binary, Function, Op};
+use crate::syntax::bytecode::{Binary, Function, Op};
 use crate::syntax::{Choices, RoundHalf};
 
 /// Why there is no result.
-pub(crate) type Wrong = &'static (FaultKind, &'static str);
+pub(crate) type ArithmeticError = &'static (FaultKind, &'static str);
 
 /// A result that must be finite.
 #[inline]
-fn finite(value: f64) -> Result<f64, Wrong> {
+fn finite(value: f64) -> Result<f64, ArithmeticError> {
     if value.is_finite() {
         Ok(value)
     } else {
@@ -60,7 +60,7 @@ pub(crate) fn binary(
     left: f64,
     right: f64,
     choices: &Choices,
-) -> Result<f64, Wrong> {
+) -> Result<f64, ArithmeticError> {
     binary_inline(operator, left, right, choices)
 }
 
@@ -72,7 +72,7 @@ pub(crate) fn binary_inline(
     left: f64,
     right: f64,
     choices: &Choices,
-) -> Result<f64, Wrong> {
+) -> Result<f64, ArithmeticError> {
     match operator {
         Binary::Add => finite(left + right),
         Binary::Subtract => finite(left - right),
@@ -96,7 +96,7 @@ pub(crate) fn binary_inline(
 }
 
 /// MOD, on any real numbers.
-fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, Wrong> {
+fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, ArithmeticError> {
     if !holds(right) {
         return Err(&(FaultKind::DivideByZero, "modulus by zero"));
     }
@@ -106,7 +106,7 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, Wrong> {
 }
 
 /// `**`.
-fn power(base: f64, exponent: f64) -> Result<f64, Wrong> {
+fn power(base: f64, exponent: f64) -> Result<f64, ArithmeticError> {
     if !holds(base) && exponent < 0.0 {
         return Err(&(FaultKind::DivideByZero, "a negative power of zero"));
     }
@@ -115,8 +115,12 @@ fn power(base: f64, exponent: f64) -> Result<f64, Wrong> {
 
 /// The result of a function.
 #[inline]
-pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Result<f64, Wrong> {
-    let domain = |holds: bool, wrong: Wrong| if holds { Ok(()) } else { Err(wrong) };
+pub(crate) fn function(
+    function: Function,
+    value: f64,
+    choices: &Choices,
+) -> Result<f64, ArithmeticError> {
+    let domain = |holds: bool, wrong: ArithmeticError| if holds { Ok(()) } else { Err(wrong) };
     finite(match function {
         Function::Absolute => value.abs(),
         Function::Arccosine => {
@@ -162,7 +166,7 @@ pub(crate) fn function(function: Function, value: f64, choices: &Choices) -> Res
 }
 
 /// The value of operations that ask nothing of a program; none where they ask something, or are not those of one value.
-pub(crate) fn constant(ops: &[Op], choices: &Choices) -> Option<Result<f64, Wrong>> {
+pub(crate) fn constant(ops: &[Op], choices: &Choices) -> Option<Result<f64, ArithmeticError>> {
     let mut stack: Vec<f64> = Vec::new();
     for op in ops {
         #[expect(clippy::wildcard_enum_match_arm, reason = "the others depend on something")]

@@ -7,15 +7,15 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;
+use crate::syntax::bytecode::{Block, CodeSegment, Kind, NONE, Op, ParameterRef};
+use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Block, Kind, NONE, Op, Place, Segment};
-use crate::syntax::packer::Packer;
-use crate::syntax::parameter::is_told;
-use crate::syntax::{Packed, comment, number};
+use crate::syntax::parameter::is_machine_state;
+use crate::syntax::{Parsed, comment, number};
 
 /// What a line was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Taken {
+pub(crate) enum LineKind {
     /// Nothing that is executed: it is blank, deleted, or a comment that does not act.
     Nothing,
     /// A block, which is the last one of the segment now.
@@ -41,25 +41,30 @@ struct Items<'a> {
     comment: Option<&'a [u8]>,
 }
 
-impl Packer {
+impl LineCompiler {
     /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused
     /// when it is executed.
     #[inline]
-    pub(crate) fn pack(&mut self, line: &[u8], place: LinePlace, into: &mut Segment) -> Taken {
+    pub(crate) fn compile_line(
+        &mut self,
+        line: &[u8],
+        place: LinePlace,
+        into: &mut CodeSegment,
+    ) -> LineKind {
         let mut cursor = Cursor::new(line);
         if cursor.is_at_end() {
-            return Taken::Nothing;
+            return LineKind::Nothing;
         }
         if cursor.peek() == b'%' && is_percent(line) {
-            return Taken::Percent;
+            return LineKind::Percent;
         }
         let slash = cursor.take(b'/');
         if slash && self.block_delete && !planted(Fault::NothingDeleted) {
-            return Taken::Nothing;
+            return LineKind::Nothing;
         }
         let alone = cursor.is_at_end();
         if alone && !(slash && self.report_comments) {
-            return Taken::Nothing;
+            return LineKind::Nothing;
         }
         let first = u32::try_from(into.ops.len()).unwrap_or(NONE);
         let mut block = Block {
@@ -83,11 +88,11 @@ impl Packer {
             into.refusals.push(*refused);
         }
         if block.bare && block.comment == NONE && block.refused == NONE && !self.report_comments {
-            return Taken::Nothing;
+            return LineKind::Nothing;
         }
         block.end = u32::try_from(into.ops.len()).unwrap_or(NONE);
         into.blocks.push(block);
-        Taken::Block
+        LineKind::Block
     }
 
     /// Everything after the block delete character.
@@ -95,8 +100,8 @@ impl Packer {
         &mut self,
         mut cursor: Cursor<'a>,
         block: &mut Block,
-        into: &mut Segment,
-    ) -> Packed<()> {
+        into: &mut CodeSegment,
+    ) -> Parsed<()> {
         let numbered = cursor.peek() == b'n';
         if numbered {
             line_number(&mut cursor)?;
@@ -107,7 +112,7 @@ impl Packer {
             match cursor.peek() {
                 b'o' if !other => {
                     let commented = items.comment.is_some();
-                    return self.oword(&mut cursor, commented, block, into);
+                    return self.o_word(&mut cursor, commented, block, into);
                 }
                 byte @ b'a'..=b'z' => {
                     other = true;
@@ -143,7 +148,7 @@ impl Packer {
     /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword
     /// that stands behind them.
     #[cold]
-    fn cut_off(&mut self, within: &[u8], block: &mut Block, into: &mut Segment) {
+    fn cut_off(&mut self, within: &[u8], block: &mut Block, into: &mut CodeSegment) {
         let Kind::Control(_) = core::mem::replace(&mut block.kind, Kind::Plain) else { return };
         into.ops.truncate(usize::try_from(block.first).unwrap_or(usize::MAX));
         let mut cursor = Cursor::new(within);
@@ -159,8 +164,8 @@ impl Packer {
         byte: u8,
         cursor: &mut Cursor<'_>,
         items: &mut Items<'_>,
-        into: &mut Segment,
-    ) -> Packed<()> {
+        into: &mut CodeSegment,
+    ) -> Parsed<()> {
         match byte {
             b'#' => self.setting(cursor, into),
             b'$' => self.sign_word(26, Op::Dollar, cursor, items, into),
@@ -180,8 +185,8 @@ impl Packer {
         letter: u8,
         cursor: &mut Cursor<'_>,
         items: &mut Items<'_>,
-        into: &mut Segment,
-    ) -> Packed<()> {
+        into: &mut CodeSegment,
+    ) -> Parsed<()> {
         let start = cursor.at();
         const G: u8 = b'g' - b'a';
         const M: u8 = b'm' - b'a';
@@ -243,8 +248,8 @@ impl Packer {
         op: Op,
         cursor: &mut Cursor<'_>,
         items: &mut Items<'_>,
-        into: &mut Segment,
-    ) -> Packed<()> {
+        into: &mut CodeSegment,
+    ) -> Parsed<()> {
         let start = cursor.at();
         cursor.step();
         self.value(cursor, into, self.bracket_depth)?;
@@ -259,7 +264,7 @@ impl Packer {
     }
 
     /// `#…=value` (11.4.3.1).
-    fn setting(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+    fn setting(&mut self, cursor: &mut Cursor<'_>, into: &mut CodeSegment) -> Parsed<()> {
         let start = cursor.at();
         let place = self.parameter(cursor, into, self.bracket_depth)?;
         if !cursor.take(b'=') {
@@ -268,14 +273,17 @@ impl Packer {
         self.value(cursor, into, self.bracket_depth)?;
         let read_only = "this parameter is read-only";
         into.ops.push(match place {
-            Place::Numbered(number) if self.is_read_only(number) => {
+            ParameterRef::Numbered(number) if self.is_read_only(number) => {
                 return cursor.refuse_from(start, FaultKind::ReadOnlyParameter, read_only);
             }
-            Place::Numbered(number) => Op::SetNumbered(number),
-            Place::Indirect => Op::SetIndirect,
-            Place::Local(id) => Op::SetLocal(id),
-            Place::Global(id) => Op::SetGlobal(id),
-            Place::Mode(_) | Place::Own(_) | Place::Entry(_) | Place::Absent => {
+            ParameterRef::Numbered(number) => Op::SetNumbered(number),
+            ParameterRef::Indirect => Op::SetIndirect,
+            ParameterRef::Local(id) => Op::SetLocal(id),
+            ParameterRef::Global(id) => Op::SetGlobal(id),
+            ParameterRef::Mode(_)
+            | ParameterRef::Own(_)
+            | ParameterRef::Entry(_)
+            | ParameterRef::Absent => {
                 return cursor.refuse_from(start, FaultKind::ReadOnlyParameter, read_only);
             }
         });
@@ -285,11 +293,11 @@ impl Packer {
     /// Whether a numbered parameter tells something and is not set by programs.
     #[inline]
     pub(crate) fn is_read_only(&self, number: u16) -> bool {
-        is_told(number) && !self.choices.position_writable
+        is_machine_state(number) && !self.choices.position_writable
     }
 
     /// A comment; its form is checked, and the last one of a block is kept.
-    fn comment<'a>(&self, cursor: &mut Cursor<'a>, items: &mut Items<'a>) -> Packed<()> {
+    fn comment<'a>(&self, cursor: &mut Cursor<'a>, items: &mut Items<'a>) -> Parsed<()> {
         if cursor.peek() == b';' {
             items.comment = Some(cursor.raw_after());
             cursor.finish();
@@ -311,7 +319,7 @@ impl Packer {
     }
 
     /// Comments after an o-word, which change nothing.
-    pub(crate) fn comments_only(&self, cursor: &mut Cursor<'_>) -> Packed<bool> {
+    pub(crate) fn comments_only(&self, cursor: &mut Cursor<'_>) -> Parsed<bool> {
         let commented = self.comments(cursor)?;
         if !cursor.is_at_end() {
             return cursor.refuse(FaultKind::BadBlock, "other words on the line of an o-word");
@@ -321,7 +329,7 @@ impl Packer {
 
     /// Comments that come next on the line of an o-word; whether there are any.
     #[inline]
-    pub(crate) fn comments(&self, cursor: &mut Cursor<'_>) -> Packed<bool> {
+    pub(crate) fn comments(&self, cursor: &mut Cursor<'_>) -> Parsed<bool> {
         let mut items = Items { letters: 0, comment: None };
         while let b'(' | b';' = cursor.peek() {
             self.comment(cursor, &mut items)?;
@@ -331,7 +339,7 @@ impl Packer {
 }
 
 /// `N`, an unsigned integer, and possibly a point and another (11.4.2.2).
-fn line_number(cursor: &mut Cursor<'_>) -> Packed<()> {
+fn line_number(cursor: &mut Cursor<'_>) -> Parsed<()> {
     let mut text = String::new();
     cursor.step();
     number::digits(cursor, &mut text);
@@ -349,7 +357,7 @@ fn line_number(cursor: &mut Cursor<'_>) -> Packed<()> {
 
 /// A G or M code: its number where that is known, and what takes it from the stack where it is not.
 #[inline]
-fn code(into: &mut Segment, is_g: bool, known: Option<f64>) -> Result<(), &'static str> {
+fn code(into: &mut CodeSegment, is_g: bool, known: Option<f64>) -> Result<(), &'static str> {
     into.ops.push(match (known, is_g) {
         (Some(value), true) => Op::GCode(code_number(value * 10.0, 999).ok_or("no such G code")?),
         (Some(value), false) => Op::MCode(code_number(value, u16::MAX).ok_or("no such M code")?),
@@ -375,7 +383,7 @@ pub(crate) fn is_percent(line: &[u8]) -> bool {
 
 /// Whether a line may hold an o-word: a quick look that passes over lines that are skipped.
 #[inline]
-pub(crate) fn is_oword(line: &[u8]) -> bool {
+pub(crate) fn is_o_word(line: &[u8]) -> bool {
     let mut cursor = Cursor::new(line);
     cursor.take(b'/');
     if cursor.take(b'n') {

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 
-macro_rules! readings {
+macro_rules! dialect {
     ($($(#[$about:meta])* $id:literal $name:ident { $($(#[$what:meta])* $text:literal $variant:ident,)* })*) => {
         $(
             $(#[$about])*
@@ -27,7 +27,7 @@ macro_rules! readings {
     };
 }
 
-readings! {
+dialect! {
     /// A percent line in a file that does not begin with one.
     "text.percent-alone" PercentAlone {
         /// It is an illegal line.

@@ -1,8 +1,8 @@
 //! Active comments (11.4.14 to 11.4.20): messages, logs, and an error that the program asks for.
 
+use crate::syntax::bytecode::{Act, CodeSegment, Comment, NONE, ParameterRef, Piece};
+use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Act, Comment, NONE, Piece, Place, Segment};
-use crate::syntax::packer::Packer;
 use crate::syntax::parameter::parameter_number;
 
 /// What comments do, by their first word and a comma.
@@ -17,14 +17,18 @@ const ACTS: [(&[u8], Act); 7] = [
 ];
 
 /// Packs the last comment of a block; none where it is a plain one.
-pub(crate) fn pack(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<u32> {
-    let (act, rest) = act(text, packer.choices.message_free)?;
+pub(crate) fn pack(
+    compiler: &mut LineCompiler,
+    text: &[u8],
+    into: &mut CodeSegment,
+) -> Option<u32> {
+    let (act, rest) = act(text, compiler.choices.message_free)?;
     let first_piece = into.pieces.len();
     let first = u32::try_from(first_piece).ok()?;
     match act {
-        Act::Debug | Act::Print | Act::Log | Act::Abort => expand(packer, rest, into),
+        Act::Debug | Act::Print | Act::Log | Act::Abort => expand(compiler, rest, into),
         Act::Message => plain_text(rest, first_piece, into),
-        Act::LogOpen | Act::LogAppend if packer.choices.log_name_whole => {
+        Act::LogOpen | Act::LogAppend if compiler.choices.log_name_whole => {
             plain_text(rest, first_piece, into);
         }
         Act::LogOpen | Act::LogAppend | Act::ProbeOpen => {
@@ -92,7 +96,7 @@ fn without_blanks(text: &[u8]) -> &[u8] {
 }
 
 /// Characters as they are, joined to the piece before them.
-fn literal(text: &[u8], into: &mut Segment) {
+fn literal(text: &[u8], into: &mut CodeSegment) {
     if text.is_empty() {
         return;
     }
@@ -106,15 +110,15 @@ fn literal(text: &[u8], into: &mut Segment) {
 }
 
 /// Text with parameters and formats (11.4.20).
-fn expand(packer: &mut Packer, text: &[u8], into: &mut Segment) {
+fn expand(compiler: &mut LineCompiler, text: &[u8], into: &mut CodeSegment) {
     let first_piece = into.pieces.len();
     let mut rest = text;
     while let Some(place) = rest.iter().position(|byte| matches!(byte, b'#' | b'%')) {
         let (plain, special) = rest.split_at(place.min(rest.len()));
         plain_text(plain, first_piece, into);
         let taken = match special.first() {
-            Some(b'%') => format(packer, special),
-            _ => parameter(packer, special, into),
+            Some(b'%') => format(compiler, special),
+            _ => parameter(compiler, special, into),
         };
         let length = match taken {
             Some((piece, length)) => {
@@ -132,7 +136,7 @@ fn expand(packer: &mut Packer, text: &[u8], into: &mut Segment) {
 }
 
 /// Characters as they are, joined to those before them in the same comment.
-fn plain_text(text: &[u8], first_piece: usize, into: &mut Segment) {
+fn plain_text(text: &[u8], first_piece: usize, into: &mut CodeSegment) {
     if into.pieces.len() > first_piece {
         literal(text, into);
     } else if !text.is_empty() {
@@ -143,13 +147,13 @@ fn plain_text(text: &[u8], first_piece: usize, into: &mut Segment) {
 }
 
 /// `%d`, `%f`, `%.3f` or `%lf`, and its length.
-fn format(packer: &Packer, text: &[u8]) -> Option<(Piece, usize)> {
+fn format(compiler: &LineCompiler, text: &[u8]) -> Option<(Piece, usize)> {
     let at = |place: usize| text.get(place).copied();
     match (at(1)?, at(2), at(3)) {
         (b'd', ..) => Some((Piece::Decimals(0), 2)),
-        (b'f', ..) => Some((Piece::Decimals(if packer.choices.format_six { 6 } else { 4 }), 2)),
+        (b'f', ..) => Some((Piece::Decimals(if compiler.choices.format_six { 6 } else { 4 }), 2)),
         (b'l', Some(b'f'), _) => {
-            Some((Piece::Decimals(if packer.choices.default_four { 4 } else { 6 }), 3))
+            Some((Piece::Decimals(if compiler.choices.default_four { 4 } else { 6 }), 3))
         }
         (b'.', Some(digit @ b'0'..=b'9'), Some(b'f')) => Some((Piece::Decimals(digit & 15), 4)),
         _ => None,
@@ -157,25 +161,31 @@ fn format(packer: &Packer, text: &[u8]) -> Option<(Piece, usize)> {
 }
 
 /// `#123` or `#<name>`, and its length.
-fn parameter(packer: &mut Packer, text: &[u8], into: &mut Segment) -> Option<(Piece, usize)> {
+fn parameter(
+    compiler: &mut LineCompiler,
+    text: &[u8],
+    into: &mut CodeSegment,
+) -> Option<(Piece, usize)> {
     let after_sign = text.get(1..)?;
     if after_sign.first() == Some(&b'<') {
         let close = after_sign.iter().position(|byte| *byte == b'>')?;
         let name = after_sign.get(..=close)?;
         let mut cursor = Cursor::new(name);
         // What can be the name of no parameter is one that does not exist.
-        let place = packer.named(&mut cursor).unwrap_or(Place::Absent);
+        let place = compiler.named(&mut cursor).unwrap_or(ParameterRef::Absent);
         let piece = match place {
-            Place::Local(id) => Piece::Local(id),
-            Place::Global(id) => Piece::Global(id),
-            Place::Mode(name) => Piece::Mode(name),
-            Place::Own(name) => Piece::Own(name),
-            Place::Entry(value) => {
+            ParameterRef::Local(id) => Piece::Local(id),
+            ParameterRef::Global(id) => Piece::Global(id),
+            ParameterRef::Mode(name) => Piece::Mode(name),
+            ParameterRef::Own(name) => Piece::Own(name),
+            ParameterRef::Entry(value) => {
                 let place = u32::try_from(into.constants.len()).ok()?;
                 into.constants.push(value);
                 Piece::Constant(place)
             }
-            Place::Absent | Place::Numbered(_) | Place::Indirect => Piece::Absent,
+            ParameterRef::Absent | ParameterRef::Numbered(_) | ParameterRef::Indirect => {
+                Piece::Absent
+            }
         };
         return Some((piece, close.checked_add(2)?));
     }

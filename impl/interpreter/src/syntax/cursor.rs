@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::syntax::{Packed, Refused};
+use crate::syntax::{LineError, Parsed};
 
 /// A place in a line.
 #[derive(Clone, Copy, Debug)]
@@ -109,9 +109,9 @@ impl<'a> Cursor<'a> {
 
     /// A refusal of what stands here.
     #[cold]
-    pub(crate) fn refuse<T>(&self, kind: FaultKind, message: &'static str) -> Packed<T> {
+    pub(crate) fn refuse<T>(&self, kind: FaultKind, message: &'static str) -> Parsed<T> {
         let start = u32::try_from(self.at).unwrap_or(u32::MAX);
-        Err(Refused { kind, message, start, end: start.saturating_add(1) }.into())
+        Err(LineError { kind, message, start, end: start.saturating_add(1) }.into())
     }
 
     /// A refusal of what stands between an earlier place and this one.
@@ -121,9 +121,9 @@ impl<'a> Cursor<'a> {
         start: usize,
         kind: FaultKind,
         message: &'static str,
-    ) -> Packed<T> {
+    ) -> Parsed<T> {
         let start = u32::try_from(start).unwrap_or(u32::MAX);
         let end = u32::try_from(self.at).unwrap_or(u32::MAX).max(start.saturating_add(1));
-        Err(Refused { kind, message, start, end }.into())
+        Err(LineError { kind, message, start, end }.into())
     }
 }

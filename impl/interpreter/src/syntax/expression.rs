@@ -7,11 +7,11 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::limits::Limit;
+use crate::syntax::bytecode::{Binary, CodeSegment, Function, Op, ParameterRef};
+use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Binary, Function, Op, Place, Segment};
-use crate::syntax::packer::Packer;
 use crate::syntax::parameter::{is_position, short_parameter};
-use crate::syntax::{Packed, arithmetic, number};
+use crate::syntax::{Parsed, arithmetic, number};
 
 /// Names of functions, with the longer of two that begin alike first.
 const FUNCTIONS: [(&[u8], Function); 12] = [
@@ -61,15 +61,15 @@ pub(crate) fn group(operator: Binary) -> u8 {
     }
 }
 
-impl Packer {
+impl LineCompiler {
     /// A real value: a number, a parameter, an expression or a function, possibly with a sign.
     #[inline]
     pub(crate) fn value(
         &mut self,
         cursor: &mut Cursor<'_>,
-        into: &mut Segment,
+        into: &mut CodeSegment,
         depth: u32,
-    ) -> Packed<()> {
+    ) -> Parsed<()> {
         if number::begins(cursor) {
             let number = number::unsigned(cursor)?;
             into.ops.push(Op::Number(number));
@@ -108,25 +108,25 @@ impl Packer {
     fn unsigned_value(
         &mut self,
         cursor: &mut Cursor<'_>,
-        into: &mut Segment,
+        into: &mut CodeSegment,
         depth: u32,
-    ) -> Packed<()> {
+    ) -> Parsed<()> {
         match cursor.peek() {
             b'#' => {
                 let place = self.parameter(cursor, into, depth)?;
                 let op = match place {
-                    Place::Numbered(number) if is_position(number) => {
+                    ParameterRef::Numbered(number) if is_position(number) => {
                         into.ops.push(Op::Number(f64::from(number)));
                         Op::Indirect
                     }
-                    Place::Numbered(number) => Op::Numbered(number),
-                    Place::Indirect => Op::Indirect,
-                    Place::Local(id) => Op::Local(id),
-                    Place::Global(id) => Op::Global(id),
-                    Place::Mode(name) => Op::Mode(name),
-                    Place::Own(name) => Op::Own(name),
-                    Place::Entry(value) => Op::Number(value),
-                    Place::Absent => Op::Absent,
+                    ParameterRef::Numbered(number) => Op::Numbered(number),
+                    ParameterRef::Indirect => Op::Indirect,
+                    ParameterRef::Local(id) => Op::Local(id),
+                    ParameterRef::Global(id) => Op::Global(id),
+                    ParameterRef::Mode(name) => Op::Mode(name),
+                    ParameterRef::Own(name) => Op::Own(name),
+                    ParameterRef::Entry(value) => Op::Number(value),
+                    ParameterRef::Absent => Op::Absent,
                 };
                 into.ops.push(op);
                 Ok(())
@@ -141,11 +141,11 @@ impl Packer {
     pub(crate) fn expression(
         &mut self,
         cursor: &mut Cursor<'_>,
-        into: &mut Segment,
+        into: &mut CodeSegment,
         depth: u32,
-    ) -> Packed<()> {
+    ) -> Parsed<()> {
         if depth == 0 {
-            self.beyond = Some(Limit::BracketDepth);
+            self.limit_exceeded = Some(Limit::BracketDepth);
             return cursor.refuse(FaultKind::BadExpression, "brackets are nested too deep");
         }
         if !cursor.take(b'[') {
@@ -172,7 +172,7 @@ impl Packer {
     }
 
     /// Emits an operator, folded where its operands are known.
-    fn join(&self, operator: Binary, into: &mut Segment) {
+    fn join(&self, operator: Binary, into: &mut CodeSegment) {
         let right = into.ops.pop();
         let op = match (into.ops.last_mut(), right) {
             (Some(Op::Number(left)), Some(Op::Number(right))) => {
@@ -196,9 +196,9 @@ impl Packer {
     fn call_function(
         &mut self,
         cursor: &mut Cursor<'_>,
-        into: &mut Segment,
+        into: &mut CodeSegment,
         depth: u32,
-    ) -> Packed<()> {
+    ) -> Parsed<()> {
         let start = cursor.at();
         if cursor.peek() == b'a' && cursor.take_word(b"atan") {
             self.expression(cursor, into, depth)?;
@@ -233,7 +233,7 @@ impl Packer {
     }
 
     /// EXISTS takes one named parameter and nothing else.
-    fn exists(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+    fn exists(&mut self, cursor: &mut Cursor<'_>, into: &mut CodeSegment) -> Parsed<()> {
         if !cursor.take(b'[') || cursor.peek() != b'#' {
             return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
         }
@@ -248,19 +248,23 @@ impl Packer {
             return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
         }
         into.ops.push(match place {
-            Place::Local(id) => Op::ExistsLocal(id),
-            Place::Global(id) => Op::ExistsGlobal(id),
-            Place::Mode(_) | Place::Own(_) | Place::Entry(_) => Op::Number(1.0),
-            Place::Absent | Place::Numbered(_) | Place::Indirect => Op::Number(0.0),
+            ParameterRef::Local(id) => Op::ExistsLocal(id),
+            ParameterRef::Global(id) => Op::ExistsGlobal(id),
+            ParameterRef::Mode(_) | ParameterRef::Own(_) | ParameterRef::Entry(_) => {
+                Op::Number(1.0)
+            }
+            ParameterRef::Absent | ParameterRef::Numbered(_) | ParameterRef::Indirect => {
+                Op::Number(0.0)
+            }
         });
         Ok(())
     }
 }
 
-impl Packer {
+impl LineCompiler {
     /// Quirk rs274.exists-numbered. EXISTS takes a numbered parameter.
     #[cold]
-    fn numbered_exists(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<()> {
+    fn numbered_exists(&mut self, cursor: &mut Cursor<'_>, into: &mut CodeSegment) -> Parsed<()> {
         cursor.step();
         self.value(cursor, into, self.bracket_depth)?;
         if !cursor.take(b']') {
@@ -272,7 +276,7 @@ impl Packer {
 }
 
 /// The operator that comes next; none at the closing bracket, which is taken.
-fn operator(cursor: &mut Cursor<'_>) -> Packed<Option<Binary>> {
+fn operator(cursor: &mut Cursor<'_>) -> Parsed<Option<Binary>> {
     let operator = match cursor.peek() {
         b']' => {
             cursor.step();

@@ -2,35 +2,35 @@
 
 pub(crate) mod arithmetic;
 mod block;
+pub(crate) mod bytecode;
 mod choices;
 mod comment;
+mod compiler;
 mod cursor;
 mod expression;
 mod number;
-mod oword;
-pub(crate) mod packed;
-mod packer;
+mod o_word;
 mod parameter;
 
 use alloc::boxed::Box;
 
 use gaugeblock_vocabulary::FaultKind;
 
-pub(crate) use block::{LinePlace, Taken, code_number, is_oword, is_percent};
+pub(crate) use block::{LineKind, LinePlace, code_number, is_o_word, is_percent};
+pub(crate) use bytecode::{CodeSegment, ParameterRef};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
+pub(crate) use compiler::LineCompiler;
 pub(crate) use expression::group;
 pub(crate) use number::plain as plain_number;
-pub(crate) use oword::label_ops;
-pub(crate) use packed::{Place, Segment};
-pub(crate) use packer::Packer;
-pub(crate) use parameter::{is_position, is_told, parameter_number};
+pub(crate) use o_word::label_ops;
+pub(crate) use parameter::{is_machine_state, is_position, parameter_number};
 
 /// What becomes of a part of a line. A refusal is boxed because the way without one must be short.
-pub(crate) type Packed<T> = Result<T, Box<Refused>>;
+pub(crate) type Parsed<T> = Result<T, Box<LineError>>;
 
 /// Why a line is no block: raised when the block would be executed, not before.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Refused {
+pub(crate) struct LineError {
     /// The kind of the fault.
     pub(crate) kind: FaultKind,
     /// For people.

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{Fault, planted};
 use crate::math;
-use crate::syntax::Packed;
+use crate::syntax::Parsed;
 use crate::syntax::cursor::Cursor;
 
 /// Largest mantissa that a double holds exactly.
@@ -150,7 +150,7 @@ pub(crate) fn short(text: &[u8]) -> Option<Short> {
 
 /// Reads a number without a sign, rounded correctly.
 #[inline]
-pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Packed<f64> {
+pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     match short(cursor.rest()) {
         Some(short) => {
             cursor.advance_to_next(short.length);
@@ -162,7 +162,7 @@ pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Packed<f64> {
 
 /// Reads a number that is long or stands apart.
 #[cold]
-fn unusual(cursor: &mut Cursor<'_>) -> Packed<f64> {
+fn unusual(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     let start = *cursor;
     let mut mantissa = 0_u64;
     let mut digits = 0_usize;
@@ -202,7 +202,7 @@ fn unusual(cursor: &mut Cursor<'_>) -> Packed<f64> {
 
 /// Reads a long number through the standard library.
 #[cold]
-fn slow(mut cursor: Cursor<'_>) -> Packed<f64> {
+fn slow(mut cursor: Cursor<'_>) -> Parsed<f64> {
     let mut text = [0_u8; LONGEST];
     let mut length = 0_usize;
     while begins(&cursor) {

@@ -8,24 +8,24 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::limits::Limit;
 use crate::math;
 use crate::parameters::{LAST, NameId, Own, Predefined};
+use crate::syntax::bytecode::{CodeSegment, Op, ParameterRef};
+use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Op, Place, Segment};
-use crate::syntax::packer::Packer;
-use crate::syntax::{Packed, arithmetic, number};
+use crate::syntax::{Parsed, arithmetic, number};
 
 /// The last number of a parameter.
 const LAST_NUMBER: u64 = 5602;
 /// It is the one that the parameters end with.
 const _: () = assert!(LAST == 5602);
 
-impl Packer {
+impl LineCompiler {
     /// `#` and what follows it (11.4.3.1): a number, a further parameter, an expression, or a name.
     pub(crate) fn parameter(
         &mut self,
         cursor: &mut Cursor<'_>,
-        into: &mut Segment,
+        into: &mut CodeSegment,
         depth: u32,
-    ) -> Packed<Place> {
+    ) -> Parsed<ParameterRef> {
         let start = cursor.at();
         cursor.step();
         match cursor.peek() {
@@ -35,7 +35,7 @@ impl Packer {
                     && let Some(number @ 1..=LAST_NUMBER) = short.integer()
                 {
                     cursor.advance_to_next(short.length);
-                    return Ok(Place::Numbered(u16::try_from(number).unwrap_or(0)));
+                    return Ok(ParameterRef::Numbered(u16::try_from(number).unwrap_or(0)));
                 }
                 let number = number::unsigned(cursor)?;
                 into.ops.push(Op::Number(number));
@@ -44,27 +44,27 @@ impl Packer {
             // A number may have a sign (11.4.2.4).
             b'+' | b'-' => self.value(cursor, into, depth)?,
             b'#' if depth == 0 => {
-                self.beyond = Some(Limit::BracketDepth);
+                self.limit_exceeded = Some(Limit::BracketDepth);
                 return cursor.refuse(FaultKind::BadExpression, "too many number signs");
             }
             b'#' => {
                 // The inner parameter's value is the number of the outer one.
                 let inner = self.parameter(cursor, into, depth.wrapping_sub(1))?;
                 let op = match inner {
-                    Place::Numbered(number) => {
+                    ParameterRef::Numbered(number) => {
                         into.ops.push(Op::Number(f64::from(number)));
                         Op::Indirect
                     }
-                    Place::Indirect => Op::Indirect,
-                    Place::Local(id) => Op::Local(id),
-                    Place::Global(id) => Op::Global(id),
-                    Place::Mode(name) => Op::Mode(name),
-                    Place::Own(name) => Op::Own(name),
-                    Place::Entry(value) => Op::Number(value),
-                    Place::Absent => Op::Absent,
+                    ParameterRef::Indirect => Op::Indirect,
+                    ParameterRef::Local(id) => Op::Local(id),
+                    ParameterRef::Global(id) => Op::Global(id),
+                    ParameterRef::Mode(name) => Op::Mode(name),
+                    ParameterRef::Own(name) => Op::Own(name),
+                    ParameterRef::Entry(value) => Op::Number(value),
+                    ParameterRef::Absent => Op::Absent,
                 };
                 into.ops.push(op);
-                return Ok(Place::Indirect);
+                return Ok(ParameterRef::Indirect);
             }
             b'a'..=b'z' if self.emulates_rs274 || self.choices.function_number => {
                 self.value(cursor, into, depth)?;
@@ -72,15 +72,15 @@ impl Packer {
             _ => return cursor.refuse(FaultKind::BadExpression, "a parameter number is missing"),
         }
         let Some(Op::Number(number)) = into.ops.last().copied() else {
-            return Ok(Place::Indirect);
+            return Ok(ParameterRef::Indirect);
         };
         into.ops.pop();
         match parameter_number(number) {
-            Ok(number) => Ok(Place::Numbered(number)),
+            Ok(number) => Ok(ParameterRef::Numbered(number)),
             Err(_) if self.in_label || !self.emulates_rs274 => {
                 // Whether its value is ever asked for is not known yet; and an o-word is there all the same.
                 into.ops.push(Op::Number(number));
-                Ok(Place::Indirect)
+                Ok(ParameterRef::Indirect)
             }
             Err((kind, message)) => cursor.refuse_from(start, *kind, message),
         }
@@ -88,7 +88,7 @@ impl Packer {
 
     /// `<name>`, in lower case and without blanks (11.4.3.3).
     #[inline]
-    pub(crate) fn named(&mut self, cursor: &mut Cursor<'_>) -> Packed<Place> {
+    pub(crate) fn named(&mut self, cursor: &mut Cursor<'_>) -> Parsed<ParameterRef> {
         // Most names need no change.
         let text = cursor.rest().get(1..).unwrap_or(&[]);
         let plain = |byte: &u8| matches!(byte, b'a'..=b'z' | b'0'..=b'9' | b'_');
@@ -104,7 +104,7 @@ impl Packer {
     }
 
     /// A name with blanks, capitals or other characters.
-    fn unusual_name(&mut self, cursor: &mut Cursor<'_>) -> Packed<Place> {
+    fn unusual_name(&mut self, cursor: &mut Cursor<'_>) -> Parsed<ParameterRef> {
         let mut name = core::mem::take(&mut self.scratch);
         let place = self.read_name(cursor, &mut name).map(|()| self.resolve(name.as_bytes()));
         self.scratch = name;
@@ -113,7 +113,7 @@ impl Packer {
 
     /// Reads a name in angle brackets into a text. Nothing limits its characters but what ends it (11.4.3.3), so that
     /// it may be written in any language.
-    pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Packed<()> {
+    pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Parsed<()> {
         let start = cursor.at();
         name.clear();
         cursor.step();
@@ -147,46 +147,48 @@ impl Packer {
 
     /// Finds where a named parameter lies. That never changes, so that it is looked up once.
     #[inline]
-    pub(crate) fn resolve(&mut self, name: &[u8]) -> Place {
+    pub(crate) fn resolve(&mut self, name: &[u8]) -> ParameterRef {
         let id = self.names.intern(name);
-        if let Some(place) = usize::try_from(id).ok().and_then(|id| self.places.get(id)) {
+        if let Some(place) = usize::try_from(id).ok().and_then(|id| self.parameter_refs.get(id)) {
             return *place;
         }
-        if id >= self.most_names {
-            self.beyond = Some(Limit::NamedParameters);
+        if id >= self.names_max {
+            self.limit_exceeded = Some(Limit::NamedParameters);
         }
         let place = self.look_up(self.names.name(id), id);
-        self.places.push(place);
+        self.parameter_refs.push(place);
         place
     }
 
     /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length
     /// of the name with its bracket.
     #[inline(always)]
-    pub(crate) fn known(&self, text: &[u8]) -> Option<(Place, usize)> {
+    pub(crate) fn known(&self, text: &[u8]) -> Option<(ParameterRef, usize)> {
         let (id, length) = self.names.find_short(text)?;
-        let place = usize::try_from(id).ok().and_then(|id| self.places.get(id)).copied()?;
+        let place = usize::try_from(id).ok().and_then(|id| self.parameter_refs.get(id)).copied()?;
         Some((place, length))
     }
 
     /// Where a parameter lies whose name is new.
     #[cold]
-    fn look_up(&self, name: &str, id: NameId) -> Place {
+    fn look_up(&self, name: &str, id: NameId) -> ParameterRef {
         if !name.starts_with('_') {
-            return Place::Local(id);
+            return ParameterRef::Local(id);
         }
         if let Some(entry) = bracketed(name, "_ini").filter(|entry| entry.contains(']')) {
-            return self.entry(entry).map_or(Place::Absent, Place::Entry);
+            return self.entry(entry).map_or(ParameterRef::Absent, ParameterRef::Entry);
         }
         if let Some(item) = bracketed(name, "_hal").filter(|item| item.ends_with(']')) {
-            return self.place_of_item(item).map_or(Place::Absent, |at| Place::Own(Own::Item(at)));
+            return self
+                .place_of_item(item)
+                .map_or(ParameterRef::Absent, |at| ParameterRef::Own(Own::Item(at)));
         }
         if let Some(own) = Own::from_name(name) {
-            return Place::Own(own);
+            return ParameterRef::Own(own);
         }
         match Predefined::from_name(name) {
-            Some(name) => Place::Mode(name),
-            None => Place::Global(id),
+            Some(name) => ParameterRef::Mode(name),
+            None => ParameterRef::Global(id),
         }
     }
 
@@ -227,13 +229,13 @@ pub(crate) fn is_position(number: u16) -> bool {
 
 /// Whether a parameter tells the tool or the controlled point.
 #[inline]
-pub(crate) fn is_told(number: u16) -> bool {
+pub(crate) fn is_machine_state(number: u16) -> bool {
     number >= 5400 && (number <= 5413 || is_position(number))
 }
 
 /// The number of a parameter from a value that should be one.
 #[inline]
-pub(crate) fn parameter_number(value: f64) -> Result<u16, arithmetic::Wrong> {
+pub(crate) fn parameter_number(value: f64) -> Result<u16, arithmetic::ArithmeticError> {
     let Some(number) = math::near_integer(value) else {
         return Err(&(FaultKind::ParameterNotInteger, "a parameter number is not an integer"));
     };

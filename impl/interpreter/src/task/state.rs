@@ -108,7 +108,7 @@ impl<M: Machine> TaskState<M> {
             pause: None,
             abort_cause: None,
             tracked: TrackedSettings::new(&interpreter.settings()),
-            choices: interpreter.readings.task,
+            choices: interpreter.dialect.task,
             items: Vec::new(),
             items_changed: false,
             digital: Outputs::new(of.digital_io),

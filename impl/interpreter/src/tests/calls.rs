@@ -155,7 +155,7 @@ fn files_hold_one_sub() {
 
 #[test]
 fn memory_is_bounded() {
-    let limits = Limits { packed_bytes: 20_000, ..Limits::default() };
+    let limits = Limits { code_bytes: 20_000, ..Limits::default() };
     let case = Case { limits, ..Case::default() };
     let body = "#31=[#31+#32*2]\n".repeat(400);
     case.check(&format!("o1 repeat [2]\n{body}o1 endrepeat\nm2\n"), "beyond");

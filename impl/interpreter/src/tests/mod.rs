@@ -3,8 +3,8 @@
 mod calls;
 mod comments;
 mod cycles;
-mod direct;
 mod expressions;
+mod fast_path;
 mod loops;
 mod numbered;
 mod parameters;

@@ -100,7 +100,7 @@ const PARTS: &[&str] = &[
 ];
 
 fn run(program: &[u8], chunk: usize) {
-    let limits = Limits { packed_bytes: 1 << 20, ..Limits::default() };
+    let limits = Limits { code_bytes: 1 << 20, ..Limits::default() };
     let mut interpreter = Interpreter::new(Machine::default(), Options::default(), limits).unwrap();
     let mut recorder = Recorder::default();
     let mut source = Slow { text: program, at: 0, chunk };

@@ -3,27 +3,27 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::formats::{Format, REAL};
-use super::program::{IndexRange, Operation, Place, Program, Source, Sum, Test};
+use super::program::{IndexRange, Operation, Program, Source, Sum, Test, VariableRef};
 use super::variables::Variables;
 use super::words::Compare;
 use crate::faults::{Fault, planted};
 use crate::math;
 
 /// Why a statement is not executed: the kind, and what a person is told.
-pub(super) type Refused = (FaultKind, &'static str);
+pub(super) type StatementError = (FaultKind, &'static str);
 
-const NO_VALUE: Refused = (FaultKind::NoValue, "a variable has no value");
-const TOO_LONG: Refused =
+const NO_VALUE: StatementError = (FaultKind::NoValue, "a variable has no value");
+const TOO_LONG: StatementError =
     (FaultKind::NumberTooLong, "a number has more digits before the point than its format");
 
 /// The refusal of a number that is too long.
-pub(super) fn too_long<E>(_: E) -> Refused {
+pub(super) fn too_long<E>(_: E) -> StatementError {
     TOO_LONG
 }
 
 /// What can be asked of variables while a program runs.
 #[derive(Clone, Copy)]
-pub(super) struct Calculator<'a> {
+pub(super) struct Evaluator<'a> {
     pub(super) program: &'a Program,
     pub(super) variables: &'a Variables,
     pub(super) formats: &'a [Format],
@@ -34,9 +34,13 @@ pub(super) struct Calculator<'a> {
 /// Operands that wait.
 pub(super) type Stack = alloc::vec::Vec<f64>;
 
-impl<'a> Calculator<'a> {
+impl<'a> Evaluator<'a> {
     /// The value of an expression.
-    pub(super) fn number(&self, part: IndexRange, stack: &mut Stack) -> Result<f64, Refused> {
+    pub(super) fn number(
+        &self,
+        part: IndexRange,
+        stack: &mut Stack,
+    ) -> Result<f64, StatementError> {
         let base = stack.len();
         for operation in part.of(&self.program.operations) {
             let value = match *operation {
@@ -60,7 +64,7 @@ impl<'a> Calculator<'a> {
     }
 
     /// The number that a variable is worth in an expression.
-    fn value(&self, slot: usize) -> Result<f64, Refused> {
+    fn value(&self, slot: usize) -> Result<f64, StatementError> {
         match self.variables.number(slot) {
             Some(number) => Ok(number),
             None if self.absent_zero => Ok(0.0),
@@ -69,8 +73,8 @@ impl<'a> Calculator<'a> {
     }
 
     /// The slot of the member that an index leads to.
-    fn member(&self, variable: usize, index: f64) -> Result<usize, Refused> {
-        const OUT: Refused = (FaultKind::IndexOutOfRange, "the array has no such member");
+    fn member(&self, variable: usize, index: f64) -> Result<usize, StatementError> {
+        const OUT: StatementError = (FaultKind::IndexOutOfRange, "the array has no such member");
         let array = self.variables.variables.get(variable).ok_or(OUT)?;
         let rounded =
             if planted(Fault::IndexCut) { math::floor(index) } else { math::round_away(index) };
@@ -85,10 +89,14 @@ impl<'a> Calculator<'a> {
     }
 
     /// The slot of a place.
-    pub(super) fn slot(&self, place: Place, stack: &mut Stack) -> Result<usize, Refused> {
+    pub(super) fn slot(
+        &self,
+        place: VariableRef,
+        stack: &mut Stack,
+    ) -> Result<usize, StatementError> {
         match place {
-            Place::Alone(slot) => Ok(slot),
-            Place::Member { variable, index } => {
+            VariableRef::Alone(slot) => Ok(slot),
+            VariableRef::Member { variable, index } => {
                 let index = self.number(index, stack)?;
                 self.member(variable, index)
             }
@@ -96,7 +104,11 @@ impl<'a> Calculator<'a> {
     }
 
     /// A text.
-    pub(super) fn text(&self, source: Source, stack: &mut Stack) -> Result<&'a str, Refused> {
+    pub(super) fn text(
+        &self,
+        source: Source,
+        stack: &mut Stack,
+    ) -> Result<&'a str, StatementError> {
         match source {
             Source::Text(place) => {
                 Ok(self.program.texts.get(place).map_or("", |text| text.as_str()))
@@ -117,7 +129,7 @@ impl<'a> Calculator<'a> {
         &self,
         source: Source,
         stack: &mut Stack,
-    ) -> Result<(f64, Option<usize>), Refused> {
+    ) -> Result<(f64, Option<usize>), StatementError> {
         match source {
             Source::Text(_) => Ok((0.0, None)),
             Source::Expression(part) => Ok((self.number(part, stack)?, None)),
@@ -130,7 +142,7 @@ impl<'a> Calculator<'a> {
     }
 
     /// Whether a test holds.
-    pub(super) fn holds(&self, test: &Test, stack: &mut Stack) -> Result<bool, Refused> {
+    pub(super) fn holds(&self, test: &Test, stack: &mut Stack) -> Result<bool, StatementError> {
         match *test {
             Test::Flag { place, on } => {
                 let slot = self.slot(place, stack)?;
@@ -155,13 +167,13 @@ impl<'a> Calculator<'a> {
     }
 
     /// A number as it is printed in a format, or as a real.
-    fn rounded(&self, value: f64, format: Option<usize>) -> Result<f64, Refused> {
+    fn rounded(&self, value: f64, format: Option<usize>) -> Result<f64, StatementError> {
         let format = self.formats.get(format.unwrap_or(REAL)).ok_or(TOO_LONG)?;
         format.rounded(value, self.tie_even).map(super::formats::Decimal::nearest).map_err(too_long)
     }
 }
 
-fn operate(operation: Sum, left: f64, right: f64) -> Result<f64, Refused> {
+fn operate(operation: Sum, left: f64, right: f64) -> Result<f64, StatementError> {
     let value = match operation {
         Sum::Add => left + right,
         Sum::Subtract => left - right,

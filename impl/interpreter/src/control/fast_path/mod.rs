@@ -5,18 +5,20 @@
 //! a line that is too long, an active comment, a digit that stands apart, a new name, and everything that is refused)
 //! is left alone, and the long way begins anew.
 
+mod operand;
+
 use alloc::vec::Vec;
 
 use crate::block_end::BlockKind;
 use crate::canon::Sink;
+use crate::control::Cursor;
 use crate::control::evaluate::Setting;
 use crate::control::reader::first_of;
-use crate::control::{Cursor, operand};
 use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
 use crate::source::Source;
-use crate::syntax::{Place, plain_number};
+use crate::syntax::{ParameterRef, plain_number};
 use crate::words::Words;
 
 /// Longest line that is taken; the documents' limit is no shorter.
@@ -31,7 +33,7 @@ impl Interpreter {
     /// Reads and executes a plain line of the main program; none where that is not what comes next. Comments that do
     /// not act are passed over.
     #[inline]
-    pub(crate) fn direct_line<S: Source, K: Sink>(
+    pub(crate) fn execute_line_fast<S: Source, K: Sink>(
         &mut self,
         source: &mut S,
         sink: &mut K,
@@ -43,26 +45,26 @@ impl Interpreter {
         loop {
             line = self.reader.line();
             self.words.clear(line);
-            self.calculator.clear();
-            let reading = Reading {
-                values: operand::Values { parameters: &self.parameters, packer: &self.packer },
+            self.evaluator.clear();
+            let reading = FastLine {
+                values: operand::Values { parameters: &self.parameters, compiler: &self.compiler },
                 words: &mut self.words,
-                settings: &mut self.calculator.settings,
+                settings: &mut self.evaluator.settings,
             };
             let Some((length, bare)) = reading.line(source.text()?) else { return Ok(None) };
             self.reader.leave_line(source, length);
             if self.percent.is_none() {
                 self.percent = Some(false);
             }
-            if !bare || self.packer.report_comments {
+            if !bare || self.compiler.report_comments {
                 break;
             }
         }
         self.parameters.line = line;
         let empty = self.words.is_empty();
-        let first = empty || self.packer.choices.settings_first;
+        let first = empty || self.compiler.choices.settings_first;
         if first {
-            self.calculator.apply(&mut self.parameters);
+            self.evaluator.apply(&mut self.parameters);
         }
         let flow = if empty {
             Ok(Flow::More)
@@ -70,7 +72,7 @@ impl Interpreter {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
         };
         if !first && flow.is_ok() {
-            self.calculator.apply(&mut self.parameters);
+            self.evaluator.apply(&mut self.parameters);
         }
         match flow {
             Ok(flow) => self
@@ -83,13 +85,13 @@ impl Interpreter {
 
 /// A line that is being read. Every method takes the text before something and gives the text behind it; none where
 /// it is unusual.
-struct Reading<'a> {
+struct FastLine<'a> {
     values: operand::Values<'a>,
     words: &'a mut Words,
     settings: &'a mut Vec<Setting>,
 }
 
-impl Reading<'_> {
+impl FastLine<'_> {
     /// Reads a line; its length with its end, and whether it holds comments only.
     #[inline]
     fn line(mut self, whole: &[u8]) -> Option<(usize, bool)> {
@@ -183,22 +185,22 @@ impl Reading<'_> {
 
     /// `#…=value`, behind the number sign.
     fn setting<'t>(&mut self, text: &'t [u8]) -> Option<&'t [u8]> {
-        let depth = self.values.packer.bracket_depth;
+        let depth = self.values.compiler.bracket_depth;
         let (place, text) = self.values.place(text, depth)?;
         let [b'=', text @ ..] = operand::after_blanks(text) else { return None };
         let (value, text) = self.values.outermost(text)?;
         self.settings.push(match place {
-            Place::Numbered(number) if !self.values.packer.is_read_only(number) => {
+            ParameterRef::Numbered(number) if !self.values.compiler.is_read_only(number) => {
                 Setting::Numbered(number, value)
             }
-            Place::Local(id) => Setting::Local(id, value),
-            Place::Global(id) => Setting::Global(id, value),
-            Place::Numbered(_)
-            | Place::Indirect
-            | Place::Mode(_)
-            | Place::Own(_)
-            | Place::Entry(_)
-            | Place::Absent => return None,
+            ParameterRef::Local(id) => Setting::Local(id, value),
+            ParameterRef::Global(id) => Setting::Global(id, value),
+            ParameterRef::Numbered(_)
+            | ParameterRef::Indirect
+            | ParameterRef::Mode(_)
+            | ParameterRef::Own(_)
+            | ParameterRef::Entry(_)
+            | ParameterRef::Absent => return None,
         });
         Some(text)
     }

@@ -7,7 +7,7 @@
 use alloc::vec::Vec;
 
 use crate::parameters::{NameId, Own, Predefined};
-use crate::syntax::Refused;
+use crate::syntax::LineError;
 
 /// "None" among the numbers of this module.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -145,7 +145,7 @@ pub(crate) enum Op {
 
 /// Where a parameter lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Place {
+pub(crate) enum ParameterRef {
     /// By a number that is known.
     Numbered(u16),
     /// By a number that the operations push.
@@ -317,7 +317,7 @@ pub(crate) struct Comment {
 
 /// Blocks that lie together: a loop of the main program, a sub, or the one block that is being read.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Segment {
+pub(crate) struct CodeSegment {
     /// The blocks in the order of the text.
     pub(crate) blocks: Vec<Block>,
     /// Operations of all blocks.
@@ -331,7 +331,7 @@ pub(crate) struct Segment {
     /// Values of INI entries in comments.
     pub(crate) constants: Vec<f64>,
     /// Why blocks cannot be executed.
-    pub(crate) refusals: Vec<Refused>,
+    pub(crate) refusals: Vec<LineError>,
     /// Whether a label of a control block is computed: then labels are compared as they come.
     pub(crate) computed: bool,
     /// The file's number.
@@ -340,7 +340,7 @@ pub(crate) struct Segment {
     pub(crate) inner: Option<u32>,
 }
 
-impl Segment {
+impl CodeSegment {
     /// Takes everything out and keeps the room.
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
@@ -375,7 +375,7 @@ impl Segment {
             .saturating_add(of(self.ops.len(), size_of::<Op>()))
             .saturating_add(of(self.pieces.len(), size_of::<Piece>()))
             .saturating_add(of(self.comments.len(), size_of::<Comment>()))
-            .saturating_add(of(self.refusals.len(), size_of::<Refused>()))
+            .saturating_add(of(self.refusals.len(), size_of::<LineError>()))
             .saturating_add(self.texts.len())
     }
 
@@ -384,7 +384,7 @@ impl Segment {
         let mut labels: Vec<(NameId, u32)> = (0_u32..)
             .zip(self.blocks.iter())
             .filter_map(|(place, block)| match block.kind {
-                Kind::Control(oword) if oword.label != NONE => Some((oword.label, place)),
+                Kind::Control(o_word) if o_word.label != NONE => Some((o_word.label, place)),
                 Kind::Control(_) | Kind::Plain | Kind::Definition { .. } | Kind::Percent => None,
             })
             .collect();
@@ -392,10 +392,10 @@ impl Segment {
         for pair in labels.windows(2) {
             let [(label, place), (next_label, next)] = pair else { continue };
             let block = usize::try_from(*place).ok().and_then(|place| self.blocks.get_mut(place));
-            if let (Some(Block { kind: Kind::Control(oword), .. }), true) =
+            if let (Some(Block { kind: Kind::Control(o_word), .. }), true) =
                 (block, label == next_label)
             {
-                oword.next = *next;
+                o_word.next = *next;
             }
         }
     }

@@ -19,13 +19,13 @@ pub(super) type Stack = Vec<Option<f64>>;
 
 /// What can be asked of variables while a program runs.
 #[derive(Clone, Copy)]
-pub(super) struct Calculator<'a> {
+pub(super) struct Evaluator<'a> {
     pub(super) code: &'a Code,
     pub(super) variables: &'a Variables,
     pub(super) choices: Choices,
 }
 
-impl Calculator<'_> {
+impl Evaluator<'_> {
     /// A value; nothing where it is vacant.
     #[inline]
     pub(super) fn value(&self, value: Value, stack: &mut Stack) -> Result<Option<f64>, Stop> {

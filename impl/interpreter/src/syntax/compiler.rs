@@ -9,11 +9,11 @@ use gaugeblock_vocabulary::Machine;
 use crate::limits::{Limit, Limits};
 use crate::parameters::{ItemName, Names};
 use crate::syntax::Choices;
-use crate::syntax::packed::Place;
+use crate::syntax::bytecode::ParameterRef;
 
 /// Packs lines. It knows the names of the whole run.
 #[derive(Clone, Debug)]
-pub(crate) struct Packer {
+pub(crate) struct LineCompiler {
     /// Named parameters.
     pub(crate) names: Names,
     /// Labels of o-words.
@@ -35,18 +35,18 @@ pub(crate) struct Packer {
     /// Whether the label of an o-word is being read.
     pub(crate) in_label: bool,
     /// The bound that the line just packed goes beyond.
-    pub(crate) beyond: Option<Limit>,
+    pub(crate) limit_exceeded: Option<Limit>,
     /// Most named parameters.
-    pub(crate) most_names: u32,
+    pub(crate) names_max: u32,
     /// Deepest nesting of brackets.
     pub(crate) bracket_depth: u32,
     /// Room for a name.
     pub(crate) scratch: String,
     /// Where each named parameter lies.
-    pub(crate) places: Vec<Place>,
+    pub(crate) parameter_refs: Vec<ParameterRef>,
 }
 
-impl Packer {
+impl LineCompiler {
     /// A packer that knows no names yet.
     pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
         Self {
@@ -64,11 +64,11 @@ impl Packer {
             report_comments: false,
             emulates_rs274: false,
             in_label: false,
-            beyond: None,
-            most_names: limits.named_parameters,
+            limit_exceeded: None,
+            names_max: limits.named_parameters,
             bracket_depth: limits.bracket_depth,
             scratch: String::new(),
-            places: Vec::new(),
+            parameter_refs: Vec::new(),
         }
     }
 }

@@ -7,12 +7,12 @@ use crate::error::Error;
 use crate::interpret::{Interpreter, segment};
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord};
-use crate::syntax::{LinePlace, PercentAlone, Taken, is_oword, is_percent};
+use crate::syntax::bytecode::{Block, Keyword, Kind, NONE, OWord};
+use crate::syntax::{LineKind, LinePlace, PercentAlone, is_o_word, is_percent};
 
 /// What a search looks for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wanted {
+pub(crate) struct LabelTarget {
     /// The label.
     pub(crate) label: NameId,
     /// What its o-word must ask for.
@@ -20,7 +20,7 @@ pub(crate) struct Wanted {
 }
 
 /// A line of the main program, as a search sees it.
-enum Seen {
+enum ScannedLine {
     Block,
     Other,
     Percent,
@@ -32,113 +32,117 @@ impl Interpreter {
     ///
     /// # Errors
     /// There is none: the label belongs to nothing that ends.
-    pub(crate) fn seek<S: Source>(
+    pub(crate) fn search_label<S: Source>(
         &mut self,
         at: Cursor,
         line: u32,
-        wanted: Wanted,
+        target: LabelTarget,
         source: &mut S,
     ) -> Result<(Block, OWord), Error> {
         if at.segment != STREAM {
-            if let Some((place, found, oword)) = self.seek_packed(at, wanted) {
+            if let Some((place, found, o_word)) = self.search_segment(at, target) {
                 self.cursor = Cursor { place, ..at };
-                return Ok((found, oword));
+                return Ok((found, o_word));
             }
-            if at.segment != LOOP || self.ends_in_loop() {
-                return Err(self.not_found(at, line));
+            if at.segment != LOOP || self.loop_ends_file() {
+                return Err(self.label_not_found(at, line));
             }
         }
-        match self.seek_stream(wanted, source)? {
+        match self.search_main(target, source)? {
             Some(found) => Ok(found),
-            None => Err(self.not_found(at, line)),
+            None => Err(self.label_not_found(at, line)),
         }
     }
 
     #[cold]
-    fn not_found(&self, at: Cursor, line: u32) -> Error {
+    fn label_not_found(&self, at: Cursor, line: u32) -> Error {
         let message = "nothing with this label follows".into();
         self.fault(at.segment, line, FaultKind::UnknownLabel, message, None)
     }
 
     /// Whether a percent line in the packed loop is the end of the file: what stands behind is none of it.
-    fn ends_in_loop(&self) -> bool {
+    fn loop_ends_file(&self) -> bool {
         let last = segment(&self.segments, LOOP).and_then(|code| code.blocks.last());
         last.is_some_and(|block| matches!(block.kind, Kind::Percent) && block.refused == NONE)
     }
 
     /// Leaves the block that was found behind, whatever stands in it.
-    pub(crate) fn pass_behind(&mut self) {
-        self.held = false;
+    pub(crate) fn skip_found_block(&mut self) {
+        self.line_pending = false;
         if self.cursor.segment != STREAM {
             self.cursor = self.cursor.after();
         }
     }
 
     /// Within a segment. Where all labels are known the blocks of one label are joined, and the way is short.
-    fn seek_packed(&mut self, at: Cursor, wanted: Wanted) -> Option<(u32, Block, OWord)> {
+    fn search_segment(&mut self, at: Cursor, target: LabelTarget) -> Option<(u32, Block, OWord)> {
         let code = segment(&self.segments, at.segment)?;
-        if code.computed || !self.packer.choices.skipped_free {
-            return self.seek_each(at, wanted);
+        if code.computed || !self.compiler.choices.skipped_free {
+            return self.search_each_block(at, target);
         }
         let mut place = at.place;
         loop {
             let block = code.block(place)?;
-            let Kind::Control(oword) = block.kind else { return None };
-            if place != at.place && (wanted.accept)(oword.keyword) {
-                return Some((place, *block, oword));
+            let Kind::Control(o_word) = block.kind else { return None };
+            if place != at.place && (target.accept)(o_word.keyword) {
+                return Some((place, *block, o_word));
             }
-            place = oword.next;
+            place = o_word.next;
         }
     }
 
     /// Within a segment, block after block.
-    fn seek_each(&mut self, at: Cursor, wanted: Wanted) -> Option<(u32, Block, OWord)> {
+    fn search_each_block(
+        &mut self,
+        at: Cursor,
+        target: LabelTarget,
+    ) -> Option<(u32, Block, OWord)> {
         let mut cursor = at.after();
         loop {
             let block = *segment(&self.segments, at.segment)?.block(cursor.place)?;
-            if let Kind::Control(oword) = block.kind {
-                if let Some(oword) = self.matches(cursor, &block, oword, wanted) {
-                    return Some((cursor.place, block, oword));
+            if let Kind::Control(o_word) = block.kind {
+                if let Some(o_word) = self.matching_o_word(cursor, &block, o_word, target) {
+                    return Some((cursor.place, block, o_word));
                 }
-                self.define_skipped(cursor, &block, oword);
+                self.define_skipped(cursor, &block, o_word);
             }
             cursor = cursor.after();
         }
     }
 
     /// The o-word, where a block is the wanted one.
-    fn matches(
+    fn matching_o_word(
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
-        wanted: Wanted,
+        o_word: OWord,
+        target: LabelTarget,
     ) -> Option<OWord> {
-        if !(wanted.accept)(oword.keyword) {
+        if !(target.accept)(o_word.keyword) {
             return None;
         }
-        let label = self.label(at, block, oword).ok()?;
-        (label == wanted.label).then_some(oword)
+        let label = self.label(at, block, o_word).ok()?;
+        (label == target.label).then_some(o_word)
     }
 
     /// In the main program, line after line; bodies of subs are stepped over.
-    fn seek_stream<S: Source>(
+    fn search_main<S: Source>(
         &mut self,
-        wanted: Wanted,
+        target: LabelTarget,
         source: &mut S,
     ) -> Result<Option<(Block, OWord)>, Error> {
         self.cursor = Cursor::MAIN;
-        self.held = false;
+        self.line_pending = false;
         loop {
-            let Some((block, oword)) = self.next_oword(source)? else { return Ok(None) };
-            if let Some(oword) = self.matches(Cursor::MAIN, &block, oword, wanted) {
-                self.held = true;
-                return Ok(Some((block, oword)));
+            let Some((block, o_word)) = self.next_o_word(source)? else { return Ok(None) };
+            if let Some(o_word) = self.matching_o_word(Cursor::MAIN, &block, o_word, target) {
+                self.line_pending = true;
+                return Ok(Some((block, o_word)));
             }
-            if oword.keyword == Keyword::Sub {
-                self.skip_sub(oword.label, source)?;
+            if o_word.keyword == Keyword::Sub {
+                self.skip_sub(o_word.label, source)?;
             } else {
-                self.define_skipped(Cursor::MAIN, &block, oword);
+                self.define_skipped(Cursor::MAIN, &block, o_word);
             }
         }
     }
@@ -154,7 +158,7 @@ impl Interpreter {
     }
 
     /// The next o-word of the main program, in [`STREAM`]; none at the end of the file. No other line is looked at.
-    pub(crate) fn next_oword<S: Source>(
+    pub(crate) fn next_o_word<S: Source>(
         &mut self,
         source: &mut S,
     ) -> Result<Option<(Block, OWord)>, Error> {
@@ -162,34 +166,38 @@ impl Interpreter {
             if self.percent_closed {
                 return Ok(None);
             }
-            let Self { reader, segments, packer, .. } = self;
+            let Self { reader, segments, compiler, .. } = self;
             let Some(code) = segments.first_mut() else { return Ok(None) };
-            let seen = reader.next(source, |line, place| {
-                if !is_oword(line) {
-                    return if is_percent(line) { Seen::Percent } else { Seen::Other };
+            let scanned = reader.next(source, |line, place| {
+                if !is_o_word(line) {
+                    return if is_percent(line) {
+                        ScannedLine::Percent
+                    } else {
+                        ScannedLine::Other
+                    };
                 }
                 code.clear();
-                match packer.pack(line, place, code) {
-                    Taken::Block => Seen::Block,
-                    Taken::Nothing | Taken::Percent => Seen::Other,
+                match compiler.compile_line(line, place, code) {
+                    LineKind::Block => ScannedLine::Block,
+                    LineKind::Nothing | LineKind::Percent => ScannedLine::Other,
                 }
             })?;
             let ends = self.percent == Some(true)
-                || self.packer.choices.percent_alone == PercentAlone::Ends;
-            match seen {
+                || self.compiler.choices.percent_alone == PercentAlone::Ends;
+            match scanned {
                 None => return Ok(None),
-                Some(Seen::Percent) if ends => {
+                Some(ScannedLine::Percent) if ends => {
                     self.percent_closed = true;
                     return Ok(None);
                 }
-                Some(Seen::Percent | Seen::Other) => {}
-                Some(Seen::Block) => {
-                    self.after_packing(STREAM)?;
+                Some(ScannedLine::Percent | ScannedLine::Other) => {}
+                Some(ScannedLine::Block) => {
+                    self.finish_line(STREAM)?;
                     let block = segment(&self.segments, STREAM).and_then(|code| code.block(0));
-                    if let Some(Block { kind: Kind::Control(oword), .. }) = block
+                    if let Some(Block { kind: Kind::Control(o_word), .. }) = block
                         && let Some(block) = block
                     {
-                        return Ok(Some((*block, *oword)));
+                        return Ok(Some((*block, *o_word)));
                     }
                 }
             }
@@ -202,8 +210,8 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), Error> {
-        while let Some((_, oword)) = self.next_oword(source)? {
-            if oword.keyword == Keyword::EndSub && oword.label == label {
+        while let Some((_, o_word)) = self.next_o_word(source)? {
+            if o_word.keyword == Keyword::EndSub && o_word.label == label {
                 break;
             }
         }
@@ -212,16 +220,16 @@ impl Interpreter {
 
     /// A block that is skipped defines its label too, where the option says so, whatever else stands in it; one that
     /// must be computed it has where it is come to.
-    fn define_skipped(&mut self, at: Cursor, block: &Block, oword: OWord) {
+    fn define_skipped(&mut self, at: Cursor, block: &Block, o_word: OWord) {
         let head =
-            matches!(oword.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);
-        let label = oword.label;
-        if self.packer.choices.skipped_free || !head || label == NONE {
+            matches!(o_word.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);
+        let label = o_word.label;
+        if self.compiler.choices.skipped_free || !head || label == NONE {
             return;
         }
-        if self.scopes.find(label).is_none() {
-            let definition = self.definition(at, block, label, oword.keyword);
-            self.scopes.define(Definition { ended: true, ..definition });
+        if self.call_stack.find(label).is_none() {
+            let definition = self.definition(at, block, label, o_word.keyword);
+            self.call_stack.define(Definition { ended: true, ..definition });
         }
     }
 }

@@ -7,14 +7,14 @@ use crate::{modal, syntax, task};
 
 /// The readings of the documents under some options.
 #[derive(Clone, Debug)]
-pub(crate) struct Readings {
+pub(crate) struct Dialect {
     options: Options,
     pub(crate) text: syntax::Choices,
     pub(crate) modes: modal::Choices,
     pub(crate) task: task::Choices,
 }
 
-impl Readings {
+impl Dialect {
     /// Reads the options.
     ///
     /// # Errors

@@ -4,10 +4,10 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::math;
 use crate::parameters::NameId;
+use crate::syntax::bytecode::{Block, CodeSegment, Keyword, Kind, NONE, OWord, Op};
+use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
-use crate::syntax::packed::{Block, Keyword, Kind, NONE, OWord, Op, Segment};
-use crate::syntax::packer::Packer;
-use crate::syntax::{Packed, arithmetic, number};
+use crate::syntax::{Parsed, arithmetic, number};
 
 /// Most arguments of a call (11.7.4).
 const ARGUMENTS: u8 = 30;
@@ -31,38 +31,38 @@ const KEYWORDS: [(&[u8], Keyword); 15] = [
     (b"break", Keyword::Break),
 ];
 
-impl Packer {
+impl LineCompiler {
     /// An o-word and everything behind it. The label and the keyword stand in the block even where the rest is
     /// refused, so that a search for them ends here.
-    pub(crate) fn oword(
+    pub(crate) fn o_word(
         &mut self,
         cursor: &mut Cursor<'_>,
         commented: bool,
         block: &mut Block,
-        into: &mut Segment,
-    ) -> Packed<()> {
+        into: &mut CodeSegment,
+    ) -> Parsed<()> {
         let start = cursor.at();
         cursor.step();
         let named = cursor.peek() == b'<';
         let label = self.label(cursor, into)?;
-        let mut oword = OWord { keyword: Keyword::Unknown, label, values: 0, next: NONE };
+        let mut o_word = OWord { keyword: Keyword::Unknown, label, values: 0, next: NONE };
         if label == NONE {
             into.computed = true;
-            oword.next = u32::try_from(into.ops.len()).unwrap_or(NONE);
+            o_word.next = u32::try_from(into.ops.len()).unwrap_or(NONE);
         }
-        oword.keyword = keyword(cursor);
-        block.kind = Kind::Control(oword);
-        if oword.keyword == Keyword::Unknown {
+        o_word.keyword = keyword(cursor);
+        block.kind = Kind::Control(o_word);
+        if o_word.keyword == Keyword::Unknown {
             if named && !self.emulates_rs274 || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
-            oword.keyword = Keyword::Program;
+            o_word.keyword = Keyword::Program;
         }
-        let between = self.values(cursor, &mut oword, into)?;
-        block.kind = Kind::Control(oword);
+        let between = self.values(cursor, &mut o_word, into)?;
+        block.kind = Kind::Control(o_word);
         let behind = self.comments_only(cursor)?;
         let commented = commented || between || behind;
-        if commented && self.choices.oword_comment_refused && oword.keyword != Keyword::Program {
+        if commented && self.choices.oword_comment_refused && o_word.keyword != Keyword::Program {
             return cursor.refuse(FaultKind::BadComment, "a comment on the line of an o-word");
         }
         Ok(())
@@ -70,7 +70,7 @@ impl Packer {
 
     /// A number, a name in angle brackets, or what is computed (11.7.8): a parameter, an expression or a function of
     /// one, whose operations are emitted.
-    fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut Segment) -> Packed<NameId> {
+    fn label(&mut self, cursor: &mut Cursor<'_>, into: &mut CodeSegment) -> Parsed<NameId> {
         let mut text = core::mem::take(&mut self.scratch);
         text.clear();
         let first = into.ops.len();
@@ -108,8 +108,8 @@ impl Packer {
         start: &Cursor<'_>,
         cursor: &Cursor<'_>,
         first: usize,
-        into: &mut Segment,
-    ) -> Packed<NameId> {
+        into: &mut CodeSegment,
+    ) -> Parsed<NameId> {
         let ops = into.ops.get(first..).unwrap_or(&[]);
         let Some(value) = arithmetic::constant(ops, &self.choices) else { return Ok(NONE) };
         let value = match value {
@@ -161,10 +161,10 @@ impl Packer {
     fn values(
         &mut self,
         cursor: &mut Cursor<'_>,
-        oword: &mut OWord,
-        into: &mut Segment,
-    ) -> Packed<bool> {
-        let (least, most) = match oword.keyword {
+        o_word: &mut OWord,
+        into: &mut CodeSegment,
+    ) -> Parsed<bool> {
+        let (least, most) = match o_word.keyword {
             Keyword::If | Keyword::ElseIf | Keyword::While | Keyword::Repeat => (1, 1),
             Keyword::EndSub | Keyword::Return => (0, 1),
             Keyword::Call => (0, ARGUMENTS),
@@ -179,20 +179,20 @@ impl Packer {
             | Keyword::Program
             | Keyword::Unknown => (0, 0),
         };
-        let calls = oword.keyword == Keyword::Call;
+        let calls = o_word.keyword == Keyword::Call;
         let mut commented = calls && self.comments(cursor)?;
         while cursor.peek() == b'[' {
-            if oword.values == most {
+            if o_word.values == most {
                 if calls {
                     return cursor.refuse(FaultKind::TooManyArguments, "a call takes 30 arguments");
                 }
                 return cursor.refuse(FaultKind::BadBlock, "one value too many");
             }
             self.expression(cursor, into, self.bracket_depth)?;
-            oword.values = oword.values.wrapping_add(1);
+            o_word.values = o_word.values.wrapping_add(1);
             commented |= calls && self.comments(cursor)?;
         }
-        if oword.values < least {
+        if o_word.values < least {
             return cursor.refuse(FaultKind::BadExpression, "an expression is missing");
         }
         Ok(commented)
@@ -208,8 +208,8 @@ fn keyword(cursor: &mut Cursor<'_>) -> Keyword {
 }
 
 /// Where the operations of a computed label end.
-pub(crate) fn label_ops<'a>(segment: &'a Segment, block: &Block, oword: OWord) -> &'a [Op] {
+pub(crate) fn label_ops<'a>(segment: &'a CodeSegment, block: &Block, o_word: OWord) -> &'a [Op] {
     let first = usize::try_from(block.first).unwrap_or(usize::MAX);
-    let end = usize::try_from(oword.next).unwrap_or(usize::MAX);
+    let end = usize::try_from(o_word.next).unwrap_or(usize::MAX);
     segment.ops.get(first..end).unwrap_or(&[])
 }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::parameters::{NameId, ScopeMark};
-use crate::syntax::packed::Keyword;
+use crate::syntax::bytecode::Keyword;
 
 /// The segment that holds the block being read from the main program.
 pub(crate) const STREAM: u32 = 0;
@@ -85,14 +85,14 @@ pub(crate) struct Definition {
 
 /// The call levels above the main program, and all labels.
 #[derive(Clone, Debug)]
-pub(crate) struct Scopes {
+pub(crate) struct CallStack {
     /// Innermost last.
     pub(crate) frames: Vec<Frame>,
     /// Those of the main program first, those of the running level last, each level's by label.
     definitions: Vec<Definition>,
 }
 
-impl Scopes {
+impl CallStack {
     /// The main program, without labels.
     pub(crate) fn new() -> Self {
         Self { frames: Vec::new(), definitions: Vec::new() }

@@ -183,7 +183,7 @@ proptest! {
             Interpreter::new(Machine::default(), Options::default(), Limits::default()).unwrap();
         let state = |interpreter: &mut Interpreter| {
             let parameters = &interpreter.parameters;
-            let named: Vec<_> = parameters.named.existing(&interpreter.packer.names).collect();
+            let named: Vec<_> = parameters.named.existing(&interpreter.compiler.names).collect();
             let named = alloc::format!("{named:?}");
             alloc::format!(
                 "{named} {:?} {:?} {:?}",

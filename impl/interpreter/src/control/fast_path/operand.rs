@@ -3,9 +3,9 @@
 //! Reading a value changes nothing, so that whatever is unusual or wrong is left to the long way, which begins anew.
 
 use crate::parameters::Parameters;
-use crate::syntax::packed::{Binary, Function};
+use crate::syntax::bytecode::{Binary, Function};
 use crate::syntax::{
-    Packer, Place, arithmetic, group, is_position, parameter_number, plain_number,
+    LineCompiler, ParameterRef, arithmetic, group, is_position, parameter_number, plain_number,
 };
 
 /// Highest number of a parameter.
@@ -15,7 +15,7 @@ const LAST: u16 = 5602;
 #[derive(Clone, Copy)]
 pub(super) struct Values<'a> {
     pub(super) parameters: &'a Parameters,
-    pub(super) packer: &'a Packer,
+    pub(super) compiler: &'a LineCompiler,
 }
 
 /// A value and the text behind it.
@@ -33,7 +33,7 @@ pub(super) fn after_blanks(mut text: &[u8]) -> &[u8] {
 impl Values<'_> {
     /// The value of a word or setting.
     pub(super) fn outermost<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
-        self.value(text, self.packer.bracket_depth)
+        self.value(text, self.compiler.bracket_depth)
     }
 
     /// A value. Most are numbers and parameters, which need no more than a call.
@@ -50,7 +50,7 @@ impl Values<'_> {
     /// The value of a named parameter, behind its left angle bracket.
     #[inline(never)]
     fn named<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
-        let (place, length) = self.packer.known(text)?;
+        let (place, length) = self.compiler.known(text)?;
         Some((self.value_at(place)?, text.get(length..)?))
     }
 
@@ -63,19 +63,19 @@ impl Values<'_> {
 
     /// The value of a parameter; none where it is not kept with the other ones.
     #[inline]
-    fn value_at(&self, place: Place) -> Option<f64> {
+    fn value_at(&self, place: ParameterRef) -> Option<f64> {
         match place {
-            Place::Numbered(number) if !is_position(number) => {
+            ParameterRef::Numbered(number) if !is_position(number) => {
                 Some(self.parameters.numbered.get(u32::from(number)))
             }
-            Place::Local(id) => self.parameters.named.local(id),
-            Place::Global(id) => self.parameters.named.global(id),
-            Place::Entry(value) => Some(value),
-            Place::Numbered(_)
-            | Place::Indirect
-            | Place::Mode(_)
-            | Place::Own(_)
-            | Place::Absent => None,
+            ParameterRef::Local(id) => self.parameters.named.local(id),
+            ParameterRef::Global(id) => self.parameters.named.global(id),
+            ParameterRef::Entry(value) => Some(value),
+            ParameterRef::Numbered(_)
+            | ParameterRef::Indirect
+            | ParameterRef::Mode(_)
+            | ParameterRef::Own(_)
+            | ParameterRef::Absent => None,
         }
     }
 
@@ -105,26 +105,26 @@ impl Values<'_> {
         match text.first()? {
             b'0'..=b'9' | b'.' => number(text),
             b'-' | b'+' => None,
-            _ if self.packer.choices.sign_refused => None,
+            _ if self.compiler.choices.sign_refused => None,
             _ => self.value(text, depth),
         }
     }
 
     /// A parameter, behind its number sign.
     #[inline]
-    pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, Place> {
+    pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, ParameterRef> {
         match text.split_first()? {
             (b'<', behind) => {
-                let (place, length) = self.packer.known(behind)?;
+                let (place, length) = self.compiler.known(behind)?;
                 Some((place, behind.get(length..)?))
             }
             (b'[', behind) => {
                 let (value, text) = self.expression(behind, depth)?;
-                Some((Place::Numbered(parameter_number(value).ok()?), text))
+                Some((ParameterRef::Numbered(parameter_number(value).ok()?), text))
             }
             _ => {
                 let (number, text) = parameter(text)?;
-                Some((Place::Numbered(number), text))
+                Some((ParameterRef::Numbered(number), text))
             }
         }
     }
@@ -144,7 +144,8 @@ impl Values<'_> {
             while highest >= lowest {
                 count = count.wrapping_sub(1);
                 let (left, last, before) = *waiting.get(count)?;
-                value = arithmetic::binary_inline(last, left, value, &self.packer.choices).ok()?;
+                value =
+                    arithmetic::binary_inline(last, left, value, &self.compiler.choices).ok()?;
                 highest = before;
             }
             let Some(operator) = operator else { return Some((value, behind)) };
@@ -177,12 +178,12 @@ impl Values<'_> {
                 let [b'/', text @ ..] = after_blanks(text) else { return None };
                 let [b'[', text @ ..] = after_blanks(text) else { return None };
                 let (x, text) = self.expression(text, depth)?;
-                return Some((arithmetic::arctangent(y, x, &self.packer.choices), text));
+                return Some((arithmetic::arctangent(y, x, &self.compiler.choices), text));
             }
             _ => return None,
         };
         let (value, text) = self.expression(text, depth)?;
-        Some((arithmetic::function(function, value, &self.packer.choices).ok()?, text))
+        Some((arithmetic::function(function, value, &self.compiler.choices).ok()?, text))
     }
 }
 

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::block_end::BlockKind;
 use crate::canon::Sink;
-use crate::control::seek::Wanted;
+use crate::control::label_search::LabelTarget;
 use crate::control::{Cursor, Definition, FrameKind, STREAM};
 use crate::error::Error;
 use crate::faults::{Fault, planted};
@@ -12,24 +12,24 @@ use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::Refusal;
 use crate::parameters::NameId;
 use crate::source::Source;
+use crate::syntax::bytecode::{Block, Keyword, NONE, OWord};
 use crate::syntax::label_ops;
-use crate::syntax::packed::{Block, Keyword, NONE, OWord};
 
 /// Why a control block does not go on as usual.
-pub(crate) enum Halt {
+pub(crate) enum ControlError {
     /// The block is refused.
     Refusal(Refusal),
     /// Something else is wrong, or the refusal belongs to another block.
     Error(Error),
 }
 
-impl From<Refusal> for Halt {
+impl From<Refusal> for ControlError {
     fn from(refusal: Refusal) -> Self {
         Self::Refusal(refusal)
     }
 }
 
-impl From<Error> for Halt {
+impl From<Error> for ControlError {
     fn from(error: Error) -> Self {
         Self::Error(error)
     }
@@ -37,8 +37,8 @@ impl From<Error> for Halt {
 
 /// A refusal of a label.
 #[cold]
-pub(crate) fn refuse<T>(kind: FaultKind, message: &'static str) -> Result<T, Halt> {
-    Err(Halt::Refusal(Refusal::fault(kind, message)))
+pub(crate) fn refuse<T>(kind: FaultKind, message: &'static str) -> Result<T, ControlError> {
+    Err(ControlError::Refusal(Refusal::fault(kind, message)))
 }
 
 impl Interpreter {
@@ -47,7 +47,7 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
@@ -55,27 +55,27 @@ impl Interpreter {
             self.check_labels()?;
         }
         let mut kind = BlockKind::OWord;
-        let result = match (self.label(at, block, oword), oword.keyword) {
+        let result = match (self.label(at, block, o_word), o_word.keyword) {
             (Err(refusal), _) => Err(refusal.into()),
             (Ok(label), Keyword::Sub) => self.sub(at, block, label, source),
             (Ok(label), Keyword::EndSub | Keyword::Return) => {
                 kind = BlockKind::Return;
-                self.leave_sub(at, block, oword, label, sink)
+                self.leave_sub(at, block, o_word, label, sink)
             }
             (Ok(label), Keyword::Call) => {
                 kind = BlockKind::Call;
-                self.call(at, block, oword, label, source)
+                self.call(at, block, o_word, label, source)
             }
             (Ok(_), Keyword::Program) => self.program(),
-            (Ok(label), _) => self.structure(at, block, oword, label, source),
+            (Ok(label), _) => self.structure(at, block, o_word, label, source),
         };
         match result {
             Ok(()) => {
                 self.report_block_end(at, block.line, kind, sink);
                 Ok(Progress::More)
             }
-            Err(Halt::Refusal(refusal)) => self.refuse(at, block.line, refusal),
-            Err(Halt::Error(error)) => Err(error),
+            Err(ControlError::Refusal(refusal)) => self.refuse(at, block.line, refusal),
+            Err(ControlError::Error(error)) => Err(error),
         }
     }
 
@@ -84,40 +84,40 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
-        let landed = core::mem::take(&mut self.landed);
-        match oword.keyword {
-            Keyword::If => self.begin_if(at, block, oword, label, source),
-            Keyword::ElseIf if landed => {
-                if self.condition(at, block, oword)? {
+    ) -> Result<(), ControlError> {
+        let at_branch = core::mem::take(&mut self.at_branch);
+        match o_word.keyword {
+            Keyword::If => self.begin_if(at, block, o_word, label, source),
+            Keyword::ElseIf if at_branch => {
+                if self.condition(at, block, o_word)? {
                     return Ok(());
                 }
                 self.next_branch(at, block, label, source)
             }
-            Keyword::Else if landed && planted(Fault::ElseSkipped) => {
+            Keyword::Else if at_branch && planted(Fault::ElseSkipped) => {
                 self.next_branch(at, block, label, source)
             }
-            Keyword::Else if landed => Ok(()),
+            Keyword::Else if at_branch => Ok(()),
             Keyword::ElseIf | Keyword::Else => {
                 self.pointed(label, |keyword| keyword == Keyword::If)?;
-                let end = Wanted { label, accept: |keyword| keyword == Keyword::EndIf };
-                self.seek(at, block.line, end, source)?;
+                let end = LabelTarget { label, accept: |keyword| keyword == Keyword::EndIf };
+                self.search_label(at, block.line, end, source)?;
                 Ok(())
             }
             Keyword::EndIf => {
                 self.pointed(label, |keyword| keyword == Keyword::If)?.ended = true;
                 Ok(())
             }
-            Keyword::While => self.while_block(at, block, oword, label, source),
+            Keyword::While => self.while_block(at, block, o_word, label, source),
             Keyword::EndWhile => {
                 let head = *self.pointed(label, |keyword| keyword == Keyword::While)?;
                 self.jump(head, false, source)
             }
             Keyword::Do => self.begin_do(at, block, label, source),
-            Keyword::Repeat => self.begin_repeat(at, block, oword, label, source),
+            Keyword::Repeat => self.begin_repeat(at, block, o_word, label, source),
             Keyword::EndRepeat => self.end_repeat(label, source),
             Keyword::Break => {
                 let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
@@ -144,17 +144,17 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
     ) -> Result<NameId, Refusal> {
-        if oword.label != NONE {
-            return Ok(oword.label);
+        if o_word.label != NONE {
+            return Ok(o_word.label);
         }
-        let Self { segments, calculator, parameters, modal, packer, words, .. } = self;
+        let Self { segments, evaluator, parameters, modal, compiler, words, .. } = self;
         let Some(code) = segment(segments, at.segment) else { return Ok(NONE) };
-        calculator.clear();
-        calculator.run(label_ops(code, block, oword), parameters, modal, packer, words)?;
-        let value = calculator.stack.first().copied().unwrap_or(0.0);
-        packer
+        evaluator.clear();
+        evaluator.run(label_ops(code, block, o_word), parameters, modal, compiler, words)?;
+        let value = evaluator.stack.first().copied().unwrap_or(0.0);
+        compiler
             .computed_label(value)
             .ok_or_else(|| Refusal::fault(FaultKind::NotAnInteger, "an o-number is an integer"))
     }
@@ -165,14 +165,14 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
     ) -> Result<(), Refusal> {
-        let Self { segments, calculator, parameters, modal, packer, words, .. } = self;
+        let Self { segments, evaluator, parameters, modal, compiler, words, .. } = self;
         let Some(code) = segment(segments, at.segment) else { return Ok(()) };
-        let first = if oword.label == NONE { oword.next } else { block.first };
+        let first = if o_word.label == NONE { o_word.next } else { block.first };
         let values = Block { first, ..*block };
-        calculator.clear();
-        calculator.run(code.ops_of(&values), parameters, modal, packer, words)
+        evaluator.clear();
+        evaluator.run(code.ops_of(&values), parameters, modal, compiler, words)
     }
 
     /// Evaluates a condition: any number but zero is true.
@@ -181,10 +181,10 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
     ) -> Result<bool, Refusal> {
-        self.values(at, block, oword)?;
-        let value = self.calculator.stack.first().copied().unwrap_or(0.0);
+        self.values(at, block, o_word)?;
+        let value = self.evaluator.stack.first().copied().unwrap_or(0.0);
         if planted(Fault::NegativeFalse) && value < 0.0 {
             return Ok(false);
         }
@@ -196,9 +196,9 @@ impl Interpreter {
         &mut self,
         label: NameId,
         right: fn(Keyword) -> bool,
-    ) -> Result<&mut Definition, Halt> {
-        let followed = self.packer.choices.ended_followed;
-        match self.scopes.find(label) {
+    ) -> Result<&mut Definition, ControlError> {
+        let followed = self.compiler.choices.ended_followed;
+        match self.call_stack.find(label) {
             Some(definition) if right(definition.keyword) && (followed || !definition.ended) => {
                 Ok(definition)
             }
@@ -229,13 +229,14 @@ impl Interpreter {
     }
 
     /// Refuses a label that is defined elsewhere.
-    pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), Halt> {
-        let elsewhere = self.scopes.find(label).is_some_and(|defined| defined.line != block.line);
+    pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), ControlError> {
+        let elsewhere =
+            self.call_stack.find(label).is_some_and(|defined| defined.line != block.line);
         if elsewhere && !planted(Fault::LabelTwice) {
             return refuse(FaultKind::DuplicateLabel, "the label is defined elsewhere");
         }
-        let own = self.scopes.frames.last().is_some_and(|frame| frame.label == label);
-        if own && !self.packer.choices.sub_number_free {
+        let own = self.call_stack.frames.last().is_some_and(|frame| frame.label == label);
+        if own && !self.compiler.choices.sub_number_free {
             return refuse(FaultKind::DuplicateLabel, "the label is the number of the sub");
         }
         Ok(())
@@ -246,14 +247,14 @@ impl Interpreter {
         &mut self,
         at: Cursor,
         block: &Block,
-        oword: OWord,
+        o_word: OWord,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         self.check_label(block, label)?;
-        let holds = self.condition(at, block, oword)?;
+        let holds = self.condition(at, block, o_word)?;
         let definition = self.definition(at, block, label, Keyword::If);
-        self.scopes.define(definition);
+        self.call_stack.define(definition);
         if holds {
             return Ok(());
         }
@@ -268,10 +269,10 @@ impl Interpreter {
         block: &Block,
         label: NameId,
         source: &mut S,
-    ) -> Result<(), Halt> {
+    ) -> Result<(), ControlError> {
         let branch = |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf);
-        self.seek(at, block.line, Wanted { label, accept: branch }, source)?;
-        self.landed = true;
+        self.search_label(at, block.line, LabelTarget { label, accept: branch }, source)?;
+        self.at_branch = true;
         Ok(())
     }
 
@@ -283,22 +284,22 @@ impl Interpreter {
         label: NameId,
         accept: fn(Keyword) -> bool,
         source: &mut S,
-    ) -> Result<(), Halt> {
-        self.seek(at, block.line, Wanted { label, accept }, source)?;
+    ) -> Result<(), ControlError> {
+        self.search_label(at, block.line, LabelTarget { label, accept }, source)?;
         // The end of a loop is not executed by who goes behind it, so that nothing in it is refused.
-        self.pass_behind();
-        if let Some(definition) = self.scopes.find(label) {
+        self.skip_found_block();
+        if let Some(definition) = self.call_stack.find(label) {
             definition.ended = true;
         }
         Ok(())
     }
 
     /// A number alone begins a numbered program (11.7.4.1); it does nothing.
-    fn program(&self) -> Result<(), Halt> {
+    fn program(&self) -> Result<(), ControlError> {
         if !self.machine.fanuc_subs {
             return refuse(FaultKind::FanucDisabled, "numbered programs are disabled");
         }
-        match self.scopes.frames.last().map(|frame| frame.kind) {
+        match self.call_stack.frames.last().map(|frame| frame.kind) {
             Some(FrameKind::Sub) => {
                 refuse(FaultKind::MixedStyles, "a numbered program within a sub")
             }
