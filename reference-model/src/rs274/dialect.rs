@@ -7,6 +7,9 @@
 
 use std::fmt::Debug;
 
+use super::check::codes::CodeRules;
+use super::check::needed::NeededWordRules;
+use super::check::words::WordRules;
 use super::control::ConditionRules;
 use super::control::ControlRules;
 use super::control::LoopRules;
@@ -44,6 +47,7 @@ pub(crate) use crate::dialects::{ControlMemory, Memory, ModalMemory};
 /// Every operation that a dialect may replace.
 pub(crate) trait Dialect:
     ArcRules
+    + CodeRules
     + ConditionRules
     + ControlRules
     + CycleRules
@@ -54,6 +58,7 @@ pub(crate) trait Dialect:
     + MessageRules
     + ModesRules
     + MotionRules
+    + NeededWordRules
     + NumberedRules
     + OffsetRules
     + OrderRules
@@ -72,6 +77,7 @@ pub(crate) trait Dialect:
     + ThreadingRules
     + ToolLengthRules
     + UnitsAndPlanesRules
+    + WordRules
     + Debug
     + Send
     + Sync
@@ -83,6 +89,7 @@ pub(crate) trait Dialect:
 pub(crate) struct Documented;
 
 impl ArcRules for Documented {}
+impl CodeRules for Documented {}
 impl ConditionRules for Documented {}
 impl ControlRules for Documented {}
 impl CycleRules for Documented {}
@@ -93,6 +100,7 @@ impl MachinePositionRules for Documented {}
 impl MessageRules for Documented {}
 impl ModesRules for Documented {}
 impl MotionRules for Documented {}
+impl NeededWordRules for Documented {}
 impl NumberedRules for Documented {}
 impl OffsetRules for Documented {}
 impl OrderRules for Documented {}
@@ -111,6 +119,7 @@ impl ThreadRules for Documented {}
 impl ThreadingRules for Documented {}
 impl ToolLengthRules for Documented {}
 impl UnitsAndPlanesRules for Documented {}
+impl WordRules for Documented {}
 impl Dialect for Documented {}
 
 impl State {

@@ -4,6 +4,7 @@
 //! that makes the difference observable.
 
 mod arcs;
+mod codes;
 mod control;
 mod cycles;
 mod evaluation;
@@ -28,6 +29,7 @@ mod text;
 mod threading;
 mod tool_length;
 mod units_planes;
+mod words;
 
 pub(crate) use memory::{ControlMemory, Memory, ModalMemory};
 

@@ -5,11 +5,10 @@ use std::fmt;
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::Choices;
-use crate::ids::{Rule, choice, quirk, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{Code, ModalGroup, g_code, g_text, m_code};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -21,7 +20,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     count(words, state)?;
     let codes = known(words, state)?;
     groups(words, &codes, state)?;
-    axis_words_once(words, &codes, state)?;
+    state.dialect().check_axis_words(words, &codes, state)?;
     match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
         Some((text, what)) => Err(StepError::Unsupported(format!("{text}: {what}"))),
         None => Ok(()),
@@ -39,9 +38,46 @@ fn count(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
+/// Which codes exclude each other.
+pub(crate) trait CodeRules {
+    /// The modal group of an M code.
+    ///
+    /// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
+    /// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
+    fn group_of_m(&self, code: &Code, state: &State) -> Option<ModalGroup> {
+        code.group.or_else(|| group_by_choice(code.number, &state.choices))
+    }
+
+    /// Rule modal-groups.one-of-each. A block may hold one of every group.
+    fn exclude_each_other(&self, one: &Code, other: &Code, _state: &State) -> bool {
+        one.group.is_some() && one.group == other.group
+    }
+
+    /// Rule modal-groups.motion-group. G80 and another code of the motion group exclude each other.
+    fn cancel_excludes_motion(&self, _state: &State) -> bool {
+        true
+    }
+
+    /// Rule modal-groups.axis-words-twice. The axis words of a block have one use.
+    fn check_axis_words(
+        &self,
+        words: &Words,
+        codes: &[(Written, Code)],
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        axis_words_once(words, codes, state)
+    }
+
+    /// Rule tool.dynamic-length-with-motion. A motion code and G43.1 exclude each other, and so do a motion code and
+    /// the axis words of G43.2.
+    fn dynamic_length_excludes_motion(&self, _state: &State) -> bool {
+        true
+    }
+}
+
 /// A code as it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Written {
+pub(crate) enum Written {
     /// A G code, in tenths.
     G(u32),
     /// An M code.
@@ -73,8 +109,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         };
         let code = g_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.coverage.accepted(rule);
-        let group = quirks::group_of_g(*number, state).or(code.group);
-        codes.push((text, Code { group, ..*code }));
+        codes.push((text, *code));
     }
     for number in &words.m {
         let text = Written::M(*number);
@@ -86,8 +121,7 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         };
         let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
         state.coverage.accepted(rule);
-        let group = code.group.or_else(|| quirks::group_of(*number, state));
-        let group = group.or_else(|| group_by_choice(*number, &state.choices));
+        let group = state.dialect().group_of_m(code, state);
         codes.push((text, Code { group, ..*code }));
     }
     Ok(codes)
@@ -101,13 +135,13 @@ fn unknown(rule: Rule, text: Written) -> StepError {
 ///
 /// Rule modal-groups.one-of-each. A block may hold one of every group.
 /// Rule coolant.both-in-one-block. Whether M7 and M8 exclude each other is a choice.
-/// Choice modal-groups.io-members: whether M62 to M68 exclude each other.
-/// Rule modal-groups.override-group. Whether M50 to M53 belong to the group of M48 and M49 is a choice.
 fn groups(words: &Words, codes: &[(Written, Code)], state: &mut State) -> Result<(), StepError> {
     for (place, (text, code)) in codes.iter().enumerate() {
         let Some(group) = code.group else { continue };
         let mut before = codes.iter().take(place);
-        if let Some((other, _)) = before.find(|(_, other)| other.group == Some(group)) {
+        let excludes =
+            |(_, other): &&(_, Code)| state.dialect().exclude_each_other(other, code, state);
+        if let Some((other, _)) = before.find(excludes) {
             conflict(group, (*other, *text), words, state)?;
         }
     }
@@ -133,7 +167,7 @@ fn group_by_choice(number: u32, choices: &Choices) -> Option<ModalGroup> {
     belongs.then_some(group)
 }
 
-/// Refuses two codes of a group, unless a choice or a quirk allows them.
+/// Refuses two codes of a group, unless a choice allows them.
 ///
 /// Rule orient.group. M19 and M3, M4 or M5 are codes of one group.
 fn conflict(
@@ -155,7 +189,7 @@ fn conflict(
     }
     let cancels = |text: Written| text == Written::G(800);
     let cancel = group == ModalGroup::Motion && (cancels(texts.0) || cancels(texts.1));
-    if cancel && state.choices.quirk(quirk::rs274::CANCEL_WITH_MOTION) {
+    if cancel && !state.dialect().cancel_excludes_motion(state) {
         return Ok(());
     }
     if group == ModalGroup::Spindle && [texts.0, texts.1].contains(&Written::M(19)) {
@@ -173,7 +207,6 @@ fn axis_words_once(
     codes: &[(Written, Code)],
     state: &mut State,
 ) -> Result<(), StepError> {
-    quirks::cancel_beside_offset(words, state)?;
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };
@@ -192,10 +225,9 @@ fn axis_words_once(
         return Err(refuse(rule::modal_groups::AXIS_WORDS_TWICE, FaultKind::AxisWords, message));
     }
     state.coverage.accepted(rule::modal_groups::AXIS_WORDS_TWICE);
-    let quirk = state.choices.quirk(quirk::rs274::DYNAMIC_LENGTH_WITH_MOTION);
     match user(ModalGroup::ToolLength) {
         Some((Written::G(432), _)) if !has_axis_words(words) => Ok(()),
-        Some((other, _)) if !quirk => {
+        Some((other, _)) if state.dialect().dynamic_length_excludes_motion(state) => {
             let message = format!("{motion} in a block with {other}");
             Err(refuse(rule::tool::DYNAMIC_LENGTH_WITH_MOTION, FaultKind::AxisWords, message))
         }

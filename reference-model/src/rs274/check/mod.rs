@@ -2,9 +2,9 @@
 //!
 //! What depends on the modes in force is refused by the phase that meets it (`execute`).
 
-mod codes;
-mod needed;
-mod words;
+pub(crate) mod codes;
+pub(crate) mod needed;
+pub(crate) mod words;
 
 use super::evaluate::Words;
 use super::refusal::StepError;

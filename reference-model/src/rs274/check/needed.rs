@@ -1,11 +1,11 @@
 //! Words that a code needs beside it, whatever modes are in force. Without them the block is refused before it waits
 //! for anything.
 //!
-//! What G43.2 needs it is asked for when its phase comes: quirk rs274.rest-of-restore-block can drop it before.
+//! What G43.2 needs it is asked for when its phase comes.
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::ids::{Rule, quirk, rule};
+use crate::ids::{Rule, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::word;
 use crate::rs274::order::has_axis_words;
@@ -16,7 +16,7 @@ use crate::rs274::state::State;
 pub(super) fn check(words: &Words, state: &State) -> Result<(), StepError> {
     words.g.iter().try_for_each(|code| match code {
         40 => dwell(words),
-        431 => dynamic_length(words, state),
+        431 => state.dialect().check_dynamic_length(words, state),
         520 => axis_word(rule::offsets::LOCAL_NEEDS_AXES, "G52", words),
         920 => axis_word(rule::offsets::POSITION_NEEDS_AXES, "G92", words),
         _ => Ok(()),
@@ -31,12 +31,12 @@ fn dwell(words: &Words) -> Result<(), StepError> {
     Err(refuse(rule::dwell::NEEDS_TIME, FaultKind::MissingWord, "G4 needs P, the seconds"))
 }
 
-/// Rule tool.dynamic-length-needs-axes. G43.1 has an axis word.
-fn dynamic_length(words: &Words, state: &State) -> Result<(), StepError> {
-    if state.choices.quirk(quirk::rs274::DYNAMIC_LENGTH_WITHOUT_AXES) {
-        return Ok(());
+/// The words that a code needs.
+pub(crate) trait NeededWordRules {
+    /// Rule tool.dynamic-length-needs-axes. G43.1 has an axis word.
+    fn check_dynamic_length(&self, words: &Words, _state: &State) -> Result<(), StepError> {
+        axis_word(rule::tool::DYNAMIC_LENGTH_NEEDS_AXES, "G43.1", words)
     }
-    axis_word(rule::tool::DYNAMIC_LENGTH_NEEDS_AXES, "G43.1", words)
 }
 
 fn axis_word(rule: Rule, code: &str, words: &Words) -> Result<(), StepError> {

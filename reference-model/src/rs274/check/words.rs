@@ -2,13 +2,12 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
-use crate::ids::{quirk, rule};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::motion::{is_arc, motion_of};
 use crate::rs274::execute::{letter, whole};
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
 use crate::rs274::order::{has_axis_words, is_of_axis, moves_by_axis_words};
-use crate::rs274::quirks::{cycles, settings as quirks};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -21,9 +20,8 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
             'f' | 's' | 't' => true,
             _ => is_of_axis(letter) && !beside_reload(letter, words, state),
         };
-        let used = itself || is_used(letter, words, state);
-        if !used && !quirks::is_ignored(letter, words, state) {
-            return Err(unused(letter, words, state));
+        if !itself && !is_used(letter, words, state) {
+            state.dialect().check_unused(letter, words, state)?;
         }
     }
     state.coverage.accepted(rule::modal_groups::UNUSED_WORD);
@@ -32,9 +30,51 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
         && words.letters.contains_key(&'q')
         && !words.letters.contains_key(&'p')
     {
-        naive_cam_alone(state)?;
+        state.dialect().check_naive_cam_alone(state)?;
     }
     one_meaning_of_p(words, state)
+}
+
+/// Which words a code uses.
+pub(crate) trait WordRules {
+    /// Rule modal-groups.unused-word. A word without a use is refused.
+    fn check_unused(
+        &self,
+        letter: char,
+        words: &Words,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        Err(unused(letter, words, state))
+    }
+
+    /// Rule modal-groups.unused-word. Whether a G code of the block, in tenths, uses a letter.
+    fn is_used_by_g(&self, letter: char, code: u32, words: &Words, state: &State) -> bool {
+        let kind = kind_of_offset_data(words);
+        g_code(code).is_some_and(|code| code.words.contains(letter))
+            && (code != 100 || state.dialect().is_used_by_offset_data(letter, kind, state))
+    }
+
+    /// Rule modal-groups.unused-word. Whether an M code of the block uses a letter.
+    fn is_used_by_m(&self, letter: char, code: u32, _state: &State) -> bool {
+        m_code(code).is_some_and(|code| code.words.contains(letter))
+    }
+
+    /// Rule modal-groups.unused-word. Whether G10 uses a letter: its L, which is the kind of its data, says which.
+    fn is_used_by_offset_data(&self, letter: char, kind: Option<i32>, _state: &State) -> bool {
+        let letters = match kind {
+            Some(0) => "l",
+            Some(1 | 10 | 11) => "lpqrij",
+            Some(20) => "lp",
+            _ => "lpr",
+        };
+        letters.contains(letter)
+    }
+
+    /// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
+    fn check_naive_cam_alone(&self, _state: &State) -> Result<(), StepError> {
+        let message = "G64 with Q and without P";
+        Err(refuse(rule::path_control::NAIVE_CAM_ALONE, FaultKind::MissingWord, message))
+    }
 }
 
 /// P of one code is not that of another: seconds, a number of a coordinate system, a tolerance, a switch. No document
@@ -78,19 +118,13 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// alone repeat it; $ serves S too.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
-    let uses = |code: &Code| code.words.contains(letter);
-    let uses_none = |code: u32| letter == '$' && quirks::uses_no_dollar(code, state);
-    let by_g = words.g.iter().filter(|code| !uses_none(**code));
-    let by_g = by_g.filter(|code| **code != 100 || used_by_offset_data(letter, words, state));
-    let takes_none = |code: u32| letter == '$' && quirks::m_uses_no_dollar(code, state);
-    let by_m = words.m.iter().filter(|code| !takes_none(**code));
-    let mut codes = by_g
-        .copied()
-        .chain(moves_by_axis_words(words).then(|| motion_code(state.modes.motion)))
-        .filter(|code| !cycles::is_unused(letter, *code, state))
-        .filter_map(g_code)
-        .chain(by_m.filter_map(|code| m_code(*code)));
-    serves_speed || codes.any(uses) || by_arc(letter, words, state)
+    let repeated = moves_by_axis_words(words).then(|| motion_code(state.modes.motion));
+    let mut by_g = words.g.iter().copied().chain(repeated);
+    let mut by_m = words.m.iter().copied();
+    serves_speed
+        || by_g.any(|code| state.dialect().is_used_by_g(letter, code, words, state))
+        || by_m.any(|code| state.dialect().is_used_by_m(letter, code, state))
+        || by_arc(letter, words, state)
 }
 
 /// Whether an axis word stands beside G10 L0, which takes none, and beside no other code that uses it.
@@ -100,24 +134,12 @@ fn beside_reload(letter: char, words: &Words, state: &State) -> bool {
         return false;
     }
     let users = words.g.iter().filter_map(|code| g_code(*code)).filter(|code| code.axis_words);
-    users.count() == 1 && !quirks::goes_with_offset_data(letter, kind, state)
+    users.count() == 1 && !state.dialect().is_used_by_offset_data(letter, kind, state)
 }
 
 /// The L of G10.
 fn kind_of_offset_data(words: &Words) -> Option<i32> {
     words.letters.get(&'l').copied().and_then(whole)
-}
-
-/// Whether G10 uses a letter: its L says which.
-fn used_by_offset_data(letter: char, words: &Words, state: &State) -> bool {
-    let kind = kind_of_offset_data(words);
-    let letters = match kind {
-        Some(0) => "l",
-        Some(1 | 10 | 11) => "lpqrij",
-        Some(20) => "lp",
-        _ => "lpr",
-    };
-    letters.contains(letter) || quirks::goes_with_offset_data(letter, kind, state)
 }
 
 /// Rule motion.polar-moves-only. Polar words name a point that a move goes to, and no offset.
@@ -166,13 +188,4 @@ fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
     }
     let message = format!("{} without a code that uses it", letter.to_uppercase());
     refuse(rule, FaultKind::UnusedWord, message)
-}
-
-/// Rule path-control.naive-cam-alone. Q of G64 stands behind a P only.
-fn naive_cam_alone(state: &State) -> Result<(), StepError> {
-    if state.choices.quirk(quirk::rs274::BLEND_Q_WITHOUT_P) {
-        return Ok(());
-    }
-    let message = "G64 with Q and without P";
-    Err(refuse(rule::path_control::NAIVE_CAM_ALONE, FaultKind::MissingWord, message))
 }

@@ -7,8 +7,6 @@ use crate::ids::{Rule, rule};
 pub enum ModalGroup {
     /// Group 0: codes that hold for their own block only.
     NonModal,
-    /// G92.1 to G92.3, where they do not belong to group 0.
-    LocalOffset,
     /// Group 1.
     Motion,
     /// Group 2.
@@ -55,7 +53,7 @@ impl ModalGroup {
     /// The rule that refuses two members in one block; groups without one have no member that the model executes.
     pub fn rule(self) -> Option<Rule> {
         Some(match self {
-            Self::NonModal | Self::LocalOffset => rule::modal_groups::NON_MODAL_GROUP,
+            Self::NonModal => rule::modal_groups::NON_MODAL_GROUP,
             Self::Motion => rule::modal_groups::MOTION_GROUP,
             Self::Plane => rule::modal_groups::PLANE_GROUP,
             Self::Distance => rule::modal_groups::DISTANCE_GROUP,

@@ -129,7 +129,6 @@ impl Phase {
             ModalGroup::Motion => Some(Self::Motion),
             ModalGroup::Stopping => Some(Self::Stop),
             ModalGroup::NonModal
-            | ModalGroup::LocalOffset
             | ModalGroup::InputsOutputs
             | ModalGroup::Overrides
             | ModalGroup::UserDefined => None,

@@ -56,10 +56,3 @@ pub(crate) fn peck(words: &Words, state: &State) -> Option<f64> {
     let none = peck == Some(-1.0) && state.choices.quirk(quirk::rs274::UNUSED_Q_MINUS_ONE);
     peck.filter(|_| !none)
 }
-
-/// Quirk rs274.cycle-dollar. No cycle uses $. Quirk rs274.left-tap-repeat. G74 does not use L.
-pub(crate) fn is_unused(letter: char, code: u32, state: &State) -> bool {
-    let cycle = matches!(code, 730 | 740 | 810..=890);
-    let dollar = letter == '$' && cycle && state.choices.quirk(quirk::rs274::CYCLE_DOLLAR);
-    dollar || letter == 'l' && code == 740 && state.choices.quirk(quirk::rs274::LEFT_TAP_REPEAT)
-}
