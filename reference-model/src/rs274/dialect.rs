@@ -18,11 +18,14 @@ use super::control::SubroutineRules;
 use super::evaluate::EvaluationRules;
 use super::execute::arc::ArcRules;
 use super::execute::cycles::CycleRules;
+use super::execute::dwell::DwellRules;
 use super::execute::feed::FeedRules;
+use super::execute::inputs::InputRules;
 use super::execute::message::MessageRules;
 use super::execute::motion::MotionRules;
 use super::execute::offsets::OffsetRules;
 use super::execute::orient::OrientRules;
+use super::execute::outputs::OutputRules;
 use super::execute::path::PathRules;
 use super::execute::positions::MachinePositionRules;
 use super::execute::program_end::ProgramEndRules;
@@ -51,8 +54,10 @@ pub(crate) trait Dialect:
     + ConditionRules
     + ControlRules
     + CycleRules
+    + DwellRules
     + EvaluationRules
     + FeedRules
+    + InputRules
     + LoopRules
     + MachinePositionRules
     + MessageRules
@@ -63,6 +68,7 @@ pub(crate) trait Dialect:
     + OffsetRules
     + OrderRules
     + OrientRules
+    + OutputRules
     + ParameterRules
     + PathRules
     + ProgramEndRules
@@ -93,8 +99,10 @@ impl CodeRules for Documented {}
 impl ConditionRules for Documented {}
 impl ControlRules for Documented {}
 impl CycleRules for Documented {}
+impl DwellRules for Documented {}
 impl EvaluationRules for Documented {}
 impl FeedRules for Documented {}
+impl InputRules for Documented {}
 impl LoopRules for Documented {}
 impl MachinePositionRules for Documented {}
 impl MessageRules for Documented {}
@@ -105,6 +113,7 @@ impl NumberedRules for Documented {}
 impl OffsetRules for Documented {}
 impl OrderRules for Documented {}
 impl OrientRules for Documented {}
+impl OutputRules for Documented {}
 impl ParameterRules for Documented {}
 impl PathRules for Documented {}
 impl ProgramEndRules for Documented {}

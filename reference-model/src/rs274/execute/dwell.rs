@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{Effect, FaultKind};
 
-use super::{pass, whole, word};
-use crate::ids::{quirk, rule};
+use super::{pass, word};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -21,11 +21,7 @@ use crate::rs274::task::Record;
 /// There is no P, which the check asks for: a fault of the model.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let seconds = word(words, 'p').expect("check: G4 has P");
-    let any = whole(seconds) != Some(-1) && state.choices.quirk(quirk::rs274::NEGATIVE_DWELL);
-    if seconds < 0.0 && !any {
-        let message = format!("a dwell of {seconds} seconds");
-        return Err(refuse(rule::dwell::NEGATIVE_TIME, FaultKind::WordOutOfRange, message));
-    }
+    state.dialect().check_dwell(seconds, state)?;
     for rule in [rule::dwell::SECONDS, rule::dwell::CHANGES_NOTHING, rule::dwell::ONCE] {
         state.coverage.accepted(rule);
     }
@@ -35,4 +31,16 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     record.effect(state, Effect::Dwell { seconds });
     pass(seconds, state);
     Ok(())
+}
+
+/// How long a controller may dwell.
+pub(crate) trait DwellRules {
+    /// Rule dwell.negative-time. A dwell of fewer than no seconds is refused.
+    fn check_dwell(&self, seconds: f64, _state: &State) -> Result<(), StepError> {
+        if seconds < 0.0 {
+            let message = format!("a dwell of {seconds} seconds");
+            return Err(refuse(rule::dwell::NEGATIVE_TIME, FaultKind::WordOutOfRange, message));
+        }
+        Ok(())
+    }
 }

@@ -3,10 +3,9 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use super::{whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::environment::{Awaited, Input, stub};
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -39,16 +38,10 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         analog_mode(mode, state)?;
     }
     let timeout = timeout(mode, words, state)?;
-    let (seconds, read) = match quirks::waits_for_nothing(words, state) {
-        Some(seconds) => (seconds, None),
-        None if state.environment.is_stand_alone() => {
-            (0.0, Some(stub::answer(input, state.parameters.stored(RESULT))))
-        }
-        None => match state.environment.awaited(input, mode, timeout) {
-            Awaited::Comes { after, value } => (after, Some(value)),
-            Awaited::TimesOut { after } => (after, None),
-            Awaited::Never => return Err(StepError::WaitsForEver),
-        },
+    let (seconds, read) = match state.dialect().awaited(input, mode, timeout, words, state) {
+        Awaited::Comes { after, value } => (after, Some(value)),
+        Awaited::TimesOut { after } => (after, None),
+        Awaited::Never => return Err(StepError::WaitsForEver),
     };
     if read.is_none() {
         state.coverage.accepted(rule::inputs::TIMEOUT);
@@ -66,6 +59,51 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     state.parameters.store(RESULT, read);
     state.environment.synchronise();
     Ok(())
+}
+
+/// Which inputs there are, and how they are awaited.
+pub(crate) trait InputRules {
+    /// Rule inputs.waits. When the input does what is awaited, and what is read then.
+    fn awaited(
+        &self,
+        input: Input,
+        mode: WaitMode,
+        timeout: Option<f64>,
+        _words: &Words,
+        state: &State,
+    ) -> Awaited {
+        if state.environment.is_stand_alone() {
+            let value = stub::answer(input, state.parameters.stored(RESULT));
+            return Awaited::Comes { after: 0.0, value };
+        }
+        state.environment.awaited(input, mode, timeout)
+    }
+
+    /// Rule inputs.number-range. The number of an input, an integer.
+    fn input_number(&self, value: f64, _state: &State) -> Option<i32> {
+        whole(value)
+    }
+
+    /// Rule inputs.number-range. Whether every number is that of an input: nothing limits them for the stand-alone
+    /// interpreter.
+    fn has_every_input(&self, state: &State) -> bool {
+        state.environment.is_stand_alone()
+    }
+
+    /// Rule inputs.mode-range. L is 0 to 4.
+    fn wait_mode(&self, value: f64, _state: &State) -> Result<WaitMode, StepError> {
+        match whole(value) {
+            Some(0) => Ok(WaitMode::Immediate),
+            Some(1) => Ok(WaitMode::Rise),
+            Some(2) => Ok(WaitMode::Fall),
+            Some(3) => Ok(WaitMode::High),
+            Some(4) => Ok(WaitMode::Low),
+            _ => {
+                let message = format!("L{value} is no way of waiting: 0 to 4");
+                Err(refuse(rule::inputs::MODE_RANGE, FaultKind::WordOutOfRange, message))
+            }
+        }
+    }
 }
 
 fn accepted(input: Input, mode: WaitMode, state: &mut State) {
@@ -108,12 +146,11 @@ fn input(words: &Words, state: &mut State) -> Result<Input, StepError> {
 }
 
 /// Rule inputs.number-range. Inputs are counted from 0, as many as the machine has, which may be more or fewer than
-/// four (inputs.count). Quirk rs274.io-number-rounded: a fraction is rounded. Quirk linuxcnc.input-number: any number
-/// is accepted, and where there is no such input zero is read.
+/// four (inputs.count).
 fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Result<u32, StepError> {
-    let any =
-        state.environment.is_stand_alone() || state.choices.quirk(quirk::linuxcnc::INPUT_NUMBER);
-    let number = quirks::number(value, state).and_then(|number| u32::try_from(number).ok());
+    let any = state.dialect().has_every_input(state);
+    let number = state.dialect().input_number(value, state);
+    let number = number.and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
         let message = format!("{letter}{value} names no input of {of_machine}");
         refuse(rule::inputs::NUMBER_RANGE, FaultKind::NoSuchInputOrOutput, message)
@@ -125,27 +162,13 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
     Ok(number)
 }
 
-/// Rule inputs.mode-range. L is 0 to 4. Rule inputs.mode-optional. Without L there is no wait.
-/// Quirks rs274.wait-mode-any and linuxcnc.wait-mode-times-out: a greater number is accepted.
+/// Rule inputs.mode-optional. Without L there is no wait.
 fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
         state.coverage.accepted(rule::inputs::MODE_OPTIONAL);
         return Ok(WaitMode::Immediate);
     };
-    let ids = [quirk::rs274::WAIT_MODE_ANY, quirk::linuxcnc::WAIT_MODE_TIMES_OUT];
-    let any = ids.iter().any(|quirk| state.choices.quirk(*quirk));
-    let mode = match whole(value) {
-        Some(0) => WaitMode::Immediate,
-        Some(1) => WaitMode::Rise,
-        Some(2) => WaitMode::Fall,
-        Some(3) => WaitMode::High,
-        Some(4) => WaitMode::Low,
-        Some(5..) if any => quirks::unknown_mode(state),
-        _ => {
-            let message = format!("L{value} is no way of waiting: 0 to 4");
-            return Err(refuse(rule::inputs::MODE_RANGE, FaultKind::WordOutOfRange, message));
-        }
-    };
+    let mode = state.dialect().wait_mode(value, state)?;
     state.coverage.accepted(rule::inputs::MODE_RANGE);
     Ok(mode)
 }

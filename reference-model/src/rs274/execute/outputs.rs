@@ -2,10 +2,9 @@
 
 use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin};
 
-use super::word;
-use crate::ids::{Rule, choice, quirk, rule};
+use super::{whole, word};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::outputs as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -76,11 +75,7 @@ pub fn analog(
     let output = number(value, 'E', of_machine, timing, rule::outputs::ANALOG_NUMBER_RANGE, state)?;
     let to = match word(words, 'q') {
         Some(to) => to,
-        None if state.choices.quirk(quirk::rs274::OUTPUT_VALUE_OPTIONAL) => quirks::ABSENT_VALUE,
-        None => {
-            let message = format!("M{code} needs Q, the value of the output");
-            return Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message));
-        }
+        None => state.dialect().value_of_no_word(code, state)?,
     };
     switch(pin(output, of_machine).map(Pin::AnalogOut), to, timing, state);
     let rule =
@@ -90,14 +85,32 @@ pub fn analog(
     Ok(())
 }
 
+/// Which outputs there are, and what they are set to.
+pub(crate) trait OutputRules {
+    /// Rule outputs.analog-needs-value. M67 and M68 have Q: the value where there is none.
+    fn value_of_no_word(&self, code: u32, _state: &State) -> Result<f64, StepError> {
+        let message = format!("M{code} needs Q, the value of the output");
+        Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message))
+    }
+
+    /// Rules outputs.number-range and outputs.analog-number-range. The number of an output, an integer.
+    fn output_number(&self, value: f64, _state: &State) -> Option<i32> {
+        whole(value)
+    }
+
+    /// Rules outputs.number-range and outputs.analog-number-range. Whether every number is that of an output: nothing
+    /// limits them for the stand-alone interpreter.
+    fn has_every_output(&self, _timing: OutputTiming, state: &State) -> bool {
+        state.environment.is_stand_alone()
+    }
+}
+
 fn timing(code: u32) -> OutputTiming {
     if [62, 63, 67].contains(&code) { OutputTiming::WithMotion } else { OutputTiming::AtOnce }
 }
 
 /// Rules outputs.number-range and outputs.analog-number-range. Outputs are counted from 0, as many as the machine has,
 /// which may be more or fewer than four (outputs.count).
-/// Quirk rs274.io-number-rounded: a fraction is rounded.
-/// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once: the number of no output is accepted.
 fn number(
     value: f64,
     letter: char,
@@ -106,12 +119,9 @@ fn number(
     rule: Rule,
     state: &mut State,
 ) -> Result<i32, StepError> {
-    let whole = quirks::number(value, state);
-    let any = state.choices.quirk(match timing {
-        OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
-        OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
-    });
-    let unchecked = (any || state.environment.is_stand_alone()) && (letter == 'P' || value >= 0.0);
+    let whole = state.dialect().output_number(value, state);
+    let any = state.dialect().has_every_output(timing, state);
+    let unchecked = any && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
     let number = whole.filter(fits).ok_or_else(|| {
         let message = format!("{letter}{value} names no output of {of_machine}");

@@ -5,7 +5,6 @@
 
 pub mod cycles;
 pub mod motion;
-pub mod outputs;
 pub mod probe;
 pub mod settings;
 pub mod splines;

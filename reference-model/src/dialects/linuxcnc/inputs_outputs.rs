@@ -1,0 +1,95 @@
+//! Quirks of inputs and outputs.
+
+use gaugeblock_vocabulary::{OutputTiming, WaitMode};
+
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::environment::{Awaited, Input};
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::inputs::InputRules;
+use crate::rs274::execute::outputs::OutputRules;
+use crate::rs274::execute::{whole, word};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+
+impl InputRules for LinuxCnc {
+    /// Quirk linuxcnc.wait-mode-times-out. Under an L above 4 the time-out goes by, whatever the input does.
+    fn awaited(
+        &self,
+        input: Input,
+        mode: WaitMode,
+        timeout: Option<f64>,
+        words: &Words,
+        state: &State,
+    ) -> Awaited {
+        let is_unknown = word(words, 'l').is_some_and(is_above_four);
+        if is_unknown && state.shows(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
+            return Awaited::TimesOut { after: word(words, 'q').unwrap_or(0.0) };
+        }
+        Documented.awaited(input, mode, timeout, words, state)
+    }
+
+    /// Quirk rs274.io-number-rounded. A fraction is rounded.
+    fn input_number(&self, value: f64, state: &State) -> Option<i32> {
+        if state.shows(quirk::rs274::IO_NUMBER_ROUNDED) {
+            return rounded(value);
+        }
+        Documented.input_number(value, state)
+    }
+
+    /// Quirk linuxcnc.input-number. Any number is accepted, and where there is no such input zero is read.
+    fn has_every_input(&self, state: &State) -> bool {
+        state.shows(quirk::linuxcnc::INPUT_NUMBER) || Documented.has_every_input(state)
+    }
+
+    /// Quirk rs274.wait-mode-any. A mode above 4 waits, for what nobody can tell.
+    /// Quirk linuxcnc.wait-mode-times-out. On the whole controller it does not.
+    fn wait_mode(&self, value: f64, state: &State) -> Result<WaitMode, StepError> {
+        if is_above_four(value) && state.shows(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
+            return Ok(WaitMode::Immediate);
+        }
+        if is_above_four(value) && state.shows(quirk::rs274::WAIT_MODE_ANY) {
+            return Ok(WaitMode::Low);
+        }
+        Documented.wait_mode(value, state)
+    }
+}
+
+impl OutputRules for LinuxCnc {
+    /// Quirk rs274.output-value-optional. It is -1.
+    fn value_of_no_word(&self, code: u32, state: &State) -> Result<f64, StepError> {
+        if state.shows(quirk::rs274::OUTPUT_VALUE_OPTIONAL) {
+            return Ok(-1.0);
+        }
+        Documented.value_of_no_word(code, state)
+    }
+
+    /// Quirk rs274.io-number-rounded. A fraction is rounded.
+    fn output_number(&self, value: f64, state: &State) -> Option<i32> {
+        if state.shows(quirk::rs274::IO_NUMBER_ROUNDED) {
+            return rounded(value);
+        }
+        Documented.output_number(value, state)
+    }
+
+    /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. The number of no output is
+    /// accepted.
+    fn has_every_output(&self, timing: OutputTiming, state: &State) -> bool {
+        let quirk = match timing {
+            OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
+            OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
+        };
+        state.shows(quirk) || Documented.has_every_output(timing, state)
+    }
+}
+
+/// A number of an input or output, rounded to an integer, halves to the even one.
+fn rounded(value: f64) -> Option<i32> {
+    whole(value.round_ties_even())
+}
+
+/// Whether an L of M66 is above the greatest that is documented.
+fn is_above_four(value: f64) -> bool {
+    whole(value).is_some_and(|mode| mode > 4)
+}
