@@ -26,6 +26,7 @@ use super::execute::motion::MotionRules;
 use super::execute::offsets::OffsetRules;
 use super::execute::orient::OrientRules;
 use super::execute::outputs::OutputRules;
+use super::execute::overrides::OverrideRules;
 use super::execute::path::PathRules;
 use super::execute::positions::MachinePositionRules;
 use super::execute::program_end::ProgramEndRules;
@@ -34,7 +35,9 @@ use super::execute::saved_state::SavedStateRules;
 use super::execute::spindle::SpindleRules;
 use super::execute::threading::ThreadRules;
 use super::execute::threading::ThreadingRules;
+use super::execute::tool_change::ToolChangeRules;
 use super::execute::tool_length::ToolLengthRules;
+use super::execute::tool_table::ToolTableRules;
 use super::execute::units_planes::UnitsAndPlanesRules;
 use super::modes::ModesRules;
 use super::order::OrderRules;
@@ -69,6 +72,7 @@ pub(crate) trait Dialect:
     + OrderRules
     + OrientRules
     + OutputRules
+    + OverrideRules
     + ParameterRules
     + PathRules
     + ProgramEndRules
@@ -81,7 +85,9 @@ pub(crate) trait Dialect:
     + TextRules
     + ThreadRules
     + ThreadingRules
+    + ToolChangeRules
     + ToolLengthRules
+    + ToolTableRules
     + UnitsAndPlanesRules
     + WordRules
     + Debug
@@ -114,6 +120,7 @@ impl OffsetRules for Documented {}
 impl OrderRules for Documented {}
 impl OrientRules for Documented {}
 impl OutputRules for Documented {}
+impl OverrideRules for Documented {}
 impl ParameterRules for Documented {}
 impl PathRules for Documented {}
 impl ProgramEndRules for Documented {}
@@ -126,7 +133,9 @@ impl TaskRules for Documented {}
 impl TextRules for Documented {}
 impl ThreadRules for Documented {}
 impl ThreadingRules for Documented {}
+impl ToolChangeRules for Documented {}
 impl ToolLengthRules for Documented {}
+impl ToolTableRules for Documented {}
 impl UnitsAndPlanesRules for Documented {}
 impl WordRules for Documented {}
 impl Dialect for Documented {}

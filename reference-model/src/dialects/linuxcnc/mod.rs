@@ -18,6 +18,7 @@ mod motion;
 mod offsets;
 mod order;
 mod orient;
+mod overrides;
 mod parameters;
 mod path;
 mod positions;
@@ -30,6 +31,7 @@ mod task;
 mod text;
 mod threading;
 mod tool_length;
+mod tools;
 mod units_planes;
 mod words;
 

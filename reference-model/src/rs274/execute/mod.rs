@@ -28,7 +28,7 @@ pub(crate) mod threading;
 pub mod tool;
 pub mod tool_change;
 pub mod tool_length;
-mod tool_table;
+pub(crate) mod tool_table;
 pub mod units_planes;
 pub mod user_codes;
 mod word;

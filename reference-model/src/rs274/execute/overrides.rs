@@ -4,9 +4,8 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
 use super::spindle::all;
 use super::{whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -37,6 +36,31 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
+/// Whose overrides are switched, and by which numbers.
+pub(crate) trait OverrideRules {
+    /// Rules overrides.both-selected and overrides.speed-selected. $ says which spindle is meant.
+    fn spindle_word(&self, words: &Words, _state: &State) -> Option<f64> {
+        word(words, '$')
+    }
+
+    /// Rule overrides.out-of-range. The spindle of a $, one that the machine has.
+    fn overridden_spindle(&self, value: f64, state: &mut State) -> Result<usize, StepError> {
+        state.dialect().named_spindle(value, state, rule::overrides::OUT_OF_RANGE)
+    }
+
+    /// Rule overrides.other-p. P is 1 or 0.
+    fn switch(&self, value: f64, _state: &State) -> Result<Switch, StepError> {
+        match whole(value) {
+            Some(0) => Ok(Switch::Off),
+            Some(1) => Ok(Switch::On),
+            _ => {
+                let message = format!("P{value} is neither 0 nor 1");
+                Err(refuse(rule::overrides::OTHER_P, FaultKind::WordOutOfRange, message))
+            }
+        }
+    }
+}
+
 /// Rules overrides.enable-both and overrides.disable-both: the feed override and the speed override.
 ///
 /// Rule overrides.both-selected. $ says which spindle's speed override is meant; whether the feed override is meant too
@@ -47,7 +71,7 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepErro
         Switch::On => rule::overrides::ENABLE_BOTH,
         Switch::Off => rule::overrides::DISABLE_BOTH,
     });
-    let selected = word(words, '$').is_some() && !quirks::is_of_others(words, state);
+    let selected = state.dialect().spindle_word(words, state).is_some();
     if selected {
         state.coverage.accepted(rule::overrides::BOTH_SELECTED);
     }
@@ -66,7 +90,8 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepErro
 /// Rules overrides.feed (M50), overrides.speed (M51), overrides.adaptive-feed (M52), overrides.feed-stop (M53): enabled
 /// with P1 or without P, disabled with P0, one control at a time (overrides.one-by-one).
 fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> {
-    let switch = switch(words, state)?;
+    let value = word(words, 'p').unwrap_or(1.0);
+    let switch = state.dialect().switch(value, state)?;
     let rule = match code {
         50 => {
             state.modes.feed_override = switch;
@@ -92,35 +117,17 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> 
     Ok(())
 }
 
-/// Rule overrides.other-p. P is 1 or 0, and 1 when it is not given.
-fn switch(words: &Words, state: &State) -> Result<Switch, StepError> {
-    let Some(value) = word(words, 'p') else { return Ok(Switch::On) };
-    if state.choices.quirk(quirk::rs274::OVERRIDE_ANY_P) {
-        return Ok(quirks::switch_of_any_p(value));
-    }
-    match whole(value) {
-        Some(0) => Ok(Switch::Off),
-        Some(1) => Ok(Switch::On),
-        _ => {
-            let message = format!("P{value} is neither 0 nor 1");
-            Err(refuse(rule::overrides::OTHER_P, FaultKind::WordOutOfRange, message))
-        }
-    }
-}
-
 /// The spindles whose speed override is meant.
 ///
 /// Rule overrides.without-dollar. Which they are without $ is a choice.
 /// Rule overrides.speed-selected. With $ it is that of one.
 fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {
-    let dollar = word(words, '$').filter(|_| !quirks::is_of_others(words, state));
-    let Some(value) = dollar else {
+    let Some(value) = state.dialect().spindle_word(words, state) else {
         state.coverage.accepted(rule::overrides::WITHOUT_DOLLAR);
         let every = state.choices.is(choice::overrides::WithoutDollar::All);
         return Ok(if every { all(state) } else { vec![0] });
     };
-    quirks::override_dollar(value, state)?;
-    let place = state.dialect().named_spindle(value, state, rule::overrides::OUT_OF_RANGE)?;
+    let place = state.dialect().overridden_spindle(value, state)?;
     state.coverage.accepted(rule::overrides::OUT_OF_RANGE);
     state.coverage.accepted(rule::overrides::SPEED_SELECTED);
     Ok(vec![place])

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Axis, ControllerMode, Effect, FaultKind, Position, S
 use super::positions;
 use super::tool::entry;
 use super::{pass, spindle, whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -125,6 +125,14 @@ fn swap(tool: i32, state: &mut State) {
     }
 }
 
+/// Which numbers are those of tools.
+pub(crate) trait ToolChangeRules {
+    /// Rule tool.set-number-integer. The Q of M61 is a whole number.
+    fn tool_number(&self, value: f64, _state: &State) -> Option<i32> {
+        whole(value)
+    }
+}
+
 /// Says which tool is in the spindle.
 ///
 /// Rule tool.set-number. M61 makes tool Q the current one, without a tool change; 0 is no tool (tool.set-number-zero).
@@ -160,14 +168,12 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
 }
 
 /// Rule tool.set-number-range. Q is needed, and zero or greater. Rule tool.set-number-integer. It is a whole number.
-/// Quirk rs274.tool-number-rounded: a fraction is rounded.
 fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let rule = rule::tool::SET_NUMBER_RANGE;
     let Some(value) = word(words, 'q') else {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "M61 needs Q, the number of the tool"));
     };
-    let rounded = state.choices.quirk(quirk::rs274::TOOL_NUMBER_ROUNDED);
-    let number = if rounded { whole(value.round_ties_even()) } else { whole(value) };
+    let number = state.dialect().tool_number(value, state);
     if value < 0.0 && number != Some(0) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, format!("M61 with Q{value}")));
     }

@@ -9,7 +9,6 @@ use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, unit_size};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::motion as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -41,6 +40,19 @@ pub(super) fn reload(state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
+/// When a controller changes its tool table.
+pub(crate) trait ToolTableRules {
+    /// Rule tool.entry-under-compensation. The tool table stays as it is while cutter compensation is on.
+    fn check_entry_under_compensation(&self, state: &State) -> Result<(), StepError> {
+        if state.modes.compensation == Compensation::Off {
+            return Ok(());
+        }
+        let message = "the tool table while cutter compensation is on";
+        let rule = rule::tool::ENTRY_UNDER_COMPENSATION;
+        Err(refuse(rule, FaultKind::CompensationActive, message))
+    }
+}
+
 /// Writes into the tool table.
 ///
 /// Rule tool.entry. G10 L1 sets offsets, radius (R), front and back angle (I, J) and orientation (Q) of tool P.
@@ -55,12 +67,7 @@ pub(super) fn set(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let compensated = state.modes.compensation != Compensation::Off;
-    if compensated && !quirks::table_under_compensation(state) {
-        let message = "the tool table while cutter compensation is on";
-        let rule = rule::tool::ENTRY_UNDER_COMPENSATION;
-        return Err(refuse(rule, FaultKind::CompensationActive, message));
-    }
+    state.dialect().check_entry_under_compensation(state)?;
     let number = number(words, state)?;
     let orientation = orientation(words)?;
     something(words, state)?;

@@ -4,7 +4,6 @@
 //! that shows it. The main path calls a section by one line, `if state.choices.quirk("rs274.…")`.
 
 pub mod cycles;
-pub mod motion;
 pub mod probe;
 pub mod settings;
 pub mod splines;

@@ -1,0 +1,30 @@
+//! Quirks of tools and the tool table.
+
+use super::{LinuxCnc, Shows};
+use crate::ids::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::execute::tool_change::ToolChangeRules;
+use crate::rs274::execute::tool_table::ToolTableRules;
+use crate::rs274::execute::whole;
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+
+impl ToolChangeRules for LinuxCnc {
+    /// Quirk rs274.tool-number-rounded. A fraction is rounded.
+    fn tool_number(&self, value: f64, state: &State) -> Option<i32> {
+        if state.shows(quirk::rs274::TOOL_NUMBER_ROUNDED) {
+            return whole(value.round_ties_even());
+        }
+        Documented.tool_number(value, state)
+    }
+}
+
+impl ToolTableRules for LinuxCnc {
+    /// Quirk rs274.tool-entry-under-compensation. It can be changed then.
+    fn check_entry_under_compensation(&self, state: &State) -> Result<(), StepError> {
+        if state.shows(quirk::rs274::TOOL_ENTRY_UNDER_COMPENSATION) {
+            return Ok(());
+        }
+        Documented.check_entry_under_compensation(state)
+    }
+}
