@@ -19,3 +19,7 @@ pub(crate) struct ModalMemory;
 /// What a dialect remembers with the control of a program: nothing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ControlMemory;
+
+/// What a dialect remembers of a file: nothing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SourceMemory;

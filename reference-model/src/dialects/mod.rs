@@ -23,7 +23,7 @@ mod linuxcnc;
 
 use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
-pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory};
+pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory, SourceMemory};
 
 /// The operations of a run under some options.
 pub(crate) fn operations(choices: &Choices) -> &'static dyn Dialect {

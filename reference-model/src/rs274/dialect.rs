@@ -48,7 +48,7 @@ use super::task::TaskRules;
 use super::text::TextRules;
 use crate::Choices;
 use crate::dialects::operations;
-pub(crate) use crate::dialects::{ControlMemory, Memory, ModalMemory};
+pub(crate) use crate::dialects::{ControlMemory, Memory, ModalMemory, SourceMemory};
 
 /// Every operation that a dialect may replace.
 pub(crate) trait Dialect:

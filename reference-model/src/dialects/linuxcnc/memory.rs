@@ -42,6 +42,13 @@ pub(crate) struct ControlMemory {
     pub(super) numbers_called: BTreeMap<String, Place>,
 }
 
+/// What it remembers of a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SourceMemory {
+    /// Quirk rs274.percent-in-file: whether percent lines mean nothing.
+    pub(super) ignores_percent: bool,
+}
+
 /// What it remembers with the modes, and saves and restores with them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ModalMemory(Option<Box<Remembered>>);

@@ -35,7 +35,7 @@ mod tools;
 mod units_planes;
 mod words;
 
-pub(crate) use memory::{ControlMemory, Memory, ModalMemory};
+pub(crate) use memory::{ControlMemory, Memory, ModalMemory, SourceMemory};
 
 use crate::Choices;
 use crate::ids::Quirk;

@@ -7,8 +7,9 @@ use crate::Choices;
 use crate::ids::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
 use crate::rs274::syntax::{Comment, Parser, SyntaxRules};
-use crate::rs274::text::{TextRules, within};
+use crate::rs274::text::{Line, Source, TextRules, within};
 
 impl TextRules for LinuxCnc {
     /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
@@ -25,6 +26,25 @@ impl TextRules for LinuxCnc {
             return text.replace("\r\n", "\n");
         }
         Documented.with_line_feeds(text, choices)
+    }
+
+    /// Quirk rs274.percent-in-file. In a file that a program without percent lines calls they mean nothing.
+    fn percent_line<'a>(&self, line: &'a str, source: &Source, state: &mut State) -> Line<'a> {
+        if source.memory.ignores_percent {
+            return Line::Block(line);
+        }
+        Documented.percent_line(line, source, state)
+    }
+
+    /// Quirk rs274.percent-in-file. Its percent lines count as the main program begins: where that begins with one,
+    /// the first one ends the called file.
+    fn begin_called_file(&self, called: &mut Source, main: &Source, choices: &Choices) {
+        if !choices.shows(quirk::rs274::PERCENT_IN_FILE) {
+            return Documented.begin_called_file(called, main, choices);
+        }
+        called.first = 0;
+        called.percent = main.percent;
+        called.memory.ignores_percent = !main.percent;
     }
 }
 

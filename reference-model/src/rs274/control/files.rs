@@ -6,7 +6,6 @@ use std::sync::Arc;
 use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::labels::Labels;
-use crate::ids::quirk;
 use crate::rs274::state::State;
 use crate::rs274::text::{Line, Source};
 
@@ -73,10 +72,8 @@ impl Files {
     /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
         let mut source = Source::new(name, text, &state.choices);
-        if let Some(main) = self.opened.first()
-            && state.choices.quirk(quirk::rs274::PERCENT_IN_FILE)
-        {
-            source = source.called_by(&main.source);
+        if let Some(main) = self.opened.first() {
+            state.dialect().begin_called_file(&mut source, &main.source, &state.choices);
         }
         let mut labels = Labels::default();
         let before = state.coverage.set_muted(true);

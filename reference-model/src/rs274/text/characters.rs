@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Span};
 
 use super::comments::comment_at;
+use super::{Line, Source};
 use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
@@ -122,6 +123,27 @@ pub(crate) trait TextRules {
     fn with_line_feeds(&self, text: &str, _choices: &Choices) -> String {
         text.replace("\r\n", "\n").replace('\r', "\n")
     }
+
+    /// What a percent line of a file is.
+    ///
+    /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
+    /// Choice text.percent-alone: what one means in a file that does not.
+    fn percent_line<'a>(&self, line: &'a str, source: &Source, state: &mut State) -> Line<'a> {
+        if source.percent {
+            state.coverage.accepted(rule::text::PERCENT_FILE);
+            state.coverage.accepted(rule::text::PERCENT_LINE);
+            return Line::End;
+        }
+        match state.choices.get::<choice::text::PercentAlone>() {
+            choice::text::PercentAlone::Ends => Line::End,
+            choice::text::PercentAlone::Ignored => Line::Nothing,
+            choice::text::PercentAlone::Refused => Line::Block(line),
+        }
+    }
+
+    /// Rule text.percent-file. A file that is called begins and ends by its own percent lines, whatever the main
+    /// program has.
+    fn begin_called_file(&self, _called: &mut Source, _main: &Source, _choices: &Choices) {}
 }
 
 /// Refuses a line of more characters than the limit.

@@ -12,10 +12,10 @@ pub use characters::{Glyph, condense};
 
 use std::ops::Range;
 
+use super::dialect::SourceMemory;
 use super::refusal::{StepError, refuse};
 use super::state::State;
 use crate::Choices;
-use crate::ids::choice::text::PercentAlone;
 use crate::ids::{choice, rule};
 use gaugeblock_vocabulary::FaultKind;
 
@@ -32,8 +32,8 @@ pub struct Source {
     pub first: usize,
     /// Whether the file begins with a percent line; then the next one ends it.
     pub percent: bool,
-    /// Whether percent lines are blocks like any other.
-    plain: bool,
+    /// What the dialect remembers of the file; nothing by the documents.
+    pub(crate) memory: SourceMemory,
 }
 
 /// What a line of a file is, before it is parsed.
@@ -62,24 +62,16 @@ impl Source {
             name: name.to_owned(),
             first: percent.map_or(0, |index| index + 1),
             percent: percent.is_some(),
-            plain: false,
+            memory: SourceMemory::default(),
             text,
             lines,
         }
-    }
-
-    /// Quirk rs274.percent-in-file: a called file whose percent lines are read as the main program begins. Where that
-    /// begins with one, the first one here ends the file; where it does not, they mean nothing and are no blocks.
-    #[must_use]
-    pub fn called_by(self, main: &Self) -> Self {
-        Self { first: 0, percent: main.percent, plain: !main.percent, ..self }
     }
 
     /// What the line at an index of `lines` is; `None` behind the last line.
     ///
     /// Rule text.blank-lines. Blank lines are allowed and ignored.
     /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
-    /// Rule text.percent-file. In a file that begins with a percent line, the second one ends the program.
     pub fn line(&self, index: usize, block_delete: bool, state: &mut State) -> Option<Line<'_>> {
         let line = &self.text[self.lines.get(index)?.clone()];
         state.coverage.accepted(rule::text::LINE_END);
@@ -92,17 +84,8 @@ impl Source {
             state.coverage.accepted(rule::text::BLOCK_DELETE_PLACE);
             return Some(Line::Nothing);
         }
-        if begins == b'%' && is_percent(line) && !self.plain {
-            if self.percent {
-                state.coverage.accepted(rule::text::PERCENT_FILE);
-                state.coverage.accepted(rule::text::PERCENT_LINE);
-                return Some(Line::End);
-            }
-            match state.choices.get::<PercentAlone>() {
-                PercentAlone::Ends => return Some(Line::End),
-                PercentAlone::Ignored => return Some(Line::Nothing),
-                PercentAlone::Refused => {}
-            }
+        if begins == b'%' && is_percent(line) {
+            return Some(state.dialect().percent_line(line, self, state));
         }
         Some(Line::Block(line))
     }
