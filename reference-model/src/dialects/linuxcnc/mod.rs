@@ -20,6 +20,7 @@ mod order;
 mod orient;
 mod overrides;
 mod parameters;
+mod passed_over;
 mod path;
 mod positions;
 mod program_end;

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::Shows;
 use super::control::{count_too_large, known_number, leave, value_behind, with_zeros};
+use super::passed_over::{PassedOver, passed_over};
 use crate::ids::{Quirk, quirk, rule};
 use crate::math;
 use crate::rs274::control::{
@@ -13,7 +14,7 @@ use crate::rs274::control::{
 use crate::rs274::evaluate;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::syntax::{self, Keyword, Label, PassedOver};
+use crate::rs274::syntax::{self, Keyword, Label};
 use crate::rs274::text::Line;
 
 /// Without any of these, what is passed over is not looked at.
@@ -96,7 +97,7 @@ fn to_called(
 fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(), StepError> {
     let reads = state.shows(quirk::rs274::SKIPPED_IS_READ);
     let in_sub = matches!(target, SearchTarget::EndSub { .. });
-    let read = match syntax::passed_over(text, state) {
+    let read = match passed_over(text, state) {
         Ok(read) => read,
         Err(error) if reads && !is_passable(&error, text) => return Err(error),
         Err(error) if reads => return comments_behind(&error, text, state),
@@ -181,7 +182,7 @@ fn comments_behind(error: &StepError, text: &str, state: &mut State) -> Result<(
     while let Some(behind) = rest.take() {
         // What begins with a parenthesis has no O-word: a letter takes its place.
         let line = format!("x{behind}");
-        if let Err(error) = syntax::passed_over(&line, state) {
+        if let Err(error) = passed_over(&line, state) {
             let Some(behind) = behind_parenthesis(&error, &line) else { return Err(error) };
             rest = Some(behind.to_owned());
         }

@@ -2,8 +2,6 @@
 
 use gaugeblock_vocabulary::Span;
 
-use crate::rs274::refusal::StepError;
-
 /// A block: one line's worth of program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
@@ -192,19 +190,6 @@ pub enum Keyword {
     Continue,
     /// Nothing: a Fanuc-style program number.
     ProgramNumber,
-}
-
-/// What counts of a line that is passed over on the way to a label.
-#[derive(Clone, Debug, PartialEq)]
-pub enum PassedOver {
-    /// Nothing.
-    Nothing,
-    /// A label and its keyword; what stands behind them is not read.
-    OWord(OWord),
-    /// A label without a keyword, and how that is refused where it is no label either.
-    WithoutKeyword(StepError),
-    /// M98.
-    NumberedCall,
 }
 
 /// A comment: what stands in parentheses or after a semicolon, verbatim.

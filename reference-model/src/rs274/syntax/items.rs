@@ -83,7 +83,7 @@ impl Parser<'_> {
 
     /// Rule text.block-delete-off. While block delete is off, a line that begins with a slash is executed like any
     /// other.
-    pub(super) fn block_delete(&mut self) -> bool {
+    pub(crate) fn block_delete(&mut self) -> bool {
         let slash = self.take("/");
         if slash {
             self.reach(rule::text::BLOCK_DELETE_OFF);
@@ -97,7 +97,7 @@ impl Parser<'_> {
     /// unsigned integer.
     /// Rule text.line-number-form. One with a sign, without digits on either side of its period, or computed, is
     /// refused.
-    pub(super) fn line_number(&mut self) -> Result<Option<String>, StepError> {
+    pub(crate) fn line_number(&mut self) -> Result<Option<String>, StepError> {
         if !self.take("n") {
             return Ok(None);
         }
@@ -125,14 +125,14 @@ impl Parser<'_> {
     }
 
     /// Goes on behind comments.
-    pub(super) fn comments(&mut self) {
+    pub(crate) fn comments(&mut self) {
         while self.peek() == Some(Glyph::COMMENT) {
             self.advance();
         }
     }
 
     /// Whether a comment comes next that no O-word may follow.
-    pub(super) fn is_led_by_comment(&self) -> bool {
+    pub(crate) fn is_led_by_comment(&self) -> bool {
         self.peek() == Some(Glyph::COMMENT)
             && !self.choices.dialect().o_word_may_follow_comment(self.choices)
     }

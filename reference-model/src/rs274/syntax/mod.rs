@@ -39,19 +39,6 @@ pub fn parse(line: &str, state: &mut State) -> Result<Block, StepError> {
     parsed
 }
 
-/// What counts of a line that is passed over, for a controller that reads such lines; no rule is reached.
-///
-/// # Errors
-/// The line is too long, a comment is not closed, or a line number, label or keyword is none.
-pub fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, StepError> {
-    let before = state.coverage.set_muted(true);
-    let mut room = std::mem::take(&mut state.room);
-    let condensed = condense(line, &mut room.glyphs, state);
-    state.coverage.set_muted(before);
-    condensed?;
-    Parser::new(room, &state.choices).passed_over()
-}
-
 /// So many characters are never too many for a line.
 const SHORT: usize = 255;
 

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::parser::Parser;
 use super::value::Wanted;
-use super::{Expression, Keyword, Label, OWord, PassedOver};
+use super::{Expression, Keyword, Label, OWord};
 use crate::ids::rule;
 use crate::rs274::refusal::StepError;
 
@@ -105,48 +105,9 @@ impl Parser<'_> {
         Some(o_word)
     }
 
-    /// What rs274 reads of a line that it passes over: the line number, a label with its keyword, and whether M98
-    /// begins it.
-    pub(super) fn passed_over(mut self) -> Result<PassedOver, StepError> {
-        self.block_delete();
-        self.line_number()?;
-        if self.is_led_by_comment() {
-            return Ok(PassedOver::Nothing);
-        }
-        self.comments();
-        if self.take("m98") {
-            let ends = !matches!(self.peek(), Some('0'..='9' | '.'));
-            return Ok(if ends { PassedOver::NumberedCall } else { PassedOver::Nothing });
-        }
-        if self.peek() != Some('o') {
-            return Ok(PassedOver::Nothing);
-        }
-        let start = self.place();
-        let label = self.label()?;
-        let word = self.keyword(label.clone(), start);
-        self.comments();
-        let word = match word {
-            Ok(word) => word,
-            Err(error) if self.peek().is_some() => return Ok(PassedOver::WithoutKeyword(error)),
-            // A name alone counts as a number alone does.
-            Err(_) => OWord {
-                label,
-                keyword: Keyword::ProgramNumber,
-                arguments: Vec::new(),
-                span: self.span_from(start),
-            },
-        };
-        if word.keyword == Keyword::ProgramNumber && self.peek().is_some() {
-            let message = "behind the number of an O-word stands a keyword, which does not begin";
-            let error = self.refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message);
-            return Ok(PassedOver::WithoutKeyword(error));
-        }
-        Ok(PassedOver::OWord(word))
-    }
-
     /// Rule subroutines.numbered-o-words, subroutines.named-o-words, subroutines.computed-o-words: what stands behind
     /// the letter O is a number, perhaps computed, or a name in angle brackets.
-    fn label(&mut self) -> Result<Label, StepError> {
+    pub(crate) fn label(&mut self) -> Result<Label, StepError> {
         self.advance();
         Ok(if self.peek() == Some('<') {
             Label::Name(self.name()?)
@@ -163,7 +124,7 @@ impl Parser<'_> {
     }
 
     /// The keyword behind a label; none makes a number alone that of a program.
-    fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, StepError> {
+    pub(crate) fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, StepError> {
         let keyword = match KEYWORDS.iter().find(|(spelling, _)| self.sees(spelling)) {
             Some((spelling, keyword)) => {
                 self.take(spelling);

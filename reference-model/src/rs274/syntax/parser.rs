@@ -11,7 +11,7 @@ use crate::rs274::text::Glyph;
 #[derive(Debug, Default)]
 pub struct Room {
     /// The characters of the line that count.
-    pub(super) glyphs: Vec<Glyph>,
+    pub(crate) glyphs: Vec<Glyph>,
     /// The digits of a number.
     pub(super) digits: String,
     /// Rules that decided something; they count when the whole line is accepted.
@@ -40,7 +40,7 @@ pub(crate) struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     /// A parser of the characters in the room.
-    pub(super) fn new(mut room: Room, choices: &'a Choices) -> Self {
+    pub(crate) fn new(mut room: Room, choices: &'a Choices) -> Self {
         room.reached.clear();
         Self { room, at: 0, choices, failed: Vec::new() }
     }
@@ -83,7 +83,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Goes on behind these characters, if they are next.
-    pub(super) fn take(&mut self, text: &str) -> bool {
+    pub(crate) fn take(&mut self, text: &str) -> bool {
         let seen = self.sees(text);
         if seen {
             self.at += text.chars().count();
@@ -112,7 +112,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The place, for [`Self::span_from`] and for going back.
-    pub(super) fn place(&self) -> usize {
+    pub(crate) fn place(&self) -> usize {
         self.at
     }
 
@@ -122,7 +122,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The part of the line from a place to here.
-    pub(super) fn span_from(&self, place: usize) -> Span {
+    pub(crate) fn span_from(&self, place: usize) -> Span {
         self.span(place, self.at.saturating_sub(1))
     }
 
