@@ -146,7 +146,7 @@ impl Modal {
             | PassStep::Slant
             | PassStep::TaperOut => {}
             PassStep::Release => {
-                self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)?
+                self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)?;
             }
             PassStep::Out => self.traverse_to(line, point(drive, finish), sink)?,
             PassStep::Last if at == point(drive, end) => {}
