@@ -214,8 +214,8 @@ impl Interpreter {
 
     /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
     /// they are none.
-    pub fn set_report_comments(&mut self, told: bool) {
-        self.compiler.report_comments = told;
+    pub fn set_report_comments(&mut self, report: bool) {
+        self.compiler.report_comments = report;
     }
 
     /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
@@ -286,7 +286,7 @@ impl Interpreter {
     /// The interpreter stands before another program's first block then, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
         self.modal.abort(sink, self.parameters.line);
-        self.begin_over();
+        self.restart();
     }
 
     /// An operator's abort while no program runs: settings are reset, and no run ends by it.
@@ -299,12 +299,12 @@ impl Interpreter {
     pub fn begin(&mut self) {
         self.parameters.value = 0.0;
         self.modal.end_run();
-        self.begin_over();
+        self.restart();
         self.previous_subs.clear();
     }
 
     /// Makes it ready for the program's first block, where that follows its last one without an end between them.
-    pub fn begin_over(&mut self) {
+    pub fn restart(&mut self) {
         self.forget_program();
         self.modal.begin();
         if let Some(main) = self.files.first_mut()
@@ -473,7 +473,7 @@ impl Interpreter {
     /// All numbered parameters that are not zero, in ascending order.
     pub fn parameters(&mut self) -> Vec<(u32, f64)> {
         self.modal.publish(&mut self.parameters.numbered);
-        self.parameters.numbered.not_zero().collect()
+        self.parameters.numbered.nonzero().collect()
     }
 
     /// The tool table as the program has changed it.

@@ -4,7 +4,7 @@ mod effects;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_interpreter::path::{Asked, Resolver};
+use gaugeblock_interpreter::path::{MotionRequest, Resolver};
 use gaugeblock_planner::{
     Axes, Dynamics, Feed, Hold, InputParameter, NotQueued, OutputParameter, OutputSwitch, Path,
     Phase, Planner, Segment,
@@ -267,16 +267,16 @@ impl<'a> Drive<'a> {
         done
     }
 
-    fn ask(&mut self, line: u32, effect: &Effect, asked: Asked) -> Result<(), Stopped> {
+    fn ask(&mut self, line: u32, effect: &Effect, asked: MotionRequest) -> Result<(), Stopped> {
         match asked {
-            Asked::Move(segment) => self.queue(line, &segment),
-            Asked::WithNextMove(_) => self.with_next_move(effect),
-            Asked::Rest => {
+            MotionRequest::Move(segment) => self.queue(line, &segment),
+            MotionRequest::WithNextMove(_) => self.with_next_move(effect),
+            MotionRequest::Rest => {
                 self.rest()?;
                 self.at_once(effect)
             }
-            Asked::Nothing => Ok(()),
-            Asked::Unplanned => {
+            MotionRequest::Nothing => Ok(()),
+            MotionRequest::Unplanned => {
                 Err(Stopped::new(format!("{} is no motion that can be planned", effect.name())))
             }
         }
@@ -329,7 +329,7 @@ impl<'a> Drive<'a> {
 
     /// What acts on a segment that is queued now. Nothing does on a thread, whose pitch follows the spindle.
     fn in_force(&self) -> Controls {
-        if self.resolver.threads() {
+        if self.resolver.is_synchronised() {
             return Controls { feed_override: false, adaptive_feed: false, feed_stop: false };
         }
         let on = |switch: Option<Switch>| switch == Some(Switch::On);

@@ -41,7 +41,7 @@ impl Interpreter {
     }
 
     /// A sub begins: its body is packed, and execution goes on behind it.
-    pub(crate) fn sub<S: Source>(
+    pub(crate) fn define_main_sub<S: Source>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -98,7 +98,7 @@ impl Interpreter {
     }
 
     /// `call`, with arguments.
-    pub(crate) fn call<S: Source>(
+    pub(crate) fn call_sub<S: Source>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -111,13 +111,13 @@ impl Interpreter {
             None => {
                 // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values
                 // in between.
-                self.values(at, block, o_word)?;
+                self.evaluate_values(at, block, o_word)?;
                 self.find_sub(label, source)?
             }
         };
-        self.values(at, block, o_word)?;
+        self.evaluate_values(at, block, o_word)?;
         let entry = Cursor { segment, place: 0 };
-        self.enter(entry, FrameKind::Sub, label)?;
+        self.open_level(entry, FrameKind::Sub, label)?;
         if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
@@ -151,7 +151,12 @@ impl Interpreter {
     }
 
     /// Opens a call level.
-    fn enter(&mut self, entry: Cursor, kind: FrameKind, label: NameId) -> Result<(), ControlError> {
+    fn open_level(
+        &mut self,
+        entry: Cursor,
+        kind: FrameKind,
+        label: NameId,
+    ) -> Result<(), ControlError> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
         let most = most.saturating_add(usize::from(planted(Fault::ElevenLevels)));
         if self.call_stack.frames.len() >= most {
@@ -177,7 +182,7 @@ impl Interpreter {
     }
 
     /// Closes the innermost call level.
-    fn leave_level<K: Sink>(&mut self, frame: &Frame, line: u32, sink: &mut K) {
+    fn close_level<K: Sink>(&mut self, frame: &Frame, line: u32, sink: &mut K) {
         self.modal.leave_call(&mut self.parameters.numbered, sink, line);
         self.parameters.named.leave(frame.mark);
         self.call_stack.forget_definitions(frame.definitions);
@@ -217,12 +222,12 @@ impl Interpreter {
         if own && label != frame.label {
             return refuse(FaultKind::UnknownLabel, "this is not the number of the sub");
         }
-        self.values(at, block, o_word)?;
+        self.evaluate_values(at, block, o_word)?;
         let value = self.evaluator.stack.first().copied();
         let kept = if planted(Fault::ValueLost) { None } else { value };
         self.parameters.value = kept.unwrap_or(0.0);
         self.parameters.value_returned = value.is_some();
-        self.leave_level(&frame, block.line, sink);
+        self.close_level(&frame, block.line, sink);
         if !planted(Fault::ArgumentsKept) {
             self.parameters.numbered.set_arguments(&frame.arguments);
         }
@@ -257,7 +262,7 @@ impl Interpreter {
     }
 
     /// Refuses a block that has other words than M98 or M99 and the letters that it takes.
-    fn check_alone(&self, letters: u32) -> Result<(), ControlError> {
+    fn check_no_other_words(&self, letters: u32) -> Result<(), ControlError> {
         if !self.machine.fanuc_subs && !planted(Fault::DisabledFanuc) {
             return refuse(FaultKind::FanucDisabled, "M98 and M99 are disabled");
         }
@@ -279,7 +284,7 @@ impl Interpreter {
         block: &Block,
         source: &mut S,
     ) -> Result<Progress, ControlError> {
-        self.check_alone(P_AND_L)?;
+        self.check_no_other_words(P_AND_L)?;
         let Some(number) = self.words.get(b'P') else {
             return refuse(FaultKind::MissingWord, "M98 needs P");
         };
@@ -299,7 +304,7 @@ impl Interpreter {
             turns => turns.saturating_sub(1),
         };
         let kind = FrameKind::Numbered { left, entry };
-        self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
+        self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
         if !self.compiler.choices.value_kept {
             self.parameters.value = 0.0;
             self.parameters.value_returned = false;
@@ -351,18 +356,18 @@ impl Interpreter {
         block: &Block,
         sink: &mut K,
     ) -> Result<Progress, ControlError> {
-        self.check_alone(0)?;
+        self.check_no_other_words(0)?;
         let Some(frame) = self.call_stack.frames.last().copied() else {
             return Ok(Progress::Ended(End::Endless));
         };
         let FrameKind::Numbered { left, entry } = frame.kind else {
             return refuse(FaultKind::MixedStyles, "a sub ends with endsub");
         };
-        self.leave_level(&frame, block.line, sink);
+        self.close_level(&frame, block.line, sink);
         self.cursor = frame.back;
         if let Some(left) = left.checked_sub(1) {
             let kind = FrameKind::Numbered { left, entry };
-            self.enter(Cursor { segment: PROGRAMS, place: entry }, kind, frame.label)?;
+            self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, frame.label)?;
         }
         Ok(Progress::More)
     }

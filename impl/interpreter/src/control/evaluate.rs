@@ -111,7 +111,7 @@ impl Evaluator {
                     *value = parameters.numbered.replace(u32::from(*number), *value);
                 }
                 Setting::Before(id, before) => {
-                    let (id, set) = (*id, parameters.named.put_back(*id, *before));
+                    let (id, set) = (*id, parameters.named.restore_slot(*id, *before));
                     *setting = if set.is_global() {
                         Setting::Global(id, set.value())
                     } else {
@@ -135,7 +135,7 @@ impl Evaluator {
                     parameters.numbered.replace(u32::from(number), before);
                 }
                 Setting::Before(id, before) => {
-                    parameters.named.put_back(id, before);
+                    parameters.named.restore_slot(id, before);
                 }
                 Setting::Local(..) | Setting::Global(..) => {}
             }
@@ -220,7 +220,7 @@ impl Evaluator {
                     let result = arithmetic::function(function, value, choices).map_err(wrong)?;
                     self.stack.push(result);
                 }
-                _ => self.rare(op, parameters, modal, compiler, words)?,
+                _ => self.run_rare(op, parameters, modal, compiler, words)?,
             }
         }
         Ok(())
@@ -228,7 +228,7 @@ impl Evaluator {
 
     /// The operations that hardly a block has.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the others are matched in `run`")]
-    fn rare(
+    fn run_rare(
         &mut self,
         op: &Op,
         parameters: &Parameters,
@@ -238,7 +238,7 @@ impl Evaluator {
     ) -> Result<(), Refusal> {
         match *op {
             Op::Mode(name) => self.stack.push(modal.predefined(name)),
-            Op::Own(name) => self.stack.push(parameters.own(name)),
+            Op::Internal(name) => self.stack.push(parameters.internal(name)),
             Op::Negate => {
                 let value = self.pop();
                 self.stack.push(-value);

@@ -54,7 +54,7 @@ impl Interpreter {
             }
             return match block.kind {
                 Kind::Plain => self.execute_plain(at, &block, source, sink),
-                Kind::Control(o_word) => self.control(at, &block, o_word, source, sink),
+                Kind::Control(o_word) => self.execute_o_word(at, &block, o_word, source, sink),
                 Kind::Definition { label: NONE, .. } if self.call_stack.frames.is_empty() => {
                     let why = "when the number of a sub is computed that is defined in a loop";
                     let block = self.location(at.segment, block.line);

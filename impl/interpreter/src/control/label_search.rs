@@ -121,7 +121,7 @@ impl Interpreter {
         if !(target.accept)(o_word.keyword) {
             return None;
         }
-        let label = self.label(at, block, o_word).ok()?;
+        let label = self.evaluate_label(at, block, o_word).ok()?;
         (label == target.label).then_some(o_word)
     }
 

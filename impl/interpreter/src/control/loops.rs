@@ -16,7 +16,7 @@ use crate::syntax::{DoLabel, LinePlace, RepeatFraction};
 
 impl Interpreter {
     /// `while`: the head of a loop, or the end of a do.
-    pub(crate) fn while_block<S: Source>(
+    pub(crate) fn execute_while<S: Source>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -29,8 +29,8 @@ impl Interpreter {
             && head.keyword == Keyword::Do
             && (followed || !head.ended || self.compiler.choices.do_label == DoLabel::First)
         {
-            if self.condition(at, block, o_word)? {
-                return self.jump(head, true, source);
+            if self.evaluate_condition(at, block, o_word)? {
+                return self.jump_to(head, true, source);
             }
             if let Some(head) = self.call_stack.find(label) {
                 head.ended = true;
@@ -38,13 +38,13 @@ impl Interpreter {
             return Ok(());
         }
         self.check_label(block, label)?;
-        let holds = self.condition(at, block, o_word)?;
+        let holds = self.evaluate_condition(at, block, o_word)?;
         let definition = self.definition(at, block, label, Keyword::While);
         self.call_stack.define(definition);
         if holds {
             return self.compile_loop(at, label, Keyword::EndWhile, source);
         }
-        self.leave(at, block, label, |keyword| keyword == Keyword::EndWhile, source)
+        self.leave_loop(at, block, label, |keyword| keyword == Keyword::EndWhile, source)
     }
 
     /// `do`.
@@ -82,19 +82,19 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<(), ControlError> {
         self.check_label(block, label)?;
-        self.values(at, block, o_word)?;
+        self.evaluate_values(at, block, o_word)?;
         let count = self.evaluator.stack.first().copied().unwrap_or(0.0);
-        let left = self.turns(count)?;
+        let left = self.repeat_count(count)?;
         let definition = self.definition(at, block, label, Keyword::Repeat);
         self.call_stack.define(Definition { left, ..definition });
         if left != 0 {
             return self.compile_loop(at, label, Keyword::EndRepeat, source);
         }
-        self.leave(at, block, label, |keyword| keyword == Keyword::EndRepeat, source)
+        self.leave_loop(at, block, label, |keyword| keyword == Keyword::EndRepeat, source)
     }
 
     /// How many turns a repeat makes.
-    fn turns(&self, count: f64) -> Result<u64, ControlError> {
+    fn repeat_count(&self, count: f64) -> Result<u64, ControlError> {
         if count < 0.0 && self.compiler.choices.negative_refused {
             return refuse(FaultKind::WordOutOfRange, "a count is not negative");
         }
@@ -119,10 +119,10 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), ControlError> {
-        let head = self.pointed(label, |keyword| keyword == Keyword::Repeat)?;
+        let head = self.find_structure(label, |keyword| keyword == Keyword::Repeat)?;
         if head.ended {
             let head = *head;
-            return self.jump(head, false, source);
+            return self.jump_to(head, false, source);
         }
         if head.left <= 1 {
             head.ended = true;
@@ -130,7 +130,7 @@ impl Interpreter {
         }
         head.left = head.left.saturating_sub(1);
         let head = *head;
-        self.jump(head, true, source)
+        self.jump_to(head, true, source)
     }
 
     /// `continue`.
@@ -142,17 +142,17 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<(), ControlError> {
         let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
-        let head = *self.pointed(label, loops)?;
+        let head = *self.find_structure(label, loops)?;
         if head.keyword == Keyword::While {
             if planted(Fault::ContinueLeaves) {
                 let end = |keyword| keyword == Keyword::EndWhile;
-                return self.leave(at, block, label, end, source);
+                return self.leave_loop(at, block, label, end, source);
             }
             if self.compiler.emulates_rs274 {
                 let target = LabelTarget { label, accept: |keyword| keyword == Keyword::EndWhile };
                 self.search_label(at, block.line, target, source)?;
             }
-            return self.jump(head, false, source);
+            return self.jump_to(head, false, source);
         }
         let target = LabelTarget { label, accept: |keyword| keyword == Keyword::While };
         self.search_label(at, block.line, target, source)?;
@@ -160,7 +160,7 @@ impl Interpreter {
     }
 
     /// Goes back to the head of a loop, or behind it.
-    pub(crate) fn jump<S: Source>(
+    pub(crate) fn jump_to<S: Source>(
         &mut self,
         head: Definition,
         behind: bool,

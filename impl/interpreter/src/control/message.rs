@@ -118,19 +118,19 @@ impl View<'_> {
                 Piece::Local(id) => self.parameters.named.local(id),
                 Piece::Global(id) => self.parameters.named.global(id),
                 Piece::Mode(name) => Some(self.modal.predefined(name)),
-                Piece::Own(name) => Some(self.parameters.own(name)),
+                Piece::Internal(name) => Some(self.parameters.internal(name)),
                 Piece::Constant(place) => usize::try_from(place)
                     .ok()
                     .and_then(|place| self.segment.constants.get(place).copied()),
                 Piece::Absent => None,
             };
-            self.show(value, decimals, &mut text);
+            self.push_value(value, decimals, &mut text);
         }
         text
     }
 
     /// A value with so many decimals.
-    fn show(&self, value: Option<f64>, decimals: u8, text: &mut String) {
+    fn push_value(&self, value: Option<f64>, decimals: u8, text: &mut String) {
         let Some(value) = value else {
             text.push_str(match self.compiler.choices.absent_name {
                 AbsentName::One => "#",

@@ -43,7 +43,7 @@ pub(crate) fn refuse<T>(kind: FaultKind, message: &'static str) -> Result<T, Con
 
 impl Interpreter {
     /// Executes an o-word.
-    pub(crate) fn control<S: Source, K: Sink>(
+    pub(crate) fn execute_o_word<S: Source, K: Sink>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -55,19 +55,19 @@ impl Interpreter {
             self.check_labels()?;
         }
         let mut kind = BlockKind::OWord;
-        let result = match (self.label(at, block, o_word), o_word.keyword) {
+        let result = match (self.evaluate_label(at, block, o_word), o_word.keyword) {
             (Err(refusal), _) => Err(refusal.into()),
-            (Ok(label), Keyword::Sub) => self.sub(at, block, label, source),
+            (Ok(label), Keyword::Sub) => self.define_main_sub(at, block, label, source),
             (Ok(label), Keyword::EndSub | Keyword::Return) => {
                 kind = BlockKind::Return;
                 self.leave_sub(at, block, o_word, label, sink)
             }
             (Ok(label), Keyword::Call) => {
                 kind = BlockKind::Call;
-                self.call(at, block, o_word, label, source)
+                self.call_sub(at, block, o_word, label, source)
             }
-            (Ok(_), Keyword::Program) => self.program(),
-            (Ok(label), _) => self.structure(at, block, o_word, label, source),
+            (Ok(_), Keyword::Program) => self.check_program_number(),
+            (Ok(label), _) => self.execute_structure(at, block, o_word, label, source),
         };
         match result {
             Ok(()) => {
@@ -80,7 +80,7 @@ impl Interpreter {
     }
 
     /// Executes a part of a condition or loop.
-    fn structure<S: Source>(
+    fn execute_structure<S: Source>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -92,7 +92,7 @@ impl Interpreter {
         match o_word.keyword {
             Keyword::If => self.begin_if(at, block, o_word, label, source),
             Keyword::ElseIf if at_branch => {
-                if self.condition(at, block, o_word)? {
+                if self.evaluate_condition(at, block, o_word)? {
                     return Ok(());
                 }
                 self.next_branch(at, block, label, source)
@@ -102,31 +102,31 @@ impl Interpreter {
             }
             Keyword::Else if at_branch => Ok(()),
             Keyword::ElseIf | Keyword::Else => {
-                self.pointed(label, |keyword| keyword == Keyword::If)?;
+                self.find_structure(label, |keyword| keyword == Keyword::If)?;
                 let end = LabelTarget { label, accept: |keyword| keyword == Keyword::EndIf };
                 self.search_label(at, block.line, end, source)?;
                 Ok(())
             }
             Keyword::EndIf => {
-                self.pointed(label, |keyword| keyword == Keyword::If)?.ended = true;
+                self.find_structure(label, |keyword| keyword == Keyword::If)?.ended = true;
                 Ok(())
             }
-            Keyword::While => self.while_block(at, block, o_word, label, source),
+            Keyword::While => self.execute_while(at, block, o_word, label, source),
             Keyword::EndWhile => {
-                let head = *self.pointed(label, |keyword| keyword == Keyword::While)?;
-                self.jump(head, false, source)
+                let head = *self.find_structure(label, |keyword| keyword == Keyword::While)?;
+                self.jump_to(head, false, source)
             }
             Keyword::Do => self.begin_do(at, block, label, source),
             Keyword::Repeat => self.begin_repeat(at, block, o_word, label, source),
             Keyword::EndRepeat => self.end_repeat(label, source),
             Keyword::Break => {
                 let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
-                let end = if self.pointed(label, loops)?.keyword == Keyword::Do {
+                let end = if self.find_structure(label, loops)?.keyword == Keyword::Do {
                     |keyword| keyword == Keyword::While
                 } else {
                     |keyword| keyword == Keyword::EndWhile
                 };
-                self.leave(at, block, label, end, source)
+                self.leave_loop(at, block, label, end, source)
             }
             Keyword::Continue => self.continue_loop(at, block, label, source),
             Keyword::Sub
@@ -140,7 +140,7 @@ impl Interpreter {
 
     /// The label of a block; computed ones are evaluated.
     #[inline]
-    pub(crate) fn label(
+    pub(crate) fn evaluate_label(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -161,7 +161,7 @@ impl Interpreter {
 
     /// Evaluates the values behind a keyword; they stand on the stack then.
     #[inline]
-    pub(crate) fn values(
+    pub(crate) fn evaluate_values(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -177,13 +177,13 @@ impl Interpreter {
 
     /// Evaluates a condition: any number but zero is true.
     #[inline]
-    pub(crate) fn condition(
+    pub(crate) fn evaluate_condition(
         &mut self,
         at: Cursor,
         block: &Block,
         o_word: OWord,
     ) -> Result<bool, Refusal> {
-        self.values(at, block, o_word)?;
+        self.evaluate_values(at, block, o_word)?;
         let value = self.evaluator.stack.first().copied().unwrap_or(0.0);
         if planted(Fault::NegativeFalse) && value < 0.0 {
             return Ok(false);
@@ -192,7 +192,7 @@ impl Interpreter {
     }
 
     /// What a label points to, where that is of the right kind.
-    pub(crate) fn pointed(
+    pub(crate) fn find_structure(
         &mut self,
         label: NameId,
         right: fn(Keyword) -> bool,
@@ -252,7 +252,7 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<(), ControlError> {
         self.check_label(block, label)?;
-        let holds = self.condition(at, block, o_word)?;
+        let holds = self.evaluate_condition(at, block, o_word)?;
         let definition = self.definition(at, block, label, Keyword::If);
         self.call_stack.define(definition);
         if holds {
@@ -277,7 +277,7 @@ impl Interpreter {
     }
 
     /// Leaves a loop: goes behind the block that ends it.
-    pub(crate) fn leave<S: Source>(
+    pub(crate) fn leave_loop<S: Source>(
         &mut self,
         at: Cursor,
         block: &Block,
@@ -295,7 +295,7 @@ impl Interpreter {
     }
 
     /// A number alone begins a numbered program (11.7.4.1); it does nothing.
-    fn program(&self) -> Result<(), ControlError> {
+    fn check_program_number(&self) -> Result<(), ControlError> {
         if !self.machine.fanuc_subs {
             return refuse(FaultKind::FanucDisabled, "numbered programs are disabled");
         }

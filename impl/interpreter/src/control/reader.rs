@@ -59,7 +59,7 @@ impl Reader {
 
     /// Leaves a line behind that was read from the source's text, its end included.
     #[inline]
-    pub(crate) fn leave_line<S: Source>(&mut self, source: &mut S, bytes: usize) {
+    pub(crate) fn consume_line<S: Source>(&mut self, source: &mut S, bytes: usize) {
         self.consume(source, bytes);
         self.place.line = self.place.line.saturating_add(1);
     }
@@ -83,15 +83,15 @@ impl Reader {
     pub(crate) fn next<S: Source, T>(
         &mut self,
         source: &mut S,
-        show: impl FnOnce(&[u8], LinePlace) -> T,
+        take: impl FnOnce(&[u8], LinePlace) -> T,
     ) -> Result<Option<T>, SourceError> {
         if self.after_return {
             self.finish_line_end(source)?;
         }
         let text = source.text()?;
-        let Some(length) = line_end(text) else { return self.long(source, show) };
+        let Some(length) = line_end(text) else { return self.read_split_line(source, take) };
         let line = text.get(..length).unwrap_or(text);
-        let taken = length.wrapping_add(match text.get(length..) {
+        let bytes = length.wrapping_add(match text.get(length..) {
             Some([b'\r', b'\n', ..]) => 2,
             Some([b'\r']) => {
                 self.after_return = true;
@@ -99,10 +99,10 @@ impl Reader {
             }
             _ => 1,
         });
-        let shown = show(line, self.place);
-        self.consume(source, taken);
+        let result = take(line, self.place);
+        self.consume(source, bytes);
         self.place.line = self.place.line.saturating_add(1);
-        Ok(Some(shown))
+        Ok(Some(result))
     }
 
     /// Steps over a line feed that belongs to the carriage return before it.
@@ -123,10 +123,10 @@ impl Reader {
 
     /// A line whose end does not lie in the text that is ready. What is too long to be a block is cut.
     #[cold]
-    fn long<S: Source, T>(
+    fn read_split_line<S: Source, T>(
         &mut self,
         source: &mut S,
-        show: impl FnOnce(&[u8], LinePlace) -> T,
+        take: impl FnOnce(&[u8], LinePlace) -> T,
     ) -> Result<Option<T>, SourceError> {
         let began = self.place;
         self.line.clear();
@@ -151,9 +151,9 @@ impl Reader {
         if !any {
             return Ok(None);
         }
-        let shown = show(&self.line, began);
+        let result = take(&self.line, began);
         self.place.line = self.place.line.saturating_add(1);
-        Ok(Some(shown))
+        Ok(Some(result))
     }
 }
 

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{Channel, Effect};
 
 use super::evaluate::StatementError;
 use super::program::{IndexRange, Item, VariableRef};
-use super::run::tell;
+use super::run::report_warning;
 use super::runner::{Printing, Runner};
 use crate::canon::Sink;
 use crate::faults::{Fault, planted};
@@ -57,7 +57,7 @@ impl Runner {
         if !self.text.is_empty() {
             let text = core::mem::take(&mut self.text);
             let message = Effect::Message { channel: Channel::Output, text };
-            let _shown = sink.perform(printing.line, &message);
+            let _reply = sink.perform(printing.line, &message);
             if let Effect::Message { text, .. } = message {
                 self.text = text;
             }
@@ -138,7 +138,7 @@ impl Runner {
         }
         if !self.variables.has_value(slot) {
             let name = self.variables.name_of(slot);
-            tell(sink, printing.line, format!("warning: {name} has no value"));
+            report_warning(sink, printing.line, format!("warning: {name} has no value"));
             return Ok(None);
         }
         let stays = self.choices.members_stay || planted(Fault::MemberStays);

@@ -61,7 +61,7 @@ impl Runner {
             Next::Warning(place) => {
                 let warning = self.program.warnings.get(place);
                 let (line, text) = warning.map_or((0, ""), |(line, text)| (*line, text.as_str()));
-                tell(sink, line, format!("warning: {text}"));
+                report_warning(sink, line, format!("warning: {text}"));
                 self.next = Next::Warning(place.saturating_add(1));
                 sink.end_statement(&StatementEnd::of_warning(line));
                 return Ok(1);
@@ -87,7 +87,7 @@ impl Runner {
             }
             Next::Over => return Ok(0),
         };
-        let is_first = !core::mem::replace(&mut self.has_shown, true);
+        let is_first = !core::mem::replace(&mut self.has_reply, true);
         sink.end_statement(&StatementEnd::new(file, line, &self.variables, is_first));
         let set = u64::try_from(self.variables.set_in_step()).unwrap_or(u64::MAX);
         Ok(set.saturating_add(self.printed).saturating_add(1))
@@ -285,7 +285,7 @@ impl Runner {
                 && let Ok(slot) = evaluator.slot(*place, &mut stack)
             {
                 let name = self.variables.name_of(slot);
-                tell(sink, line, format!("warning: {name} is not modal"));
+                report_warning(sink, line, format!("warning: {name} is not modal"));
             }
             if !matches!(holds, Ok(true)) {
                 break;
@@ -309,6 +309,6 @@ impl Statement {
 }
 
 /// Shows a warning.
-pub(super) fn tell<S: Sink>(sink: &mut S, line: u32, text: String) {
-    let _shown = sink.perform(line, &Effect::Message { channel: Channel::Display, text });
+pub(super) fn report_warning<S: Sink>(sink: &mut S, line: u32, text: String) {
+    let _reply = sink.perform(line, &Effect::Message { channel: Channel::Display, text });
 }

@@ -81,7 +81,7 @@ pub(super) struct Runner {
     /// Whether the newline procedure has no statement.
     pub(super) procedure_is_empty: bool,
     /// Whether a step has been executed.
-    pub(super) has_shown: bool,
+    pub(super) has_reply: bool,
 }
 
 impl Runner {
@@ -108,7 +108,7 @@ impl Runner {
             text: String::new(),
             printed: 0,
             stack: Stack::new(),
-            has_shown: false,
+            has_reply: false,
         }
     }
 

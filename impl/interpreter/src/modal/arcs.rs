@@ -319,7 +319,7 @@ impl RadiusFormat {
             return self.out_of_reach(start, end, length);
         }
         let height = math::sqrt(((self.radius - half) * (self.radius + half)).max(0.0));
-        let along = self.on_its_side(height) / length;
+        let along = self.signed_height(height) / length;
         let centre = InPlane {
             first: start.first + chord.first / 2.0 - chord.second * along,
             second: start.second + chord.second / 2.0 + chord.first * along,
@@ -329,7 +329,7 @@ impl RadiusFormat {
 
     /// How far the centre is from the chord, on the left of it.
     #[inline]
-    fn on_its_side(&self, height: f64) -> f64 {
+    fn signed_height(&self, height: f64) -> f64 {
         let least = if self.emulates_rs274 { quirks::ARC_HEIGHT * self.radius } else { 0.0 };
         let height = height.max(least);
         if self.left { height } else { -height }
@@ -352,7 +352,7 @@ impl RadiusFormat {
     fn far_centre(&self, start: InPlane, chord: InPlane, length: f64) -> Result<InPlane, Refusal> {
         let (radius, half) = (self.radius / 2.0, length / 4.0);
         let height = math::sqrt((radius - half).max(0.0)) * math::sqrt(radius + half) * 2.0;
-        let (height, forward) = (self.on_its_side(height), chord.divided(length));
+        let (height, forward) = (self.signed_height(height), chord.divided(length));
         finite(InPlane {
             first: start.first + chord.first / 2.0 - forward.second * height,
             second: start.second + chord.second / 2.0 + forward.first * height,

@@ -244,7 +244,7 @@ impl Modal {
     }
 
     /// The code of the move that axis words alone make again.
-    pub(super) fn made_again(&self) -> Result<u16, Refusal> {
+    pub(super) fn repeated_motion(&self) -> Result<u16, Refusal> {
         let Some(code) = self.motion_code() else {
             return refuse(FaultKind::AxisWords, "axis words, and no motion mode is left");
         };

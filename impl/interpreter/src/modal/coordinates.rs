@@ -53,7 +53,7 @@ impl Coordinates {
     }
 
     /// The coordinate of an axis.
-    pub(crate) fn of_axis(self, axis: Axis) -> f64 {
+    pub(crate) fn coordinate_of(self, axis: Axis) -> f64 {
         self.0.get(axis.place()).copied().unwrap_or(0.0)
     }
 

@@ -274,7 +274,7 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }
-        self.motion(block, numbered, sink)?;
+        self.execute_motion(block, numbered, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
             self.dwell(block.words, sink)?;
         }
@@ -354,7 +354,7 @@ impl Modal {
     }
 
     /// Performs an effect whose outcome comes from the outside.
-    pub(super) fn ask<K: Sink>(
+    pub(super) fn perform_with_reply<K: Sink>(
         &mut self,
         line: u32,
         effect: &Effect,

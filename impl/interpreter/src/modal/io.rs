@@ -90,7 +90,7 @@ impl Modal {
         }
         let timeout = self.wait_timeout(mode, words.get(b'Q'))?;
         let effect = Effect::WaitInput { digital, analog, mode, timeout, read: 0.0 };
-        let reply = self.ask(words.line, &effect, sink)?;
+        let reply = self.perform_with_reply(words.line, &effect, sink)?;
         let read = if let Reply::Input(read) = reply { read } else { 0.0 };
         if !planted(Fault::NoInputResult) {
             numbered.set(INPUT_RESULT, read);

@@ -26,21 +26,21 @@ impl Modal {
     }
 
     /// The block's move, and the motion mode that it sets. A motion that is broken off has selected none.
-    pub(super) fn motion<K: Sink>(
+    pub(super) fn execute_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let mode = self.motion;
-        let moved = self.whole_motion(block, numbered, sink);
+        let moved = self.perform_motion(block, numbered, sink);
         if matches!(moved, Err(Refusal::Aborted)) {
             self.motion = mode;
         }
         moved
     }
 
-    fn whole_motion<K: Sink>(
+    fn perform_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
         numbered: &mut Numbered,
@@ -49,7 +49,7 @@ impl Modal {
         let Some(code) = block.motion else { return Ok(()) };
         let code = if block.g(MOTION).is_none() && block.m().any(|(_, code)| code == 72) {
             // Which motion is made again M72 of the same block may have decided.
-            self.made_again()?
+            self.repeated_motion()?
         } else {
             code
         };
@@ -58,7 +58,7 @@ impl Modal {
             self.check_open_curve(code)?;
         }
         if !matches!(code, 0 | 10 | 20 | 30 | 800) {
-            return self.other_motion(block, code, numbered, sink);
+            return self.dispatch_motion(block, code, numbered, sink);
         }
         self.motion = mode_of(code);
         let moves = block.axes_move
@@ -99,7 +99,7 @@ impl Modal {
 
     /// Under constant surface speed the spindle must turn (11.5.60).
     pub(super) fn check_turning(&self) -> Result<(), Refusal> {
-        if self.surface_speed_stands() {
+        if self.is_surface_speed_stopped() {
             return refuse(FaultKind::ZeroSpeed, "a feed move under G96 while the spindle stands");
         }
         Ok(())

@@ -15,7 +15,7 @@ use super::refusal::Refusal;
 
 impl Modal {
     /// The block's motion.
-    pub(super) fn other_motion<K: Sink>(
+    pub(super) fn dispatch_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
         code: u16,

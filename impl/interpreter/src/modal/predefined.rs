@@ -57,8 +57,8 @@ impl Modal {
             Predefined::FeedHold => flag(now.feed_stop == Switch::On),
             Predefined::Feed => now.feed_rate,
             Predefined::Rpm => spindle.speed,
-            Predefined::Position(axis) => self.position.of_axis(axis),
-            Predefined::MachinePosition(axis) => now.machine_of(self.position).of_axis(axis),
+            Predefined::Position(axis) => self.position.coordinate_of(axis),
+            Predefined::MachinePosition(axis) => now.machine_of(self.position).coordinate_of(axis),
             Predefined::CurrentTool => f64::from(self.tool),
             Predefined::CurrentPocket => f64::from(self.tool_index(self.tool)),
             Predefined::SelectedTool => {

@@ -151,7 +151,7 @@ impl Modal {
     }
 
     /// A spindle under constant surface speed that does not turn: a feed move is refused then (11.5.60).
-    pub(super) fn surface_speed_stands(&self) -> bool {
+    pub(super) fn is_surface_speed_stopped(&self) -> bool {
         let stands =
             |spindle: &Spindle| spindle.mode == SpindleMode::SurfaceSpeed && !spindle.turns();
         self.surface_speed && self.active.now().spindles.iter().any(stands)

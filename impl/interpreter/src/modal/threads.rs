@@ -20,7 +20,7 @@ impl Modal {
         block: &Block<'_>,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let (line, end) = (block.words.line, self.begin_in_step(block, mode_of(330), sink)?);
+        let (line, end) = (block.words.line, self.begin_synchronised(block, mode_of(330), sink)?);
         self.feed_to(line, end, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
@@ -32,13 +32,13 @@ impl Modal {
         block: &Block<'_>,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let (line, end) = (block.words.line, self.begin_in_step(block, mode_of(331), sink)?);
+        let (line, end) = (block.words.line, self.begin_synchronised(block, mode_of(331), sink)?);
         self.perform(line, &Effect::RigidTap { end: end.position() }, sink)?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
     /// What both begin with: a spindle turns, and from here the feed is K per revolution. Where the move leads.
-    fn begin_in_step<K: Sink>(
+    fn begin_synchronised<K: Sink>(
         &mut self,
         block: &Block<'_>,
         motion: Motion,

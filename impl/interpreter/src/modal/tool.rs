@@ -88,7 +88,7 @@ impl Modal {
             self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
         self.move_to_change(line, numbered, sink)?;
-        let reply = self.ask(line, &Effect::ChangeTool { tool }, sink)?;
+        let reply = self.perform_with_reply(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);
         self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
         if !planted(Fault::StaysSelected) {

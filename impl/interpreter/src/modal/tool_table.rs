@@ -55,7 +55,7 @@ impl Modal {
         else {
             return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of P");
         };
-        let tool = self.entry_to_become(old, words, kind, numbered)?;
+        let tool = self.new_entry(old, words, kind, numbered)?;
         let conversion = self.stored_to_active();
         let effect = Effect::SetToolEntry {
             tool: number,
@@ -74,7 +74,7 @@ impl Modal {
     }
 
     /// The entry with the values of the words; what has no word stays.
-    fn entry_to_become(
+    fn new_entry(
         &self,
         old: &Tool,
         words: &Words,

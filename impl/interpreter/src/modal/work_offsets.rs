@@ -89,7 +89,7 @@ impl Modal {
                 let offset = self.active.now().g92_offset.replaced(&self.offset_words(words));
                 self.set_g92(offset, numbered);
             }
-            920 => self.set_g92(self.offset_to_become(words), numbered),
+            920 => self.set_g92(self.new_g92_offset(words), numbered),
             921 | 922 => {
                 if code == 921 {
                     offsets::store_g92(numbered, Coordinates::default());
@@ -116,7 +116,7 @@ impl Modal {
     }
 
     /// The offset of G92: the point gets the coordinates of the words; an axis without a word gets no offset.
-    fn offset_to_become(&self, words: &Words) -> Coordinates {
+    fn new_g92_offset(&self, words: &Words) -> Coordinates {
         let local = self.position.plus(self.active.now().g92_offset);
         let words = self.offset_words(words);
         let wanted = local.replaced(&words);
@@ -166,7 +166,7 @@ impl Modal {
         let (origin, rotation) = if kind == 2 {
             (origin.replaced(&self.offset_words(words)), words.get(b'R').unwrap_or(rotation))
         } else {
-            (self.origin_to_become(words, origin, rotation), rotation)
+            (self.new_origin(words, origin, rotation), rotation)
         };
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
@@ -177,7 +177,7 @@ impl Modal {
     }
 
     /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
-    fn origin_to_become(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
+    fn new_origin(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
         let machine = self.active.now().machine_of(self.position);
         let there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
         let wanted = there.program_of(machine).replaced(&self.offset_words(words));

@@ -59,7 +59,7 @@ impl Runner {
         if self.modal_calls.first().is_some_and(|first| first.by_block != modal.by_block) {
             return Err(Stop::Open("G66 and G66.1 in force together"));
         }
-        self.tell_modal(self.modal_calls.len(), modal.call.program.unwrap_or(0));
+        self.report_modal_call(self.modal_calls.len(), modal.call.program.unwrap_or(0));
         self.modal_calls.push(modal);
         Ok(())
     }
@@ -72,9 +72,9 @@ impl Runner {
         self.may_command()?;
         if planted(Fault::CancelsFirst) && !self.modal_calls.is_empty() {
             self.modal_calls.remove(0);
-            self.tell_modal(self.modal_calls.len(), 0);
+            self.report_modal_call(self.modal_calls.len(), 0);
         } else if self.modal_calls.pop().is_some() {
-            self.tell_modal(self.modal_calls.len(), 0);
+            self.report_modal_call(self.modal_calls.len(), 0);
         } else if self.choices.cancel_refused {
             return refuse(FaultKind::Macro, "G67 without a modal call");
         }
@@ -89,8 +89,8 @@ impl Runner {
         Ok(())
     }
 
-    fn tell_modal(&mut self, depth: usize, program: u32) {
-        self.told.modal_call = Some((u32::try_from(depth).unwrap_or(u32::MAX), program));
+    fn report_modal_call(&mut self, depth: usize, program: u32) {
+        self.report.modal_call = Some((u32::try_from(depth).unwrap_or(u32::MAX), program));
     }
 
     /// Arguments from the words, from one of them on. In the block of a call G is none.

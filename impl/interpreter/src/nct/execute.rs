@@ -256,7 +256,7 @@ impl Runner {
             }
             let coordinate = match self.modes.distance {
                 Distance::Absolute => value,
-                Distance::Incremental => end.of_axis(*axis) + value,
+                Distance::Incremental => end.coordinate_of(*axis) + value,
             };
             if !coordinate.is_finite() {
                 return refuse(FaultKind::OutOfDomain, "a coordinate that is too large");

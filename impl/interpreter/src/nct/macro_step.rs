@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Motion, Position};
 
-use super::run::Told;
+use super::run::StepReport;
 use super::variables::{VariableChange, Variables};
 
 /// A step that was made, and what it made of the state.
@@ -10,7 +10,7 @@ use super::variables::{VariableChange, Variables};
 pub struct MacroStep<'a> {
     pub(super) line: u32,
     pub(super) variables: &'a Variables,
-    pub(super) told: &'a Told,
+    pub(super) report: &'a StepReport,
 }
 
 impl<'a> MacroStep<'a> {
@@ -32,17 +32,17 @@ impl<'a> MacroStep<'a> {
     /// The modal call that was commanded or cancelled: its depth from 0, and the number of its program; 0 where it
     /// was cancelled, or where no program can have the number.
     pub fn modal_call(&self) -> Option<(u32, u32)> {
-        self.told.modal_call
+        self.report.modal_call
     }
 
     /// The motion mode, where it is another one than after the step before, and after the first step.
     pub fn motion(&self) -> Option<Motion> {
-        self.told.motion
+        self.report.motion
     }
 
     /// The controlled point in program coordinates and the active length unit, where it is another one, and after the
     /// first step.
     pub fn position(&self) -> Option<Position> {
-        self.told.position
+        self.report.position
     }
 }

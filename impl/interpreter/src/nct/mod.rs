@@ -132,7 +132,7 @@ impl CustomMacros {
         let (line, flow) = self.runner.step();
         let end = match flow {
             Ok(flow) => {
-                self.tell(line, &before, sink);
+                self.report_state(line, &before, sink);
                 match flow {
                     Flow::On => return Ok(()),
                     Flow::ProgramEnd => End::ProgramEnd,
@@ -145,15 +145,15 @@ impl CustomMacros {
     }
 
     /// Tells what a step has done.
-    fn tell<S: Sink>(&self, line: u32, before: &modes::Modes, sink: &mut S) {
-        let Runner { modes, variables, told, effects, .. } = &self.runner;
+    fn report_state<S: Sink>(&self, line: u32, before: &modes::Modes, sink: &mut S) {
+        let Runner { modes, variables, report, effects, .. } = &self.runner;
         if modes != before {
             sink.set(line, &modes.settings().since(&before.settings()));
         }
         for effect in effects {
             sink.perform(line, effect);
         }
-        sink.end_macro_step(&MacroStep { line, variables, told });
+        sink.end_macro_step(&MacroStep { line, variables, report });
     }
 }
 

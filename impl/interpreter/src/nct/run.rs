@@ -16,7 +16,7 @@ use crate::modal::Coordinates;
 
 /// What a step tells besides variables.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Told {
+pub(super) struct StepReport {
     pub(super) modal_call: Option<(u32, u32)>,
     pub(super) motion: Option<Motion>,
     pub(super) position: Option<Position>,
@@ -61,7 +61,7 @@ pub(super) struct Runner {
     pub(super) m: Vec<u16>,
     /// Its effects.
     pub(super) effects: Vec<Effect>,
-    pub(super) told: Told,
+    pub(super) report: StepReport,
     stack: Stack,
     /// Motion mode and position as they were told last.
     last: Option<(Motion, Coordinates)>,
@@ -90,7 +90,7 @@ impl Runner {
             g: Vec::new(),
             m: Vec::new(),
             effects: Vec::new(),
-            told: Told::default(),
+            report: StepReport::default(),
             stack: Stack::new(),
             last: None,
         }
@@ -111,7 +111,7 @@ impl Runner {
     pub(super) fn step(&mut self) -> (u32, Result<Flow, Stop>) {
         self.variables.begin();
         self.effects.clear();
-        self.told = Told::default();
+        self.report = StepReport::default();
         let (line, flow) = match self.follows.take() {
             Some(call) => (self.line_before(), self.call_modally(call).map(|()| Flow::On)),
             None => match self.next_block() {
@@ -120,19 +120,19 @@ impl Runner {
             },
         };
         if flow.is_ok() {
-            self.tell();
+            self.report_state();
         }
         (line, flow)
     }
 
     /// What is different from the step before.
-    fn tell(&mut self) {
+    fn report_state(&mut self) {
         let last = self.last.replace((self.motion, self.position));
         if last.is_none_or(|(motion, _)| motion != self.motion) {
-            self.told.motion = Some(self.motion);
+            self.report.motion = Some(self.motion);
         }
         if last.is_none_or(|(_, position)| position != self.position) {
-            self.told.position = Some(self.position.position());
+            self.report.position = Some(self.position.position());
         }
     }
 

@@ -8,7 +8,7 @@ mod predefined;
 mod store;
 
 pub use item::ItemName;
-pub(crate) use named::{Named, Own, ScopeMark, Slot};
+pub(crate) use named::{Internal, Named, ScopeMark, Slot};
 pub(crate) use names::{NameId, Names};
 pub(crate) use numbered::{LAST, Numbered, is_stored};
 pub(crate) use predefined::Predefined;

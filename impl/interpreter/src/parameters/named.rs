@@ -6,7 +6,7 @@ use crate::parameters::names::{NameId, Names};
 
 /// The predefined names that the interpreter's loop answers; the modes answer the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Own {
+pub(crate) enum Internal {
     /// `_line`: line of the block.
     Line,
     /// `_value`: value of the last return or endsub.
@@ -27,7 +27,7 @@ pub(crate) enum Own {
     Item(u32),
 }
 
-impl Own {
+impl Internal {
     /// The name in lower case and without blanks.
     pub(crate) fn from_name(name: &str) -> Option<Self> {
         Some(match name {
@@ -135,14 +135,14 @@ impl Named {
     /// Sets a global parameter; it exists from then on. What it was comes back.
     #[inline]
     pub(crate) fn set_global(&mut self, id: NameId, value: f64) -> Slot {
-        self.put_back(id, Slot { value, scope: GLOBAL })
+        self.restore_slot(id, Slot { value, scope: GLOBAL })
     }
 
     /// Sets a local parameter; it exists until its level is left. What it was comes back.
     #[inline]
     pub(crate) fn set_local(&mut self, id: NameId, value: f64) -> Slot {
         let scope = self.scope;
-        let before = self.put_back(id, Slot { value, scope });
+        let before = self.restore_slot(id, Slot { value, scope });
         if before.scope != scope {
             self.hidden.push(Hidden { id, slot: before });
         }
@@ -152,7 +152,7 @@ impl Named {
     /// Makes a parameter what it was. One that its level hid stays noted as hidden, which restores it to the same
     /// once more.
     #[inline]
-    pub(crate) fn put_back(&mut self, id: NameId, before: Slot) -> Slot {
+    pub(crate) fn restore_slot(&mut self, id: NameId, before: Slot) -> Slot {
         match usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
             Some(slot) => core::mem::replace(slot, before),
             None => before,

@@ -137,7 +137,7 @@ impl Numbered {
     }
 
     /// The parameters that are not zero, in ascending order: some of those that were ever set.
-    pub(crate) fn not_zero(&self) -> impl Iterator<Item = (u32, f64)> {
+    pub(crate) fn nonzero(&self) -> impl Iterator<Item = (u32, f64)> {
         let marks = self.marks.iter().zip(&self.reported).map(|(marks, reported)| marks | reported);
         (0_u32..)
             .zip(marks)

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::named::{Named, Own};
+use super::named::{Internal, Named};
 use super::numbered::Numbered;
 
 /// The version of the manual, as `_vmajor` tells it.
@@ -31,16 +31,16 @@ pub(crate) struct Parameters {
 
 impl Parameters {
     /// What the interpreter tells of itself.
-    pub(crate) fn own(&self, name: Own) -> f64 {
+    pub(crate) fn internal(&self, name: Internal) -> f64 {
         match name {
-            Own::Line => f64::from(self.line),
-            Own::Value => self.value,
-            Own::ValueReturned => f64::from(u8::from(self.value_returned)),
-            Own::CallLevel => f64::from(self.call_level),
-            Own::Task => f64::from(u8::from(self.drives)),
-            Own::RemapLevel | Own::VersionMinor => 0.0,
-            Own::VersionMajor => VERSION,
-            Own::Item(place) => self.item(place),
+            Internal::Line => f64::from(self.line),
+            Internal::Value => self.value,
+            Internal::ValueReturned => f64::from(u8::from(self.value_returned)),
+            Internal::CallLevel => f64::from(self.call_level),
+            Internal::Task => f64::from(u8::from(self.drives)),
+            Internal::RemapLevel | Internal::VersionMinor => 0.0,
+            Internal::VersionMajor => VERSION,
+            Internal::Item(place) => self.item(place),
         }
     }
 

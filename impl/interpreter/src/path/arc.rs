@@ -1,7 +1,7 @@
 //! Arcs and helices in machine coordinates (11.5.5).
 
 use super::frame::Frame;
-use super::{NO_WAY, Plane};
+use super::{MOTION_MIN, Plane};
 use crate::math;
 use gaugeblock_planner::{Axes, Path};
 
@@ -37,7 +37,7 @@ fn angle(from: (f64, f64), to: (f64, f64), turns: i32) -> f64 {
     const TURN: f64 = core::f64::consts::TAU;
     let whole = TURN * f64::from(turns.unsigned_abs().saturating_sub(1));
     let way = math::hypotenuse(to.0 - from.0, to.1 - from.1);
-    let part = if way <= NO_WAY {
+    let part = if way <= MOTION_MIN {
         TURN
     } else {
         let turned = from.0 * to.1 - from.1 * to.0;

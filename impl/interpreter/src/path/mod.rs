@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Sink::set ─────► Frame, feed, path mode      what is in force
-//! Sink::perform ─► Resolver ─► Asked           a segment to plan, an output to switch, or something that waits for rest
+//! Sink::perform ─► Resolver ─► MotionRequest           a segment to plan, an output to switch, or something that waits for rest
 //! ```
 //!
 //! Effects carry program coordinates in the active length unit. A planner takes machine coordinates: millimetres for
@@ -26,11 +26,11 @@ use frame::Frame;
 
 /// Axes that move less than this do not move, millimetres or degrees: offsets that are added and taken away again
 /// leave as much.
-const NO_WAY: f64 = 1e-9;
+const MOTION_MIN: f64 = 1e-9;
 
 /// What an effect asks of whoever plans motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Asked {
+pub enum MotionRequest {
     /// To go along a segment, after those before it.
     Move(Segment),
     /// To switch an output with the start of the next segment (M62, M63, M67).
@@ -47,7 +47,7 @@ pub enum Asked {
 /// Turns effects into what they ask of the axes.
 ///
 /// ```
-/// use gaugeblock_interpreter::path::{Asked, Resolver};
+/// use gaugeblock_interpreter::path::{MotionRequest, Resolver};
 /// use gaugeblock_planner::{PathControl, Feed, Path};
 /// use gaugeblock_vocabulary::{Effect, FeedMode, LengthUnit, PathControlMode, Plane, Settings};
 ///
@@ -59,7 +59,7 @@ pub enum Asked {
 ///     ..Settings::default()
 /// });
 /// let end = [1.0, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-/// let Asked::Move(segment) = resolver.resolve(7, &Effect::StraightFeed { end: end.into() }) else { panic!() };
+/// let MotionRequest::Move(segment) = resolver.resolve(7, &Effect::StraightFeed { end: end.into() }) else { panic!() };
 /// assert_eq!(segment.number, 7);
 /// assert_eq!(segment.path, Path::Straight { end: [25.4, 0.0, 0.0, 90.0, 0.0, 0.0, 0.0, 0.0, 0.0] });
 /// assert_eq!(segment.feed, Feed::PerSecond(6.0 * 25.4 / 60.0));
@@ -96,17 +96,17 @@ impl Resolver {
     }
 
     /// The controlled point after all that was resolved, machine coordinates.
-    pub fn at(&self) -> Axes {
+    pub fn position(&self) -> Axes {
         self.at
     }
 
     /// Whether moves follow the spindle turn by turn, so that no override may act on them (G33, G76).
-    pub fn threads(&self) -> bool {
+    pub fn is_synchronised(&self) -> bool {
         self.pitch.is_some()
     }
 
     /// The point is elsewhere: a probe has stopped a move on its way, or a run was broken off.
-    pub fn stand_at(&mut self, at: Axes) {
+    pub fn set_position(&mut self, at: Axes) {
         self.at = at;
     }
 
@@ -121,7 +121,7 @@ impl Resolver {
 
     /// What an effect asks. `line` comes back as the segment's number.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects ask nothing of motion")]
-    pub fn resolve(&mut self, line: u32, effect: &Effect) -> Asked {
+    pub fn resolve(&mut self, line: u32, effect: &Effect) -> MotionRequest {
         match effect {
             Effect::StraightTraverse { end } => {
                 let end = self.frame.machine_of(end.to_array());
@@ -135,11 +135,11 @@ impl Resolver {
             Effect::StraightProbe { end, contact } => {
                 let end = self.frame.machine_of(end.to_array());
                 let feed = self.feed(end);
-                let asked = self.straight(line, end, feed, true);
+                let request = self.straight(line, end, feed, true);
                 if let Some(contact) = contact {
                     self.at = self.frame.machine_of(contact.to_array());
                 }
-                asked
+                request
             }
             Effect::ArcFeed { end, first_centre, second_centre, turns } => {
                 let end = end.to_array();
@@ -159,17 +159,17 @@ impl Resolver {
             Effect::SetAnalogOutput { output, to, timing } => switch(*output, *to, *timing),
             Effect::StartSpindleSynchronisation { pitch, .. } => {
                 self.pitch = Some(self.frame.millimetres(*pitch));
-                Asked::Rest
+                MotionRequest::Rest
             }
             Effect::StopSpindleSynchronisation {} => {
                 self.pitch = None;
-                Asked::Rest
+                MotionRequest::Rest
             }
             Effect::NurbsFeed { end, .. } => {
                 self.at = self.frame.machine_of(end.to_array());
-                Asked::Unplanned
+                MotionRequest::Unplanned
             }
-            Effect::RigidTap { .. } => Asked::Unplanned,
+            Effect::RigidTap { .. } => MotionRequest::Unplanned,
             Effect::PrepareTool { .. }
             | Effect::SetToolEntry { .. }
             | Effect::Message { .. }
@@ -177,19 +177,26 @@ impl Resolver {
             | Effect::LogClose {}
             | Effect::ProbeLogOpen { .. }
             | Effect::ProbeLogClose {}
-            | Effect::RequestRefused { .. } => Asked::Nothing,
-            _ => Asked::Rest,
+            | Effect::RequestRefused { .. } => MotionRequest::Nothing,
+            _ => MotionRequest::Rest,
         }
     }
 
-    fn straight(&mut self, line: u32, end: Axes, feed: Feed, probing: bool) -> Asked {
+    fn straight(&mut self, line: u32, end: Axes, feed: Feed, probing: bool) -> MotionRequest {
         self.segment(line, Path::Straight { end }, end, feed, probing)
     }
 
-    fn segment(&mut self, line: u32, path: Path, end: Axes, feed: Feed, probing: bool) -> Asked {
+    fn segment(
+        &mut self,
+        line: u32,
+        path: Path,
+        end: Axes,
+        feed: Feed,
+        probing: bool,
+    ) -> MotionRequest {
         self.at = end;
         let path_control = self.path_control();
-        Asked::Move(Segment { number: line.into(), path, feed, path_control, probing })
+        MotionRequest::Move(Segment { number: line.into(), path, feed, path_control, probing })
     }
 
     fn path_control(&self) -> PathControl {
@@ -208,7 +215,7 @@ impl Resolver {
         let [x, y, z, _, _, _, u, v, w] = end;
         let [from_x, from_y, from_z, _, _, _, from_u, from_v, from_w] = self.at;
         let ways = [x - from_x, y - from_y, z - from_z, u - from_u, v - from_v, w - from_w];
-        self.feed_along(ways.iter().any(|way| way.abs() > NO_WAY))
+        self.feed_along(ways.iter().any(|way| way.abs() > MOTION_MIN))
     }
 
     /// What F means for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else
@@ -228,11 +235,11 @@ impl Resolver {
 }
 
 /// What a setting of an output asks. M64, M65 and M68 come at once, and with them motion breaks.
-fn switch(output: i32, value: f64, timing: OutputTiming) -> Asked {
+fn switch(output: i32, value: f64, timing: OutputTiming) -> MotionRequest {
     match (timing, u16::try_from(output)) {
         (OutputTiming::WithMotion, Ok(output)) => {
-            Asked::WithNextMove(OutputSwitch { output, value })
+            MotionRequest::WithNextMove(OutputSwitch { output, value })
         }
-        (OutputTiming::WithMotion, Err(_)) | (OutputTiming::AtOnce, _) => Asked::Rest,
+        (OutputTiming::WithMotion, Err(_)) | (OutputTiming::AtOnce, _) => MotionRequest::Rest,
     }
 }

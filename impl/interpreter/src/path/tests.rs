@@ -16,7 +16,7 @@ fn at(x: f64, y: f64, z: f64) -> Position {
 /// The segment that an effect asks for.
 fn segment(resolver: &mut Resolver, effect: &Effect) -> Segment {
     let asked = resolver.resolve(1, effect);
-    let Asked::Move(segment) = asked else { panic!("{effect:?} asks {asked:?}") };
+    let MotionRequest::Move(segment) = asked else { panic!("{effect:?} asks {asked:?}") };
     segment
 }
 
@@ -38,7 +38,7 @@ fn offsets_turn_and_add_in_the_order_of_the_coordinate_systems() {
     let Path::Straight { end } = moved.path else { panic!("{moved:?}") };
     near(&end[..3], &[10.0, 23.0, 35.0]);
     assert_eq!(moved.feed, Feed::Rapid);
-    near(&resolver.at(), &end);
+    near(&resolver.position(), &end);
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn feeds_are_by_minute_time_or_turn() {
 fn a_thread_follows_the_spindle_until_it_ends() {
     let mut resolver = under(&Settings { feed_rate: Some(60.0), ..Settings::default() });
     let start = Effect::StartSpindleSynchronisation { spindle: 0, pitch: 1.5 };
-    assert_eq!(resolver.resolve(1, &start), Asked::Rest);
+    assert_eq!(resolver.resolve(1, &start), MotionRequest::Rest);
     let cut = segment(&mut resolver, &Effect::StraightFeed { end: at(0.0, 0.0, -9.0) });
     assert_eq!(cut.feed, Feed::PerTurn(1.5));
     resolver.resolve(1, &Effect::StopSpindleSynchronisation {});
@@ -140,8 +140,11 @@ fn outputs_wait_for_the_next_move_or_for_rest() {
     let mut resolver = Resolver::new([0.0; 9]);
     let output = |timing| Effect::SetDigitalOutput { output: 2, on: true, timing };
     let switch = OutputSwitch { output: 2, value: 1.0 };
-    assert_eq!(resolver.resolve(1, &output(OutputTiming::WithMotion)), Asked::WithNextMove(switch));
-    assert_eq!(resolver.resolve(1, &output(OutputTiming::AtOnce)), Asked::Rest);
+    assert_eq!(
+        resolver.resolve(1, &output(OutputTiming::WithMotion)),
+        MotionRequest::WithNextMove(switch)
+    );
+    assert_eq!(resolver.resolve(1, &output(OutputTiming::AtOnce)), MotionRequest::Rest);
 }
 
 #[test]
@@ -150,5 +153,5 @@ fn a_probe_that_changed_stands_where_it_did() {
     let effect =
         Effect::StraightProbe { end: at(0.0, 0.0, -9.0), contact: Some(at(0.0, 0.0, -3.0)) };
     assert!(segment(&mut resolver, &effect).probing);
-    near(&resolver.at()[..3], &[0.0, 0.0, -3.0]);
+    near(&resolver.position()[..3], &[0.0, 0.0, -3.0]);
 }

@@ -80,7 +80,7 @@ impl LineCompiler {
         let mut packed = self.items(cursor, &mut block, into);
         let within = self.within_length(line);
         if within.len() < line.len() && !planted(Fault::AnyLength) {
-            self.cut_off(within, &mut block, into);
+            self.truncate_o_word(within, &mut block, into);
             packed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
         }
         if let Err(refused) = packed {
@@ -148,7 +148,7 @@ impl LineCompiler {
     /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword
     /// that stands behind them.
     #[cold]
-    fn cut_off(&mut self, within: &[u8], block: &mut Block, into: &mut CodeSegment) {
+    fn truncate_o_word(&mut self, within: &[u8], block: &mut Block, into: &mut CodeSegment) {
         let Kind::Control(_) = core::mem::replace(&mut block.kind, Kind::Plain) else { return };
         into.ops.truncate(usize::try_from(block.first).unwrap_or(usize::MAX));
         let mut cursor = Cursor::new(within);
@@ -281,7 +281,7 @@ impl LineCompiler {
             ParameterRef::Local(id) => Op::SetLocal(id),
             ParameterRef::Global(id) => Op::SetGlobal(id),
             ParameterRef::Mode(_)
-            | ParameterRef::Own(_)
+            | ParameterRef::Internal(_)
             | ParameterRef::Entry(_)
             | ParameterRef::Absent => {
                 return cursor.refuse_from(start, FaultKind::ReadOnlyParameter, read_only);

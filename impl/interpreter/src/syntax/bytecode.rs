@@ -6,7 +6,7 @@
 
 use alloc::vec::Vec;
 
-use crate::parameters::{NameId, Own, Predefined};
+use crate::parameters::{Internal, NameId, Predefined};
 use crate::syntax::LineError;
 
 /// "None" among the numbers of this module.
@@ -90,7 +90,7 @@ pub(crate) enum Op {
     /// Pushes what the modes tell.
     Mode(Predefined),
     /// Pushes what the interpreter tells of itself.
-    Own(Own),
+    Internal(Internal),
     /// Names a parameter that cannot exist: an INI entry or a pin that is not there.
     Absent,
     /// Takes a parameter's number, pushes its value.
@@ -157,7 +157,7 @@ pub(crate) enum ParameterRef {
     /// A predefined name that the modes answer.
     Mode(Predefined),
     /// A predefined name that the interpreter answers.
-    Own(Own),
+    Internal(Internal),
     /// An INI entry.
     Entry(f64),
     /// An INI entry or pin that is not there.
@@ -295,7 +295,7 @@ pub(crate) enum Piece {
     /// What the modes tell.
     Mode(Predefined),
     /// What the interpreter tells of itself.
-    Own(Own),
+    Internal(Internal),
     /// An entry of the INI file, by its place among the segment's constants.
     Constant(u32),
     /// A parameter that cannot exist.

@@ -177,7 +177,7 @@ fn parameter(
             ParameterRef::Local(id) => Piece::Local(id),
             ParameterRef::Global(id) => Piece::Global(id),
             ParameterRef::Mode(name) => Piece::Mode(name),
-            ParameterRef::Own(name) => Piece::Own(name),
+            ParameterRef::Internal(name) => Piece::Internal(name),
             ParameterRef::Entry(value) => {
                 let place = u32::try_from(into.constants.len()).ok()?;
                 into.constants.push(value);

@@ -124,7 +124,7 @@ impl LineCompiler {
                     ParameterRef::Local(id) => Op::Local(id),
                     ParameterRef::Global(id) => Op::Global(id),
                     ParameterRef::Mode(name) => Op::Mode(name),
-                    ParameterRef::Own(name) => Op::Own(name),
+                    ParameterRef::Internal(name) => Op::Internal(name),
                     ParameterRef::Entry(value) => Op::Number(value),
                     ParameterRef::Absent => Op::Absent,
                 };
@@ -160,7 +160,7 @@ impl LineCompiler {
             while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
                 && group(last) >= lowest
             {
-                self.join(last, into);
+                self.emit_operator(last, into);
                 count = count.wrapping_sub(1);
             }
             let Some(operator) = operator else { return Ok(()) };
@@ -172,7 +172,7 @@ impl LineCompiler {
     }
 
     /// Emits an operator, folded where its operands are known.
-    fn join(&self, operator: Binary, into: &mut CodeSegment) {
+    fn emit_operator(&self, operator: Binary, into: &mut CodeSegment) {
         let right = into.ops.pop();
         let op = match (into.ops.last_mut(), right) {
             (Some(Op::Number(left)), Some(Op::Number(right))) => {
@@ -250,7 +250,7 @@ impl LineCompiler {
         into.ops.push(match place {
             ParameterRef::Local(id) => Op::ExistsLocal(id),
             ParameterRef::Global(id) => Op::ExistsGlobal(id),
-            ParameterRef::Mode(_) | ParameterRef::Own(_) | ParameterRef::Entry(_) => {
+            ParameterRef::Mode(_) | ParameterRef::Internal(_) | ParameterRef::Entry(_) => {
                 Op::Number(1.0)
             }
             ParameterRef::Absent | ParameterRef::Numbered(_) | ParameterRef::Indirect => {

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::limits::Limit;
 use crate::math;
-use crate::parameters::{LAST, NameId, Own, Predefined};
+use crate::parameters::{Internal, LAST, NameId, Predefined};
 use crate::syntax::bytecode::{CodeSegment, Op, ParameterRef};
 use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
@@ -59,7 +59,7 @@ impl LineCompiler {
                     ParameterRef::Local(id) => Op::Local(id),
                     ParameterRef::Global(id) => Op::Global(id),
                     ParameterRef::Mode(name) => Op::Mode(name),
-                    ParameterRef::Own(name) => Op::Own(name),
+                    ParameterRef::Internal(name) => Op::Internal(name),
                     ParameterRef::Entry(value) => Op::Number(value),
                     ParameterRef::Absent => Op::Absent,
                 };
@@ -163,7 +163,7 @@ impl LineCompiler {
     /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length
     /// of the name with its bracket.
     #[inline(always)]
-    pub(crate) fn known(&self, text: &[u8]) -> Option<(ParameterRef, usize)> {
+    pub(crate) fn find_known(&self, text: &[u8]) -> Option<(ParameterRef, usize)> {
         let (id, length) = self.names.find_short(text)?;
         let place = usize::try_from(id).ok().and_then(|id| self.parameter_refs.get(id)).copied()?;
         Some((place, length))
@@ -181,10 +181,10 @@ impl LineCompiler {
         if let Some(item) = bracketed(name, "_hal").filter(|item| item.ends_with(']')) {
             return self
                 .place_of_item(item)
-                .map_or(ParameterRef::Absent, |at| ParameterRef::Own(Own::Item(at)));
+                .map_or(ParameterRef::Absent, |at| ParameterRef::Internal(Internal::Item(at)));
         }
-        if let Some(own) = Own::from_name(name) {
-            return ParameterRef::Own(own);
+        if let Some(own) = Internal::from_name(name) {
+            return ParameterRef::Internal(own);
         }
         match Predefined::from_name(name) {
             Some(name) => ParameterRef::Mode(name),

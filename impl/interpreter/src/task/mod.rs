@@ -188,7 +188,7 @@ impl<M: Machine> Task<M> {
 
     /// The program begins again without an end, as M99 in the main program says: nothing is asked, and nothing changes.
     pub fn start_over(&mut self) {
-        self.interpreter.begin_over();
+        self.interpreter.restart();
         self.state.begin(RunKind::Program);
     }
 

@@ -170,32 +170,36 @@ impl Spindle {
     pub(super) fn pins(&self, number: u16, factor: f64, brake_while_locked: bool) -> SpindlePins {
         let enabled = self.override_enabled || planted(Fault::OverrideAlwaysCounts);
         let speed = if enabled { self.speed * factor } else { self.speed };
-        let told = match self.turn {
+        let direction_sign = match self.turn {
             SpindleTurn::Clockwise => 1.0,
             SpindleTurn::Counterclockwise => -1.0,
             SpindleTurn::Stopped | SpindleTurn::Oriented => 0.0,
         };
-        let turns = told != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
-        let shown = match turns {
+        let turns = direction_sign != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
+        let speed_out = match turns {
             true if self.surface_speed => SET_BY_MOTION,
-            true => speed * told,
+            true => speed * direction_sign,
             false => 0.0,
         };
         let locked = self.orientation == Orientation::Locked;
-        let asked = self.orientation == Orientation::Requested
+        let requested = self.orientation == Orientation::Requested
             || locked && planted(Fault::OrientRequestStays);
         // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of
         // zero is not braked: a speed may come at any time.
-        let begins = self.turn == SpindleTurn::Oriented && !locked;
-        let brake = if brake_while_locked { locked } else { told == 0.0 && !asked && !begins };
+        let turning_to_angle = self.turn == SpindleTurn::Oriented && !locked;
+        let brake = if brake_while_locked {
+            locked
+        } else {
+            direction_sign == 0.0 && !requested && !turning_to_angle
+        };
         [
             (Pin::SpindleOn(number), bit(turns)),
-            (Pin::SpindleForward(number), bit(turns && told > 0.0)),
-            (Pin::SpindleReverse(number), bit(turns && told < 0.0)),
-            (Pin::SpindleSpeed(number), shown),
+            (Pin::SpindleForward(number), bit(turns && direction_sign > 0.0)),
+            (Pin::SpindleReverse(number), bit(turns && direction_sign < 0.0)),
+            (Pin::SpindleSpeed(number), speed_out),
             (Pin::SpindleBrake(number), bit(brake)),
             (Pin::SpindleLocked(number), bit(locked)),
-            (Pin::SpindleOrient(number), bit(asked)),
+            (Pin::SpindleOrient(number), bit(requested)),
             (Pin::SpindleOrientAngle(number), self.angle),
             (Pin::SpindleOrientMode(number), self.direction),
         ]

@@ -101,7 +101,7 @@ impl<M: Machine> TaskState<M> {
 
     /// The controller does not do it, and says so.
     fn refuse(&mut self, request: Request) {
-        let _told = self.machine.perform(self.line, &Effect::RequestRefused { request });
+        let _reply = self.machine.perform(self.line, &Effect::RequestRefused { request });
     }
 
     /// The controller is in this mode from now on.
@@ -109,7 +109,7 @@ impl<M: Machine> TaskState<M> {
         if self.mode != mode {
             self.mode = mode;
             let effect = Effect::ChangeControllerMode { mode };
-            let _told = self.machine.perform(self.line, &effect);
+            let _reply = self.machine.perform(self.line, &effect);
         }
     }
 }

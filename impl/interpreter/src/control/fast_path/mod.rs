@@ -52,7 +52,7 @@ impl Interpreter {
                 settings: &mut self.evaluator.settings,
             };
             let Some((length, bare)) = reading.line(source.text()?) else { return Ok(None) };
-            self.reader.leave_line(source, length);
+            self.reader.consume_line(source, length);
             if self.percent.is_none() {
                 self.percent = Some(false);
             }
@@ -198,7 +198,7 @@ impl FastLine<'_> {
             ParameterRef::Numbered(_)
             | ParameterRef::Indirect
             | ParameterRef::Mode(_)
-            | ParameterRef::Own(_)
+            | ParameterRef::Internal(_)
             | ParameterRef::Entry(_)
             | ParameterRef::Absent => return None,
         });

@@ -50,7 +50,7 @@ impl Values<'_> {
     /// The value of a named parameter, behind its left angle bracket.
     #[inline(never)]
     fn named<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
-        let (place, length) = self.compiler.known(text)?;
+        let (place, length) = self.compiler.find_known(text)?;
         Some((self.value_at(place)?, text.get(length..)?))
     }
 
@@ -74,7 +74,7 @@ impl Values<'_> {
             ParameterRef::Numbered(_)
             | ParameterRef::Indirect
             | ParameterRef::Mode(_)
-            | ParameterRef::Own(_)
+            | ParameterRef::Internal(_)
             | ParameterRef::Absent => None,
         }
     }
@@ -115,7 +115,7 @@ impl Values<'_> {
     pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, ParameterRef> {
         match text.split_first()? {
             (b'<', behind) => {
-                let (place, length) = self.compiler.known(behind)?;
+                let (place, length) = self.compiler.find_known(behind)?;
                 Some((place, behind.get(length..)?))
             }
             (b'[', behind) => {

@@ -22,7 +22,7 @@ impl Modal {
         let cycle = drilling.cycle;
         let Levels { retract, bottom, clear } = cycle.levels;
         let normal = cycle.axes.normal;
-        let level = self.position.of_axis(normal);
+        let level = self.position.coordinate_of(normal);
         let to = |modal: &Self, level| modal.position.with_axis(normal, level);
         match perform_cycle_move {
             CycleMove::Across => {

@@ -148,14 +148,14 @@ impl Modal {
         let now = self.active.now();
         let (retract, bottom) = if self.is_incremental() {
             let origin = if self.emulates_rs274 { start } else { self.position };
-            let retract = origin.of_axis(normal) + numbers.retract;
+            let retract = origin.coordinate_of(normal) + numbers.retract;
             let from =
                 if planted(Fault::BottomFromPoint) { retract - numbers.retract } else { retract };
             (retract, from + numbers.bottom)
         } else {
             (numbers.retract, numbers.bottom)
         };
-        let initial = start.of_axis(normal);
+        let initial = start.coordinate_of(normal);
         let clear = if now.retract == ReturnMode::OldZ && !planted(Fault::BackToR) {
             initial.max(retract)
         } else {
@@ -176,7 +176,7 @@ impl Modal {
             return Ok((self.polar_hole(words, axes, repeats)?, [0.0, 0.0]));
         }
         let plane = [axes.first, axes.second];
-        let here = plane.map(|axis| self.position.of_axis(axis));
+        let here = plane.map(|axis| self.position.coordinate_of(axis));
         let [first, second] = plane.map(|axis| numbers::axis_word(words, axis));
         let [at_first, at_second] = here;
         if !self.is_incremental() {
@@ -203,6 +203,6 @@ impl Modal {
             return Err(Refusal::Unspecified(why.into()));
         }
         let hole = self.position.at_polar(self.position, words, self.is_incremental())?;
-        Ok([axes.first, axes.second].map(|axis| hole.of_axis(axis)))
+        Ok([axes.first, axes.second].map(|axis| hole.coordinate_of(axis)))
     }
 }

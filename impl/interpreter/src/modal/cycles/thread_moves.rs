@@ -67,14 +67,15 @@ impl Modal {
             let why = "G76 with I0: whether the thread is internal or external (11.5.42)";
             return Err(Refusal::Unspecified(why.into()));
         }
-        let (start, end) = (self.position.of_axis(Axis::Z), self.end_point(words).of_axis(Axis::Z));
+        let (start, end) =
+            (self.position.coordinate_of(Axis::Z), self.end_point(words).coordinate_of(Axis::Z));
         let taper = not_negative(word(b'E'), "E")?;
         if taper > (end - start).abs() / 2.0 {
             return refuse(FaultKind::WordOutOfRange, "E is greater than half the drive line");
         }
         let tapered = integer_in(word(b'L'), 0, 3, "L of G76")?;
         let forward = if end < start { -1.0 } else { 1.0 };
-        let drive = self.position.of_axis(Axis::X);
+        let drive = self.position.coordinate_of(Axis::X);
         let signed = |applies| if applies { taper * forward } else { 0.0 };
         let mut threading = Threading {
             spindle,

@@ -105,7 +105,7 @@ proptest! {
 
 /// All that a block can change.
 fn state(modal: &Modal, numbered: &Numbered) -> alloc::string::String {
-    let parameters: alloc::vec::Vec<_> = numbered.not_zero().collect();
+    let parameters: alloc::vec::Vec<_> = numbered.nonzero().collect();
     let text = alloc::format!(
         "{:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         modal.settings(),
