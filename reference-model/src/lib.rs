@@ -14,7 +14,7 @@ mod coverage;
 #[cfg(feature = "dialects")]
 pub mod dialects;
 #[cfg(not(feature = "dialects"))]
-#[path = "no_dialects.rs"]
+#[path = "no_dialects/mod.rs"]
 mod dialects;
 pub mod gpp;
 pub mod ids;

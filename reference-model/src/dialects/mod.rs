@@ -25,7 +25,9 @@ use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
 pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory, SourceMemory};
 
-/// The operations of a run under some options.
-pub(crate) fn operations(choices: &Choices) -> &'static dyn Dialect {
-    if choices.has_quirks() { &linuxcnc::LinuxCnc } else { &Documented }
+impl Choices {
+    /// The dialect of this run.
+    pub(crate) fn dialect(&self) -> &'static dyn Dialect {
+        if self.has_quirks() { &linuxcnc::LinuxCnc } else { &Documented }
+    }
 }

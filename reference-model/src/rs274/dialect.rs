@@ -46,9 +46,6 @@ use super::state::State;
 use super::syntax::SyntaxRules;
 use super::task::TaskRules;
 use super::text::TextRules;
-use crate::Choices;
-use crate::dialects::operations;
-pub(crate) use crate::dialects::{ControlMemory, Memory, ModalMemory, SourceMemory};
 
 /// Every operation that a dialect may replace.
 pub(crate) trait Dialect:
@@ -144,12 +141,5 @@ impl State {
     /// The dialect of this run.
     pub(crate) fn dialect(&self) -> &'static dyn Dialect {
         self.choices.dialect()
-    }
-}
-
-impl Choices {
-    /// The dialect of this run.
-    pub(crate) fn dialect(&self) -> &'static dyn Dialect {
-        operations(self)
     }
 }

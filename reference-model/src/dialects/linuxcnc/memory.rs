@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::{LengthUnit, Plane};
+use gaugeblock_vocabulary::Plane;
 
-use crate::rs274::control::Place;
 use crate::rs274::modes::Modes;
+use crate::rs274::text::Place;
 
 /// What it remembers besides the modes: no save keeps it, and no restore brings it back.
 #[derive(Clone, Debug, Default)]
@@ -47,50 +47,4 @@ pub(crate) struct ControlMemory {
 pub(crate) struct SourceMemory {
     /// Quirk rs274.percent-in-file: whether percent lines mean nothing.
     pub(super) ignores_percent: bool,
-}
-
-/// What it remembers with the modes, and saves and restores with them.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct ModalMemory(Option<Box<Remembered>>);
-
-/// The values themselves.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Remembered {
-    /// F as it was programmed, in the length unit of that time.
-    pub(super) feed_number: f64,
-    /// The length unit in which the tool offset was programmed.
-    pub(super) tool_offset_unit: LengthUnit,
-    /// The length unit in which the tolerances of G64 were programmed.
-    pub(super) tolerance_unit: LengthUnit,
-    /// Spindles whose brake a speed has released since they were stopped.
-    pub(super) brake_released: BTreeSet<usize>,
-    /// Spindles that the interpreter takes for stopped, however they turn.
-    pub(super) taken_for_stopped: BTreeSet<usize>,
-}
-
-/// The values before the first block.
-static AT_START: Remembered = Remembered {
-    feed_number: 0.0,
-    tool_offset_unit: LengthUnit::Millimetre,
-    tolerance_unit: LengthUnit::Millimetre,
-    brake_released: BTreeSet::new(),
-    taken_for_stopped: BTreeSet::new(),
-};
-
-impl ModalMemory {
-    /// The values.
-    pub(super) fn get(&self) -> &Remembered {
-        self.0.as_deref().unwrap_or(&AT_START)
-    }
-
-    /// The values, for changing them.
-    pub(super) fn get_mut(&mut self) -> &mut Remembered {
-        self.0.get_or_insert_with(|| Box::new(AT_START.clone()))
-    }
-}
-
-impl PartialEq for ModalMemory {
-    fn eq(&self, other: &Self) -> bool {
-        self.get() == other.get()
-    }
 }

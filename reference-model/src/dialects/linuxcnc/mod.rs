@@ -13,6 +13,7 @@ mod feed;
 mod inputs_outputs;
 mod memory;
 mod messages;
+mod modal_memory;
 mod modes;
 mod motion;
 mod offsets;
@@ -36,7 +37,8 @@ mod tools;
 mod units_planes;
 mod words;
 
-pub(crate) use memory::{ControlMemory, Memory, ModalMemory, SourceMemory};
+pub(crate) use memory::{ControlMemory, Memory, SourceMemory};
+pub(crate) use modal_memory::ModalMemory;
 
 use crate::Choices;
 use crate::ids::Quirk;

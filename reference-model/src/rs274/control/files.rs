@@ -7,16 +7,7 @@ use gaugeblock_vocabulary::{BlockLocation, Program};
 
 use super::labels::Labels;
 use crate::rs274::state::State;
-use crate::rs274::text::{Line, Source};
-
-/// Where a block stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// The file, in the order in which they were opened; 0 is the main program.
-    pub file: usize,
-    /// Line, from 1.
-    pub line: u32,
-}
+use crate::rs274::text::{Line, Place, Source};
 
 /// The name under which blocks are recorded that the operator enters by hand while a program is loaded.
 pub const ENTRIES: &str = "mdi";

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::label_of;
+use super::values::label_of;
 use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Expression, Keyword, Label};
 

@@ -2,9 +2,9 @@
 //!
 //! | room | what it settles |
 //! | --- | --- |
-//! | [`frame`] | a call in progress: its parameters and its open conditions and loops |
 //! | [`files`] | the files of the program, each with its labels |
 //! | [`labels`] | where each label stands, and in which sub |
+//! | [`values`] | the label and the values of an O-word, evaluated |
 //! | [`subs`] | sub, endsub, return, call |
 //! | [`conditions`] | if, elseif, else, endif |
 //! | [`loops`] | while, do, repeat, break, continue |
@@ -14,34 +14,36 @@
 
 mod conditions;
 mod files;
-mod frame;
 mod labels;
 mod loops;
 mod numbered;
 mod subs;
+mod values;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_vocabulary::{End, FaultKind, Program};
 
+pub use super::state::{Call, Frame, Open, Structure, Style};
+pub use super::text::Place;
 pub(crate) use conditions::ConditionRules;
-pub use files::{ENTRIES, Files, Place};
-pub use frame::{Call, Frame, Open, Structure, Style};
+pub use files::{ENTRIES, Files};
 pub(crate) use loops::turns;
 pub(crate) use loops::{LoopRules, is_repeat};
 pub(crate) use numbered::enabled;
 pub(crate) use numbered::{NumberedRules, shared_frame};
 pub(crate) use subs::{SubroutineRules, clear_value, deeper, keep_value, passed};
+use values::{condition, evaluated, single};
+pub(crate) use values::{label_of, o_word};
 
-use super::dialect::ControlMemory;
-use super::evaluate::{self, Words};
+use super::evaluate::Words;
 use super::parameters::Name;
 use super::refusal::{StepError, refuse};
 use super::state::State;
-use super::syntax::{Block, Expression, Keyword, Label, OWord};
+use super::syntax::{Block, Keyword, Label, OWord};
 use super::task::Record;
-use crate::ids::{Rule, choice, rule};
-use crate::math;
+use crate::dialects::ControlMemory;
+use crate::ids::{choice, rule};
 
 /// What is looked for by reading on in a file.
 #[derive(Clone, Copy, Debug)]
@@ -304,73 +306,6 @@ impl Control {
 fn of_subs(keyword: Keyword) -> bool {
     use Keyword::{Call, EndSub, ProgramNumber, Return, Sub};
     matches!(keyword, Sub | EndSub | Call | Return | ProgramNumber)
-}
-
-/// Rule subroutines.computed-o-words. The number after O can be given by a parameter or an expression.
-///
-/// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number counts as a whole, a name in lower case.
-pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepError> {
-    match label {
-        Label::Name(name) => {
-            state.coverage.accepted(rule::subroutines::NAMED_O_WORDS);
-            Ok(name.clone())
-        }
-        Label::Number(Expression::Number(number)) => {
-            state.coverage.accepted(rule::subroutines::NUMBERED_O_WORDS);
-            whole(*number)
-        }
-        Label::Number(expression) => {
-            let number = evaluated(rule::subroutines::COMPUTED_O_WORDS, expression, state)?;
-            state.coverage.accepted(rule::subroutines::COMPUTED_O_WORDS);
-            whole(number)
-        }
-    }
-}
-
-/// A label as it is written, for messages: `o100`, `o<cave>`.
-pub(crate) fn o_word(label: &str) -> String {
-    if label.parse::<i64>().is_ok() { format!("o{label}") } else { format!("o<{label}>") }
-}
-
-/// A number close to an integer, as a label.
-fn whole(number: f64) -> Result<String, StepError> {
-    match math::near_integer(number) {
-        // It may lie beyond what an integer of the machine holds.
-        Some(i64::MIN | i64::MAX) => Ok(format!("{number:.0}")),
-        Some(label) => Ok(label.to_string()),
-        None => {
-            let message = format!("{number} after O is not an integer");
-            Err(refuse(rule::subroutines::COMPUTED_O_WORDS, FaultKind::NotAnInteger, message))
-        }
-    }
-}
-
-/// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.
-fn evaluated(rule: Rule, expression: &Expression, state: &mut State) -> Result<f64, StepError> {
-    let value = evaluate::value_of(expression, state);
-    if let Err(StepError::Refused(_)) = value {
-        state.coverage.refused(rule);
-    }
-    value
-}
-
-/// The one value that a keyword needs: a condition, a count.
-fn single(rule: Rule, values: &[Expression], state: &mut State) -> Result<f64, StepError> {
-    match values {
-        [value] => evaluated(rule, value, state),
-        [] | [_, _, ..] => {
-            let message = format!("one value belongs here, not {}", values.len());
-            Err(refuse(rule, FaultKind::BadBlock, message))
-        }
-    }
-}
-
-/// Rule control.truth. A condition is false when it is zero and true for every other number.
-fn condition(rule: Rule, values: &[Expression], state: &mut State) -> Result<bool, StepError> {
-    let value = single(rule, values, state)?;
-    state.coverage.accepted(rule::control::TRUTH);
-    state.coverage.accepted(rule);
-    Ok(value.abs() > 0.0)
 }
 
 /// Evaluated settings take effect; the block's own expressions were evaluated before.

@@ -1,7 +1,8 @@
 //! HAL items: the pins of the machine under the names that a program can read.
 
-use gaugeblock_vocabulary::{Machine, Pin, Shared, Sorted};
+use gaugeblock_vocabulary::{Machine, Pin};
 
+use super::state::Synchronised;
 use super::{EnvironmentState, Input};
 
 /// What a program can read of HAL.
@@ -15,15 +16,6 @@ pub(crate) enum Item {
     AdaptiveFeed,
     /// The feed stop input.
     FeedStop,
-}
-
-/// What was to be seen outside when the program was synchronised with the machine last.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Synchronised {
-    /// When, seconds since the start.
-    time: f64,
-    /// The value of each pin that was not zero.
-    levels: Shared<Sorted<Pin, f64>>,
 }
 
 impl Item {

@@ -8,52 +8,26 @@ mod inputs;
 mod orientation;
 mod probe;
 mod programs;
+mod state;
 pub(crate) mod stub;
 
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::scenario::Environment;
-use gaugeblock_vocabulary::{Pin, PinChange, Shared, Sorted};
+use gaugeblock_vocabulary::{Pin, PinChange, Shared};
 
 use crate::Choices;
 use crate::ids::choice;
 pub(crate) use hal::Item;
-use hal::Synchronised;
 pub(crate) use inputs::{Awaited, Input};
-pub(crate) use orientation::Orientation;
-use probe::Probed;
 pub(crate) use probe::Wanted;
 pub(crate) use programs::Missing;
+pub use state::EnvironmentState;
+pub(crate) use state::Orientation;
+use state::{Stub, Synchronised};
 
 /// The named environment that answers as the stand-alone interpreter's stubs do.
 const STAND_ALONE: &str = "stand-alone rs274";
-
-/// The state of everything outside of the controller, and what the controller has put out there.
-#[derive(Clone, Debug)]
-pub struct EnvironmentState {
-    /// How inputs, encoders, the tool changer and user-defined programs answer.
-    scenario: Shared<Environment>,
-    /// Seconds since the start.
-    time: f64,
-    /// The value of each pin that is not zero, or was not.
-    levels: Shared<Sorted<Pin, f64>>,
-    /// Every change of a pin so far.
-    changes: Shared<Vec<PinChange>>,
-    /// What outputs become when the next motion begins.
-    awaiting_motion: BTreeMap<Pin, f64>,
-    /// Orientations that have begun and not ended, by spindle.
-    orienting: BTreeMap<usize, Orientation>,
-    /// Whether the operator asks for something now: what else happens at this moment happens afterwards.
-    is_asked: bool,
-    /// The last orientation of each spindle, ended or not.
-    last_orientations: BTreeMap<usize, Orientation>,
-    /// What the last probing move left behind.
-    probed: Option<Probed>,
-    /// What a program sees of HAL.
-    synchronised: Synchronised,
-    /// What stands for the machine where there is none.
-    stub: stub::Stub,
-}
 
 impl EnvironmentState {
     /// The environment before the first block: all outputs are off.
@@ -74,7 +48,7 @@ impl EnvironmentState {
             last_orientations: BTreeMap::new(),
             probed: None,
             synchronised: Synchronised::default(),
-            stub: stub::Stub::default(),
+            stub: Stub::default(),
         };
         state.synchronise();
         state

@@ -2,26 +2,7 @@
 
 use gaugeblock_vocabulary::scenario::OrientAnswer;
 
-use super::EnvironmentState;
-
-/// An orientation that has begun and not ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Orientation {
-    /// When it began, seconds since the start.
-    pub(crate) begun: f64,
-    /// What the encoder answers.
-    pub(crate) answer: OrientAnswer,
-}
-
-impl Orientation {
-    /// When the spindle stands at its angle, if it ever does.
-    pub(crate) fn done(self) -> Option<f64> {
-        match self.answer {
-            OrientAnswer::After(seconds) => Some(self.begun + seconds.max(0.0)),
-            OrientAnswer::Never | OrientAnswer::Fault(_) => None,
-        }
-    }
-}
+use super::state::{EnvironmentState, Orientation};
 
 impl EnvironmentState {
     /// A spindle begins to turn to an angle. An encoder of which nothing is said answers at once.

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::scenario::ProbeContact;
 use gaugeblock_vocabulary::{Axis, Position};
 
-use super::EnvironmentState;
+use super::state::{EnvironmentState, Probed};
 
 /// How far apart two points may be that are the same one, machine unit.
 const SAME: f64 = 1e-6;
@@ -15,13 +15,6 @@ pub(crate) enum Wanted {
     Touching,
     /// G38.4, G38.5.
     Free,
-}
-
-/// What the probe was at the end of the last probing move.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Probed {
-    at: Position,
-    touching: bool,
 }
 
 impl EnvironmentState {

@@ -6,42 +6,11 @@
 
 use gaugeblock_vocabulary::{LengthUnit, Position};
 
-use super::{EnvironmentState, Input};
+use super::Input;
+use super::state::{EnvironmentState, Stands};
 use crate::rs274::modes::{converted, each};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
-
-/// The stub of a machine.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stub {
-    /// The point as it was told last.
-    stands: Stands,
-    /// Whether a spline of three points has led it where X and Y have no numbers.
-    lost: bool,
-    /// Whether another spline has led it to X0 Y0: to numbers that are as small as what memory happens to hold.
-    led: bool,
-    /// Whether the block that is executed asks for it.
-    asked: bool,
-}
-
-/// A point as the stub was told it: where neither unit nor offset has changed, it is the same to the last bit.
-#[derive(Clone, Copy, Debug)]
-struct Stands {
-    /// Program coordinates, as far as the stub knows of offsets.
-    point: Position,
-    /// The offsets that it knew of.
-    offset: Position,
-    /// The length unit of both.
-    units: LengthUnit,
-}
-
-impl Default for Stub {
-    fn default() -> Self {
-        let zero = Position::default();
-        let stands = Stands { point: zero, offset: zero, units: LengthUnit::Millimetre };
-        Self { stands, lost: false, led: false, asked: false }
-    }
-}
 
 impl EnvironmentState {
     /// The block that is executed asks the machine where it stands once it is through.

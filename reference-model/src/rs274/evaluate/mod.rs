@@ -5,32 +5,19 @@ mod expression;
 mod operate;
 #[cfg(test)]
 mod tests;
+mod words;
 
-use gaugeblock_vocabulary::{Axis, FaultKind, Sorted};
+use gaugeblock_vocabulary::{Axis, FaultKind};
 
 use super::parameters::{self, Name};
 use super::refusal::{StepError, refuse_at};
 use super::state::State;
-use super::syntax::{Block, Comment, Expression, Setting, Word};
+use super::syntax::{Block, Expression, Setting, Word};
 use crate::Choices;
 use crate::ids::rule;
 use crate::math;
 pub use expression::value_of;
-
-/// A block's words with their values.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Words {
-    /// G codes in tenths and in the order of the text: 10 is G1, 382 is G38.2.
-    pub g: Vec<u32>,
-    /// M codes in the order of the text.
-    pub m: Vec<u32>,
-    /// The other words by letter: lower case, `$`, `@`, `^`.
-    pub letters: Sorted<char, f64>,
-    /// Settings in the order of the text; of several for one parameter the last one counts.
-    pub settings: Vec<(Name, f64)>,
-    /// The comment that may be active.
-    pub comment: Option<Comment>,
-}
+pub use words::Words;
 
 /// Evaluates a block, from left to right.
 ///

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
-use super::tool::{loaded, named};
+use super::tool::named;
 use super::{whole, word};
 use crate::ids::{quirk, rule};
 use crate::rs274::evaluate::Words;
@@ -73,7 +73,7 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
             named(number, rule, state)?
         }
-        None => loaded(state),
+        None => state.loaded_tool(),
     };
     let diameter = tool.map_or(0.0, |tool| tool.diameter);
     let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);

@@ -12,7 +12,7 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::state::State;
+use crate::rs274::state::{Curve, State};
 use crate::rs274::task::Record;
 
 /// What a block asks the machine to do.
@@ -90,7 +90,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
     }
     if cycles::is_cycle(motion) {
-        state.curve = splines::Curve::default();
+        state.curve = Curve::default();
         return cycles::perform(motion, words, state, record);
     }
     if state.series.take().is_some() {

@@ -10,7 +10,7 @@ use crate::rs274::environment::Orientation;
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::task::{Record, pins_are_current};
+use crate::rs274::task::Record;
 
 /// What a controller may do otherwise with M19.
 pub(crate) trait OrientRules {
@@ -212,7 +212,7 @@ fn wait(
 /// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the
 /// spindle is locked and braked. A spindle that turns is neither.
 pub(crate) fn settle(state: &mut State) {
-    if pins_are_current(state) {
+    if state.pins_are_current() {
         return;
     }
     for (place, time) in state.environment.oriented() {

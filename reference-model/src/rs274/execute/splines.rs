@@ -1,8 +1,6 @@
 //! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
 
-use gaugeblock_vocabulary::{
-    Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane, Position,
-};
+use gaugeblock_vocabulary::{Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane};
 
 use super::target::end_point;
 use super::{whole, word};
@@ -11,7 +9,7 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::order::has_axis_words;
 use crate::rs274::quirks::splines as quirks;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::state::State;
+use crate::rs274::state::{Nurbs, State};
 use crate::rs274::task::Record;
 
 /// Control points of G5, start and end among them.
@@ -22,24 +20,6 @@ const QUADRATIC: u32 = 3;
 
 /// The order of a NURBS without L.
 const DEFAULT_ORDER: u32 = 3;
-
-/// A data block between G5.2 and G5.3.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Nurbs {
-    /// The control points that were programmed; the one where it begins is not among them.
-    points: Vec<Position>,
-    /// L.
-    order: u32,
-}
-
-/// What the next spline may need of the one before.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Curve {
-    /// Whether the last motion was a G5, so that the next one may take its direction from it.
-    pub continues: bool,
-    /// The data block that is open.
-    pub open: Option<Nurbs>,
-}
 
 /// Moves along a cubic or quadratic spline.
 ///

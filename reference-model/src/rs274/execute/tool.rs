@@ -56,7 +56,8 @@ fn selected(number: i32, state: &mut State) -> Result<Option<i32>, StepError> {
         let why = "what T selects in slot 0, or in an empty slot, where tools change places";
         return Err(StepError::Unspecified(why.to_owned()));
     }
-    let found = if by_slot { in_slot(number, state) } else { entry(number, state).map(|_| number) };
+    let found =
+        if by_slot { in_slot(number, state) } else { state.table_tool(number).map(|_| number) };
     state.coverage.accepted(rule::tool::SELECTED_BY);
     let rule = if number == 0 { rule::tool::SELECT_ZERO_RANDOM } else { rule::tool::EMPTY_SLOT };
     match found {
@@ -89,18 +90,6 @@ fn in_slot(slot: i32, state: &State) -> Option<i32> {
     state.slots.get(&slot).copied().filter(|tool| *tool != 0)
 }
 
-/// A tool of the tool table.
-pub(crate) fn entry(number: i32, state: &State) -> Option<&Tool> {
-    let number = u32::try_from(number).ok()?;
-    state.machine.tools.iter().find(|tool| tool.number == number)
-}
-
-/// The tool in the spindle, when the tool table holds it. Where tools do not change places, 0 is none.
-pub(crate) fn loaded(state: &State) -> Option<&Tool> {
-    let none = state.known_tool == 0 && !state.machine.random_tool_changer;
-    entry(state.known_tool, state).filter(|_| !none)
-}
-
 /// The tool that a word names: zero is the tool in the spindle, unless tools change places.
 ///
 /// # Errors
@@ -112,5 +101,5 @@ pub(crate) fn named(tool: i32, rule: Rule, state: &State) -> Result<Option<&Tool
         return Ok(None);
     }
     let message = || format!("the tool table holds no tool {tool}");
-    entry(tool, state).map(Some).ok_or_else(|| refuse(rule, FaultKind::ToolNotFound, message()))
+    state.table_tool(tool).map(Some).ok_or_else(|| refuse(rule, FaultKind::ToolNotFound, message()))
 }

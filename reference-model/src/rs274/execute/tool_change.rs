@@ -3,7 +3,6 @@
 use gaugeblock_vocabulary::{Axis, ControllerMode, Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
-use super::tool::entry;
 use super::{pass, spindle, whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
@@ -148,7 +147,7 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
         return Err(refuse(in_program, FaultKind::ControllerMode, message));
     }
     let tool = number(words, state)?;
-    let unknown = tool > 0 && entry(tool, state).is_none();
+    let unknown = tool > 0 && state.table_tool(tool).is_none();
     let rule = rule::tool::SET_NUMBER_UNKNOWN;
     if unknown && state.choices.is(choice::tool::SetNumberUnknown::Refused) {
         let message = format!("the tool table holds no tool {tool}");

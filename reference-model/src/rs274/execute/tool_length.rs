@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
 use super::target::offset_words;
-use super::tool::{loaded, named};
+use super::tool::named;
 use super::{not_under_compensation, whole, word};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
@@ -107,7 +107,7 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let random = state.machine.random_tool_changer;
     let Some(number) = word(words, 'h') else {
         state.coverage.accepted(rule::tool::LENGTH_ZERO);
-        let offset = loaded(state).map(|tool| tool.offset).unwrap_or_default();
+        let offset = state.loaded_tool().map(|tool| tool.offset).unwrap_or_default();
         return Ok(converted(offset, state.machine.length_unit, state.modes.units));
     };
     let rule = rule::tool::LENGTH_NOT_AN_INTEGER;

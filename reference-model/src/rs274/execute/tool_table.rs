@@ -3,7 +3,6 @@
 use gaugeblock_vocabulary::{Axis, Compensation, Effect, FaultKind, Position, Tool};
 
 use super::target::offset_words;
-use super::tool::entry;
 use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
@@ -71,7 +70,7 @@ pub(super) fn set(
     let number = number(words, state)?;
     let orientation = orientation(words)?;
     something(words, state)?;
-    let mut tool = entry(number, state).cloned().unwrap_or_default();
+    let mut tool = state.table_tool(number).cloned().unwrap_or_default();
     tool.offset = offset(values, &tool, words, state)?;
     let unit = unit_size(state.modes.units) / unit_size(state.machine.length_unit);
     if let Some(radius) = word(words, 'r') {
@@ -133,7 +132,7 @@ fn number(words: &Words, state: &State) -> Result<i32, StepError> {
     match number {
         0 => Err(refuse(rule::tool::ENTRY_ZERO, FaultKind::WordOutOfRange, "P0 is no tool")),
         ..0 => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
-        _ if entry(number, state).is_none() => {
+        _ if state.table_tool(number).is_none() => {
             Err(refuse(rule, FaultKind::ToolNotFound, message()))
         }
         _ => Ok(number),

@@ -2,104 +2,11 @@
 //!
 //! From the program outward: local offset (G52, G92), rotation about Z, origin of the coordinate system, tool offset.
 
-use gaugeblock_vocabulary::{Axis, LengthUnit, Position};
+use gaugeblock_vocabulary::{LengthUnit, Position};
 
 use super::Modes;
+use super::units::{converted, each};
 use crate::math;
-
-/// Millimetres in a length unit.
-pub fn unit_size(unit: LengthUnit) -> f64 {
-    match unit {
-        LengthUnit::Inch => 25.4,
-        LengthUnit::Millimetre => 1.0,
-    }
-}
-
-/// What becomes of the last bits of a coordinate that a conversion of units, an offset or a polar word has computed.
-///
-/// The documents do not say how exactly a controller computes, so that nothing can be said of a program whose meaning
-/// depends on it: there the model's own answer changes with this.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Rounding {
-    /// They stay.
-    #[default]
-    AsComputed,
-    /// The coordinate is the number of few decimals that it misses by its last bits, if it misses one.
-    ToDecimals,
-    /// It is larger by its last bit.
-    Up,
-    /// It is smaller by its last bit.
-    Down,
-}
-
-impl Rounding {
-    /// A position that was computed from another one; a coordinate that is as it was has no bits to lose.
-    pub(crate) fn of(self, computed: Position, from: Position) -> Position {
-        if self == Self::AsComputed {
-            return computed;
-        }
-        each(computed, from, |computed, from| {
-            if (computed - from).abs() > 0.0 { self.coordinate(computed, from) } else { computed }
-        })
-    }
-
-    /// The distance and the angle of a polar point, of which either may have been computed from another point: each
-    /// time they are moved on by more than the rounding error of a point, so that two points that may be one become
-    /// different.
-    pub(crate) fn of_polar(self, distance: f64, angle: f64) -> (f64, f64) {
-        let part = match self {
-            Self::AsComputed | Self::ToDecimals => return (distance, angle),
-            Self::Up => 4.0 * f64::EPSILON,
-            Self::Down => -4.0 * f64::EPSILON,
-        };
-        (distance + distance * part, angle + 360.0 * part)
-    }
-
-    /// A coordinate that is 0, or as small a number as nobody knows.
-    pub(crate) fn of_nothing(self) -> f64 {
-        match self {
-            Self::AsComputed | Self::ToDecimals => 0.0,
-            Self::Up => 1e-300,
-            Self::Down => -1e-300,
-        }
-    }
-
-    fn coordinate(self, computed: f64, from: f64) -> f64 {
-        let last_bit = computed.abs().max(from.abs()) * f64::EPSILON;
-        match self {
-            Self::AsComputed => computed,
-            Self::ToDecimals => {
-                let decimals = (computed * 1e6).round() / 1e6;
-                if (decimals - computed).abs() < 64.0 * last_bit { decimals } else { computed }
-            }
-            Self::Up => computed + last_bit,
-            Self::Down => computed - last_bit,
-        }
-    }
-}
-
-/// Whether an axis counts in degrees.
-pub(crate) fn is_rotary(axis: Axis) -> bool {
-    matches!(axis, Axis::A | Axis::B | Axis::C)
-}
-
-/// Two positions, axis by axis.
-pub(crate) fn each(a: Position, b: Position, value: impl Fn(f64, f64) -> f64) -> Position {
-    let (a, b) = (a.to_array(), b.to_array());
-    Position::from(std::array::from_fn::<f64, 9, _>(|place| value(a[place], b[place])))
-}
-
-/// A position in another length unit; degrees stay.
-pub fn converted(position: Position, from: LengthUnit, to: LengthUnit) -> Position {
-    if from == to {
-        return position;
-    }
-    let mut converted = position;
-    for axis in Axis::ALL.iter().copied().filter(|axis| !is_rotary(*axis)) {
-        *converted.get_mut(axis) = position.get(axis) * unit_size(from) / unit_size(to);
-    }
-    converted
-}
 
 impl Modes {
     /// The machine position of a program point, active length unit.
@@ -203,27 +110,5 @@ mod tests {
     fn a_machine_point_is_the_inverse_of_a_program_point() {
         let program = Position { x: -3.0, y: 0.5, z: 7.0, c: 30.0, w: 1.0, ..Position::default() };
         close(modes().program_point(modes().machine_point(program)), program);
-    }
-
-    #[test]
-    fn only_what_was_computed_is_rounded() {
-        let from = Position { x: 3.0, y: 2.0, z: 1.0, ..Position::default() };
-        let computed = Position { x: 3.0, y: 0.1 + 0.2, z: 1.0 / 3.0, ..Position::default() };
-        let moved = |rounding: Rounding| {
-            let apart = each(rounding.of(computed, from), computed, |a, b| (a - b).abs());
-            [apart.x, apart.y, apart.z].map(|distance| distance > 0.0)
-        };
-        assert_eq!(moved(Rounding::AsComputed), [false; 3]);
-        assert_eq!(moved(Rounding::ToDecimals), [false, true, false]);
-        assert_eq!(moved(Rounding::Up), [false, true, true]);
-        assert_eq!(moved(Rounding::Down), [false, true, true]);
-    }
-
-    #[test]
-    fn degrees_are_no_lengths() {
-        let inches = Position { x: 1.0, b: 90.0, ..Position::default() };
-        let millimetres = Position { x: 25.4, b: 90.0, ..Position::default() };
-        close(converted(inches, LengthUnit::Inch, LengthUnit::Millimetre), millimetres);
-        close(converted(millimetres, LengthUnit::Millimetre, LengthUnit::Inch), inches);
     }
 }

@@ -4,23 +4,27 @@ mod codes;
 mod coordinates;
 mod groups;
 mod motions;
+mod rounding;
 mod saved_state;
 mod settings;
+mod units;
 
 pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
-pub use coordinates::{Rounding, converted, unit_size};
-pub(crate) use coordinates::{each, first_parameter, is_rotary};
+pub(crate) use coordinates::first_parameter;
 pub use groups::ModalGroup;
 pub use motions::{motion_code, motion_mode};
+pub use rounding::Rounding;
 pub use saved_state::SavedState;
+pub use units::{converted, unit_size};
+pub(crate) use units::{each, is_rotary};
 
 use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion,
     PathControlMode, Plane, Position, ReturnMode, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
-use super::dialect::ModalMemory;
 use crate::Choices;
+use crate::dialects::ModalMemory;
 use crate::ids::choice::modal_groups::{InitialMotion, InitialRetract};
 use crate::ids::choice::units_planes::InitialUnit;
 use crate::math::near_integer;

@@ -1,120 +1,27 @@
 //! Numbered and named parameters, scopes, the predefined ones.
 
+mod existence;
 mod ini;
+mod name;
 mod numbered;
 mod predefined;
 mod rules;
+mod store;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
-
-use gaugeblock_vocabulary::{FaultKind, Indexed, Machine, Shared};
+use gaugeblock_vocabulary::FaultKind;
 
 use super::refusal::{StepError, refuse};
 use super::state::State;
-use crate::Choices;
 use crate::ids::{choice, rule};
-pub use numbered::{DEBUG_SWITCH, changed_persistent, computed_numbers, last};
+pub use existence::exists;
+pub use name::Name;
+use name::is_global;
+pub use numbered::{changed_persistent, computed_numbers, last};
 pub(crate) use predefined::ParameterRules;
 pub use rules::{refused_too, rules_of, rules_of_existence};
-
-/// A parameter by number or by name.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Name {
-    /// `#31`: 1 to 5602.
-    Numbered(u32),
-    /// `#<name>`: lower case, without blanks; global when it begins with an underscore.
-    Named(String),
-}
-
-impl Name {
-    /// Whether it names a parameter that belongs to one call: it is no number and begins without an underscore.
-    pub fn is_local_name(&self) -> bool {
-        matches!(self, Self::Named(name) if !is_global(name))
-    }
-}
-
-impl fmt::Display for Name {
-    /// As it stands behind `#`, a name without its marks.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Numbered(number) => number.fmt(f),
-            Self::Named(name) => name.fmt(f),
-        }
-    }
-}
-
-/// Global parameters. The local ones are in the frames.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Parameters {
-    /// Numbers 31 and up that were stored or set; coordinate systems in the machine's length unit.
-    numbered: Shared<BTreeMap<u32, f64>>,
-    /// Global named parameters that the program has set.
-    named: Shared<BTreeMap<String, f64>>,
-    /// Names that were local parameters somewhere: tells a deleted one from one that never was.
-    local_names: Shared<BTreeSet<String>>,
-    /// Settings of the block that is being executed, which take effect at its end.
-    announced: Vec<(Name, f64)>,
-    /// Parameters that were given a value since somebody asked last, the same one or another.
-    written: BTreeSet<Name>,
-    /// `#<_value>`: what the last return gave; zero when nothing.
-    pub returned: f64,
-    /// `#<_value_returned>`: whether the last return gave a value.
-    pub has_returned: bool,
-}
-
-impl Parameters {
-    /// The parameters when a program starts: the stored ones, and 0 for all others except #5220 and #5599.
-    pub fn new(machine: &Machine, _readings: &Choices) -> Self {
-        Self { numbered: numbered::at_start(machine).into(), ..Self::default() }
-    }
-
-    /// A numbered parameter as it is stored (coordinate systems: machine unit); zero when never set.
-    pub fn stored(&self, number: u32) -> f64 {
-        self.numbered.get(&number).copied().unwrap_or(0.0)
-    }
-
-    /// Stores a numbered parameter without any check.
-    pub fn store(&mut self, number: u32, value: f64) {
-        self.written.insert(Name::Numbered(number));
-        self.numbered.insert(number, value);
-    }
-
-    /// The parameters that were given a value since this was asked last.
-    pub fn take_written(&mut self) -> Vec<Name> {
-        if self.written.is_empty() {
-            // Most blocks set none.
-            return Vec::new();
-        }
-        std::mem::take(&mut self.written).into_iter().collect()
-    }
-
-    /// All stored numbered parameters that are not zero. The local ones are not among them: they are in the
-    /// frames.
-    pub fn nonzero(&self) -> Indexed<u32, f64> {
-        self.numbered
-            .iter()
-            .filter(|(_, value)| value.abs() > 0.0)
-            .map(|(number, value)| (*number, *value))
-            .collect()
-    }
-
-    /// The settings of the block that is to be executed.
-    pub fn announce(&mut self, settings: &[(Name, f64)]) {
-        self.announced = settings.to_vec();
-    }
-
-    /// What the block that is being executed sets a parameter to, if it does.
-    pub fn announced(&self, name: &Name) -> Option<f64> {
-        self.announced
-            .iter()
-            .rev()
-            .find(|(announced, _)| announced == name)
-            .map(|(_, value)| *value)
-    }
-}
+pub use store::{DEBUG_SWITCH, Parameters};
 
 /// The value of a parameter.
 ///
@@ -215,22 +122,4 @@ pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
 /// Whether a parameter tells what the machine is, whatever a program sets it to.
 pub fn is_told(name: &Name) -> bool {
     matches!(name, Name::Numbered(number) if numbered::is_computed(*number))
-}
-
-/// Whether a parameter exists. Numbered ones always do.
-pub fn exists(name: &Name, state: &State) -> bool {
-    match name {
-        Name::Numbered(_) => true,
-        Name::Named(name) => {
-            predefined::is_predefined(name)
-                || state.parameters.named.contains_key(name)
-                || state.frame().locals.contains_key(name)
-                || ini::entry(name, state).is_some()
-        }
-    }
-}
-
-/// Rule parameters.named-global. A name that begins with an underscore is global.
-fn is_global(name: &str) -> bool {
-    name.starts_with('_')
 }

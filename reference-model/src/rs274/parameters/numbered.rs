@@ -1,50 +1,17 @@
 //! Numbered parameters.
 
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
-
-use gaugeblock_vocabulary::{Axis, Machine};
+use gaugeblock_vocabulary::Axis;
 
 use super::State;
+use super::store::{PERSISTENT, at_start};
 use crate::Choices;
-use crate::rs274::execute::tool::loaded;
-use crate::rs274::modes::start_system;
 use crate::rs274::refusal::StepError;
-
-/// While this parameter is 0 the DEBUG comments say nothing.
-pub const DEBUG_SWITCH: u32 = 5599;
-
-/// The number of the active coordinate system, 1 to 9.
-const ACTIVE_SYSTEM: u32 = 5220;
 
 /// The tool in the spindle.
 const TOOL: u32 = 5400;
 
 /// The position by axis, X to W.
 const POSITION: u32 = 5420;
-
-/// The parameters that are kept while the machine is off.
-const PERSISTENT: RangeInclusive<u32> = 5161..=5390;
-
-/// The parameters when a program starts.
-///
-/// Rule parameters.stored. Stored parameters have their values when a program starts: those of the user, 31 to 5000,
-/// and those that are persistent, 5161 to 5390. All others are volatile and begin with zero.
-/// Rule parameters.debug-switch. 5599 is 1 at the start.
-pub(super) fn at_start(machine: &Machine) -> BTreeMap<u32, f64> {
-    let stored = |number: &u32| (31..=5000).contains(number) || PERSISTENT.contains(number);
-    let mut numbered: BTreeMap<u32, f64> = machine
-        .parameters
-        .0
-        .iter()
-        .filter(|(number, value)| stored(number) && value.is_finite())
-        .map(|(number, value)| (*number, *value))
-        .collect();
-    let system = f64::from(start_system(machine));
-    numbered.insert(ACTIVE_SYSTEM, system);
-    numbered.insert(DEBUG_SWITCH, 1.0);
-    numbered
-}
 
 /// Rule parameters.position. 5420 to 5428 are the position in the active coordinate system with all offsets.
 /// Rule parameters.position-units. 5420 to 5428 are in the current program units.
@@ -100,7 +67,7 @@ fn computed(number: u32, state: &State) -> f64 {
     if let Some(axis) = position_of(number) {
         return state.position.get(axis);
     }
-    match (number, loaded(state)) {
+    match (number, state.loaded_tool()) {
         (TOOL, _) => f64::from(state.known_tool),
         (_, None) => 0.0,
         (5410, Some(tool)) => tool.diameter,

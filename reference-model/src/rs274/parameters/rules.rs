@@ -1,6 +1,8 @@
 //! Which rules the use of a parameter reaches.
 
-use super::{Name, State, exists, ini, is_global, numbered, predefined};
+use super::existence::exists;
+use super::name::{Name, is_global};
+use super::{State, ini, numbered, predefined};
 use crate::ids::{Rule, rule};
 
 /// The rules that a value read or a setting made reaches.

@@ -1,4 +1,9 @@
+use std::collections::BTreeMap;
+
+use gaugeblock_vocabulary::Machine;
+
 use super::*;
+use crate::Choices;
 use crate::rs274::control::Frame;
 use crate::rs274::refusal::Refusal;
 

@@ -1,20 +1,27 @@
 //! The whole state of a controller, a sentence per field.
 
+mod curve;
+mod frame;
+mod pins;
+mod series;
+
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared};
+use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared, Tool};
 
-use super::control::Frame;
-use super::dialect::Memory;
+pub use curve::{Curve, Nurbs};
+pub use frame::{Call, Frame, Open, Structure, Style};
+pub use pins::PinSnapshot;
+pub use series::Series;
+pub(crate) use series::SeriesFrame;
+
 use super::environment::EnvironmentState;
-use super::execute::cycles::Series;
-use super::execute::splines::Curve;
 use super::modes::Modes;
 use super::parameters::Parameters;
 use super::syntax::Room;
-use super::task::PinSnapshot;
 use crate::Choices;
 use crate::RuleCoverage;
+use crate::dialects::Memory;
 
 /// The whole state of a controller.
 #[derive(Clone, Debug)]
@@ -145,6 +152,31 @@ impl State {
     /// More calls than a number can tell: a fault of the model.
     pub fn call_level(&self) -> u32 {
         u32::try_from(self.frames.len() - 1).expect("control: calls are bounded")
+    }
+
+    /// A tool of the tool table.
+    pub(crate) fn table_tool(&self, number: i32) -> Option<&Tool> {
+        let number = u32::try_from(number).ok()?;
+        self.machine.tools.iter().find(|tool| tool.number == number)
+    }
+
+    /// The tool in the spindle, when the tool table holds it. Where tools do not change places, 0 is none.
+    pub(crate) fn loaded_tool(&self) -> Option<&Tool> {
+        let none = self.known_tool == 0 && !self.machine.random_tool_changer;
+        self.table_tool(self.known_tool).filter(|_| !none)
+    }
+
+    /// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they
+    /// themselves.
+    pub(crate) fn pins_are_current(&self) -> bool {
+        let (modes, environment) = (&self.modes, &self.environment);
+        !environment.is_orienting()
+            && self.pin_snapshot.as_ref().is_some_and(|snapshot| {
+                snapshot.changes == environment.changes().len()
+                    && (snapshot.mist, snapshot.flood) == (modes.mist, modes.flood)
+                    && snapshot.spindles == modes.spindles
+                    && snapshot.overrides == self.panel.spindle_overrides
+            })
     }
 
     /// Everything that is in force, as it is recorded.

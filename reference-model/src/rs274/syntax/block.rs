@@ -2,6 +2,8 @@
 
 use gaugeblock_vocabulary::Span;
 
+use crate::rs274::text::Comment;
+
 /// A block: one line's worth of program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
@@ -190,15 +192,4 @@ pub enum Keyword {
     Continue,
     /// Nothing: a Fanuc-style program number.
     ProgramNumber,
-}
-
-/// A comment: what stands in parentheses or after a semicolon, verbatim.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Comment {
-    /// Its text without the marks.
-    pub text: String,
-    /// Whether a semicolon began it.
-    pub semicolon: bool,
-    /// Where it stands.
-    pub span: Span,
 }

@@ -27,11 +27,6 @@ const OPERATORS: [(&str, Operator); 15] = [
     ("xor", Operator::ExclusiveOr),
 ];
 
-/// The operator that is next, with its spelling.
-pub(super) fn operator_at(parser: &Parser<'_>) -> Option<(&'static str, Operator)> {
-    OPERATORS.iter().copied().find(|(spelling, _)| parser.sees(spelling))
-}
-
 /// Groups of operators in the order in which they are performed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Group {
@@ -73,6 +68,11 @@ impl Group {
 }
 
 impl Parser<'_> {
+    /// The operator that is next, with its spelling.
+    pub(super) fn operator(&self) -> Option<(&'static str, Operator)> {
+        OPERATORS.iter().copied().find(|(spelling, _)| self.sees(spelling))
+    }
+
     /// An expression with its brackets.
     ///
     /// Rule expressions.nested. An expression may stand in an expression and gives its value there.
@@ -85,7 +85,7 @@ impl Parser<'_> {
         let mut operands = vec![self.value(Wanted::Operand)?];
         let mut operators = Vec::new();
         while !self.take("]") {
-            let Some((spelling, operator)) = operator_at(self) else {
+            let Some((spelling, operator)) = self.operator() else {
                 return Err(self.no_operator());
             };
             self.take(spelling);

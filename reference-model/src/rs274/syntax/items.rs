@@ -2,7 +2,6 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::expression::operator_at;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
@@ -159,7 +158,7 @@ impl Parser<'_> {
         if value.is_err() {
             let stopped = self.place();
             self.go_back(start);
-            if self.follows_value() && operator_at(self).is_some() {
+            if self.follows_value() && self.operator().is_some() {
                 return Err(self.operator_outside());
             }
             self.go_back(stopped);

@@ -7,10 +7,12 @@ mod expression;
 mod items;
 mod o_word;
 mod parser;
+mod room;
 #[cfg(test)]
 mod tests;
 mod value;
 
+pub use super::text::Comment;
 pub use block::*;
 
 use super::refusal::{Refusal, StepError};
@@ -18,7 +20,7 @@ use super::state::State;
 use super::text::condense;
 pub(crate) use items::SyntaxRules;
 pub(crate) use parser::Parser;
-pub use parser::Room;
+pub use room::Room;
 
 /// Parses a line.
 ///

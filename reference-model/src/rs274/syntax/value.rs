@@ -2,7 +2,6 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::expression::operator_at;
 use super::parser::Parser;
 use super::{Expression, Function, Parameter};
 use crate::ids::{Rule, choice, rule};
@@ -295,7 +294,7 @@ impl Parser<'_> {
             _ if called => {
                 (rule::expressions::UNKNOWN_OPERATOR, FaultKind::BadExpression, "no such function")
             }
-            Wanted::Operand if letter && operator_at(self).is_none() => {
+            Wanted::Operand if letter && self.operator().is_none() => {
                 (rule::expressions::UNKNOWN_OPERATOR, FaultKind::BadExpression, "no such function")
             }
             Wanted::Operand | Wanted::ParameterNumber => {

@@ -30,22 +30,21 @@ use gaugeblock_vocabulary::{
     Position, Program, Scenario, Settings, Shared,
 };
 
-pub use pins::PinSnapshot;
-pub(crate) use pins::{pins_are_current, update_pins};
+pub(crate) use pins::update_pins;
 pub use record::Record;
 
 use self::operator::Operator;
 use super::control::{Control, Frame, MAIN, Place};
-use super::dialect::Memory;
 use super::environment::EnvironmentState;
 use super::execute;
 use super::modes::{Modes, Rounding};
 use super::parameters::{self, Name, Parameters};
 use super::refusal::{Refusal, StepError};
-use super::state::{Panel, State, in_pocket_zero, slots};
+use super::state::{Curve, Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
 use crate::Choices;
 use crate::RuleCoverage;
+use crate::dialects::Memory;
 use crate::ids::{choice, rule};
 
 /// What a run leaves for the next one, so that it need not be made again.
@@ -186,7 +185,7 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
         log_open: false,
         probe_log_open: false,
         series: None,
-        curve: execute::splines::Curve::default(),
+        curve: Curve::default(),
         pin_snapshot: None,
         room: Room::default(),
         coverage: RuleCoverage::default(),

@@ -7,7 +7,7 @@ use crate::ids::{Rule, rule};
 use crate::rs274::execute;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
-use crate::rs274::state::State;
+use crate::rs274::state::{PinSnapshot, State};
 
 impl ModelRun<'_> {
     /// Brings the pins up to date after a phase of a block, or after something that the operator did.
@@ -16,35 +16,11 @@ impl ModelRun<'_> {
     }
 }
 
-/// What the pins were brought up to date for, while no spindle was turning to an angle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PinSnapshot {
-    spindles: Vec<Spindle>,
-    overrides: Vec<f64>,
-    mist: Switch,
-    flood: Switch,
-    /// How many changes of pins there had been.
-    changes: usize,
-}
-
-/// Whether the pins are up to date: since they were brought so nothing has changed that they depend on, nor they
-/// themselves.
-pub(crate) fn pins_are_current(state: &State) -> bool {
-    let (modes, environment) = (&state.modes, &state.environment);
-    !environment.is_orienting()
-        && state.pin_snapshot.as_ref().is_some_and(|snapshot| {
-            snapshot.changes == environment.changes().len()
-                && (snapshot.mist, snapshot.flood) == (modes.mist, modes.flood)
-                && snapshot.spindles == modes.spindles
-                && snapshot.overrides == state.panel.spindle_overrides
-        })
-}
-
 /// Brings the pins up to date, also within a phase that goes on.
 ///
 /// Rules coolant.mist-pin and coolant.flood-pin. Each coolant has a pin.
 pub(crate) fn update_pins(state: &mut State, after: Option<Phase>) {
-    if pins_are_current(state) {
+    if state.pins_are_current() {
         return;
     }
     for rule in (0..)

@@ -1,30 +1,14 @@
 //! A line's characters as the parser sees them: without blanks, in lower case, comments split off.
 
-use gaugeblock_vocabulary::{FaultKind, Span};
+use gaugeblock_vocabulary::FaultKind;
 
-use super::comments::comment_at;
+use super::comments::{Comment, comment_at};
+use super::glyph::{Glyph, place};
 use super::{Line, Source};
 use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::syntax::Comment;
-
-/// A character that counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Glyph {
-    /// The character in lower case; for a whole comment, [`Glyph::COMMENT`].
-    pub character: char,
-    /// Its first byte in the line.
-    pub start: u32,
-    /// One past its last byte.
-    pub end: u32,
-}
-
-impl Glyph {
-    /// What stands for a whole comment: a left parenthesis, which stands nowhere else.
-    pub const COMMENT: char = '(';
-}
 
 /// The comments of a line; the characters that count are put down as `glyphs`.
 ///
@@ -153,14 +137,4 @@ pub(crate) fn within(limit: usize, length: usize) -> Result<(), StepError> {
     }
     let message = format!("the line has {length} characters; {limit} are allowed");
     Err(refuse(rule::text::LINE_LENGTH, FaultKind::LineTooLong, message))
-}
-
-/// A place in a line, which has at most 256 characters.
-pub(super) fn place(byte: usize) -> u32 {
-    u32::try_from(byte).unwrap_or(u32::MAX)
-}
-
-/// A part of a line.
-pub(super) fn span(start: usize, end: usize) -> Span {
-    Span { start: place(start), end: place(end) }
 }

@@ -1,12 +1,22 @@
 //! Comments in parentheses and after a semicolon.
 
-use gaugeblock_vocabulary::FaultKind;
+use gaugeblock_vocabulary::{FaultKind, Span};
 
-use super::characters::span;
+use super::glyph::span;
 use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse_at};
-use crate::rs274::syntax::Comment;
+
+/// A comment: what stands in parentheses or after a semicolon, verbatim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Comment {
+    /// Its text without the marks.
+    pub text: String,
+    /// Whether a semicolon began it.
+    pub semicolon: bool,
+    /// Where it stands.
+    pub span: Span,
+}
 
 /// The comment that begins at a byte of the line, which is a semicolon or a parenthesis.
 ///

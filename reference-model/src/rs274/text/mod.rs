@@ -2,20 +2,25 @@
 
 mod characters;
 mod comments;
+mod glyph;
+mod place;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use characters::TextRules;
+pub use characters::condense;
 #[cfg(feature = "dialects")]
 pub(crate) use characters::within;
-pub use characters::{Glyph, condense};
+pub use comments::Comment;
+pub use glyph::Glyph;
+pub use place::Place;
 
 use std::ops::Range;
 
-use super::dialect::SourceMemory;
 use super::refusal::{StepError, refuse};
 use super::state::State;
 use crate::Choices;
+use crate::dialects::SourceMemory;
 use crate::ids::{choice, rule};
 use gaugeblock_vocabulary::FaultKind;
 

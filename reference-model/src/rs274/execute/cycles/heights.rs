@@ -1,8 +1,6 @@
 //! The numbers of a cycle: which its block programs, which stick, and the heights that they mean.
 
-use gaugeblock_vocabulary::{
-    Axis, Distance, FaultKind, Lathe, LengthUnit, Motion, Plane, Position, ReturnMode,
-};
+use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Motion, ReturnMode};
 
 use super::{Cycle, Kind, axes_of};
 use crate::ids::{Rule, rule};
@@ -11,44 +9,7 @@ use crate::rs274::execute::target::moved;
 use crate::rs274::execute::word;
 use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::state::State;
-
-/// One or more cycles in a row, whatever they are: what the next one may leave out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Series {
-    /// The cycle of the last block.
-    motion: Motion,
-    /// The number of the normal axis as it was programmed.
-    depth: f64,
-    /// The number R as it was programmed.
-    retract: f64,
-    /// P as it was programmed last for this cycle.
-    dwell: Option<f64>,
-    /// Q as it was programmed last for this cycle.
-    peck: Option<f64>,
-    /// Where the normal axis was before the first of them.
-    initial: f64,
-    /// What the initial level is told in: that of the first block.
-    first: Frame,
-    /// What the other numbers are told in: that of the last block.
-    last: Frame,
-}
-
-/// What the numbers of a cycle depend on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Frame {
-    plane: Plane,
-    unit: LengthUnit,
-    /// Where the program's zero is on the machine: with another one the initial level is another number.
-    zero: Position,
-}
-
-impl Frame {
-    fn of(state: &State) -> Self {
-        let zero = state.modes.machine_point(Position::default());
-        Self { plane: state.modes.plane, unit: state.modes.units, zero }
-    }
-}
+use crate::rs274::state::{Series, SeriesFrame, State};
 
 /// Finds the numbers of a cycle.
 ///
@@ -95,7 +56,7 @@ pub(super) fn find(
     state.coverage.accepted(rule::cycles::RETRACT_BELOW_BOTTOM);
     let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
     let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
-    let last = Frame::of(state);
+    let last = SeriesFrame::of(&state.modes);
     let first = before.map_or(last, |before| before.first);
     let series = Series { motion, depth, retract, dwell, peck, initial, first, last };
     let cycle = Cycle {
@@ -147,7 +108,7 @@ fn unchanged(
     state: &State,
 ) -> Result<(), StepError> {
     let Some(before) = before else { return Ok(()) };
-    let now = Frame::of(state);
+    let now = SeriesFrame::of(&state.modes);
     let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
     let has = |letter: char| word(words, letter).is_some();
     let all_programmed = has('r') && has(crate::rs274::execute::letter(normal));

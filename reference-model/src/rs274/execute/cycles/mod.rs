@@ -21,7 +21,6 @@ use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-pub use heights::Series;
 
 /// What a cycle is for; its number says little.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Place;
 use crate::rs274::modes::SavedState;
 use crate::rs274::syntax::Keyword;
+use crate::rs274::text::Place;
 
 /// A call in progress, or the main program.
 #[derive(Clone, Debug, Default)]

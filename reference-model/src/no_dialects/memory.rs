@@ -1,12 +1,4 @@
-//! This build has no dialects: every controller does what the documents say.
-
-use crate::Choices;
-use crate::rs274::dialect::{Dialect, Documented};
-
-/// The operations of a run.
-pub(crate) fn operations(_choices: &Choices) -> &'static dyn Dialect {
-    &Documented
-}
+//! What a dialect remembers: nothing.
 
 /// What a dialect remembers: nothing.
 #[derive(Clone, Debug, Default)]

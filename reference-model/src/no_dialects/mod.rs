@@ -1,0 +1,14 @@
+//! This build has no dialects: every controller does what the documents say.
+
+mod memory;
+
+use crate::Choices;
+use crate::rs274::dialect::{Dialect, Documented};
+pub(crate) use memory::{ControlMemory, Memory, ModalMemory, SourceMemory};
+
+impl Choices {
+    /// The dialect of this run.
+    pub(crate) fn dialect(&self) -> &'static dyn Dialect {
+        &Documented
+    }
+}
