@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_suite::{
-    Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Suite,
+    Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Setup, Suite,
     scenario_of,
 };
 use gaugeblock_vocabulary::{Outcome, Undetermined};
@@ -125,10 +125,47 @@ pub fn undetermined(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     })
 }
 
-/// The text that a case's golden must be.
+/// The text that a case's golden must be: the model's outcome without what is at its default.
 pub fn golden(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let edition = editions_of(suite, rule, case).into_iter().next()?;
-    Some(model_run(suite, case, edition).0.to_text())
+    let idle = Case { program: IDLE_PROGRAM.to_owned(), setup: Setup::default(), ..case.clone() };
+    let defaults = model_run(suite, &idle, edition).0.to_text();
+    Some(without_defaults(&model_run(suite, case, edition).0.to_text(), &defaults))
+}
+
+/// A program that changes nothing: its outcome has every setting and every state at its default.
+const IDLE_PROGRAM: &str = "n1\n";
+
+/// An outcome in text form without its first two lines, which the page itself says, and without each word of the
+/// lines `start`, `parameters` and the first `state` that the outcome `defaults` has as well. A line that is left
+/// without words is left out.
+fn without_defaults(outcome: &str, defaults: &str) -> String {
+    let mut is_first_state = true;
+    let mut text = String::new();
+    for line in outcome.lines().skip(2) {
+        let keyword = line.split_whitespace().next().unwrap_or_default();
+        let has_defaults = match keyword {
+            "start" | "parameters" => true,
+            "state" => std::mem::take(&mut is_first_state),
+            _ => false,
+        };
+        let line = if has_defaults {
+            let same_line = |other: &&str| other.split_whitespace().next() == Some(keyword);
+            let default_line = defaults.lines().find(same_line).unwrap_or_default();
+            let default_words: BTreeSet<_> = default_line.trim_start().split(' ').skip(1).collect();
+            let kept: Vec<_> =
+                line.split(' ').filter(|word| !default_words.contains(word)).collect();
+            kept.join(" ")
+        } else {
+            line.to_owned()
+        };
+        let is_empty = matches!(line.trim(), "start" | "state" | "parameters");
+        if !is_empty {
+            text.push_str(&line);
+            text.push('\n');
+        }
+    }
+    text
 }
 
 fn golden_fault(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
@@ -137,4 +174,21 @@ fn golden_fault(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     (expected != *golden_text).then(|| {
         format!("{} / {}: the model no longer does what its golden says", rule.id, case.name)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_defaults;
+
+    #[test]
+    fn a_golden_leaves_out_what_is_at_its_default() {
+        let defaults = "gaugeblock outcome 0\nlanguage rs274\nstart units=mm plane=xy\nblock main.ngc:1\n  \
+                        state motion=none position=()\nend fault\nparameters 5220=1\n";
+        let outcome = "gaugeblock outcome 0\nlanguage rs274\nstart units=inch plane=xy\nblock main.ngc:1\n  \
+                       set plane=xz\n  state motion=none position=(x1)\nblock main.ngc:2\n  state\n\
+                       block main.ngc:3\n  state motion=none\nend program_end\nparameters 5220=1\n";
+        let golden = "start units=inch\nblock main.ngc:1\n  set plane=xz\n  state position=(x1)\nblock main.ngc:2\n\
+                      block main.ngc:3\n  state motion=none\nend program_end\n";
+        assert_eq!(without_defaults(outcome, defaults), golden);
+    }
 }
