@@ -96,7 +96,7 @@ fn run(text: &str) -> Result<u64, Error> {
     Ok(sink.0)
 }
 
-/// Nanoseconds that this process has had of a processor, as Linux tells; a busy machine does not count.
+/// Nanoseconds that this process has had of a processor, as Linux reports; a busy machine does not count.
 fn processor_time() -> f64 {
     let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
     text.split(' ').next().and_then(|first| first.parse().ok()).unwrap_or(0.0)

@@ -1,4 +1,4 @@
-//! What a sink can see after each block: enough to record a run, at no cost to those who do not look.
+//! What a sink can see after each block: enough to record a run, at no cost to a sink that does not look.
 
 use core::fmt;
 
@@ -10,7 +10,7 @@ use crate::parameters::{Names, Parameters};
 /// What kind of block was executed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockKind {
-    /// Words, settings of parameters, perhaps a comment beside them; a line number alone.
+    /// Words, settings of parameters, perhaps with a comment; a line number alone.
     Words,
     /// A comment that may act, and nothing else; one that had nothing to say did nothing.
     Comment,
@@ -59,7 +59,7 @@ impl BlockEnd<'_> {
         self.parameters.call_level
     }
 
-    /// Modes, position, tool and call level; parameters are told by the methods below.
+    /// Modes, position, tool and call level; the methods below report parameters.
     pub fn state(&self) -> Rs274State {
         let mut state = self.modal.state();
         state.call_level = Some(self.parameters.call_level);
@@ -71,9 +71,9 @@ impl BlockEnd<'_> {
         self.modal.settings()
     }
 
-    /// Tells each numbered parameter that was set since the last time this was asked, in ascending order, also where
-    /// its value is the same as before. A call and a return count as setting `#1` to `#30`. Position and tool, #5420
-    /// to #5428, are not among them: they are in the state.
+    /// Reports each numbered parameter that was set since the last call, in ascending order, also where its value is
+    /// the same as before. A call and a return count as setting `#1` to `#30`. Position and tool, #5420 to #5428, are
+    /// not among them: they are in the state.
     pub fn take_numbered(&mut self, tell: impl FnMut(u32, f64)) {
         self.parameters.numbered.take_changes(tell);
     }
@@ -83,13 +83,13 @@ impl BlockEnd<'_> {
         self.modal.machine_point().position()
     }
 
-    /// Puts the values of HAL items at which programs look from the next block on, in the order in which they were
+    /// Sets the values of HAL items that programs read from the next block on, in the order in which they were
     /// declared ([`Interpreter::declare_items`](crate::Interpreter::declare_items)).
     pub fn set_items(&mut self, values: &[f64]) {
         self.parameters.set_items(values);
     }
 
-    /// Every named parameter that exists and is seen at this call level, by name; global ones begin with an
+    /// Every named parameter that exists and is visible at this call level, by name; global ones begin with an
     /// underscore. Predefined ones are not among them.
     pub fn named(&self) -> impl Iterator<Item = (&str, f64)> {
         self.parameters.named.existing(self.names)

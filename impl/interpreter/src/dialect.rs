@@ -1,11 +1,11 @@
-//! How the documents are read: what each part of the interpreter takes from the options, taken from them once.
+//! The dialect: what each part of the interpreter takes from the options, read once.
 
 use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 use crate::{modal, syntax, task};
 
-/// The readings of the documents under some options.
+/// The choices that hold under some options.
 #[derive(Clone, Debug)]
 pub(crate) struct Dialect {
     options: Options,

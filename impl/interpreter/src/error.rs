@@ -1,4 +1,4 @@
-//! Why a call of this crate came back without what was asked for.
+//! Why a call of this crate failed.
 
 use alloc::boxed::Box;
 use core::fmt;

@@ -1,7 +1,7 @@
 //! Planted faults: mistakes that an interpreter could make, to see which of them a suite of tests notices.
 //!
-//! Without the feature `faults` none can be planted, and what asks for one is compiled away. With it one at a time is
-//! planted for the whole process.
+//! Without the feature `faults` none can be planted, and the checks for one are compiled away. With it one at a time
+//! is planted for the whole process.
 
 macro_rules! faults {
     ($($(#[doc = $about:literal])* $name:literal $fault:ident,)*) => {

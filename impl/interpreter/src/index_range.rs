@@ -1,4 +1,4 @@
-//! Members of a row that stand together.
+//! Adjacent members of a list.
 
 /// From the first member up to the one before `to`.
 #[derive(Clone, Copy, Debug, Default)]

@@ -25,8 +25,8 @@ use crate::words::Words;
 
 /// An interpreter of LinuxCNC's dialect of RS-274, with the options of a chosen edition.
 ///
-/// One pass over the source: what runs once is read, executed and forgotten, what can run again is packed once.
-/// In steady state a block allocates nothing.
+/// One pass over the source: what runs once is read, executed and forgotten, what can run again is compiled once. In
+/// steady state a block allocates nothing.
 ///
 /// ```
 /// use gaugeblock_interpreter::{Interpreter, Limits, Memory, Progress, Reply, Sink};
@@ -55,11 +55,11 @@ pub struct Interpreter {
     pub(crate) machine: Machine,
     pub(crate) dialect: Dialect,
     pub(crate) limits: Limits,
-    /// Names, and how lines become blocks.
+    /// Compiles lines; holds the names.
     pub(crate) compiler: LineCompiler,
-    /// Where the source stands.
+    /// The place in the source.
     pub(crate) reader: Reader,
-    /// Packed blocks: the line being read, a loop of the main program, numbered subprograms, then subs.
+    /// Compiled blocks: the line being read, a loop of the main program, numbered subprograms, then subs.
     pub(crate) segments: Vec<CodeSegment>,
     /// Names of the files that were read; the main program first.
     pub(crate) files: Vec<String>,
@@ -71,9 +71,9 @@ pub struct Interpreter {
     pub(crate) at_branch: bool,
     /// Whether the main program begins with a percent line; not known before its first line.
     pub(crate) percent: Option<bool>,
-    /// Whether the percent line was come by that ends the main program, perhaps ahead of what is executed.
+    /// Whether the percent line that ends the main program was read, perhaps ahead of what is executed.
     pub(crate) percent_closed: bool,
-    /// How many loops of the main program have been packed.
+    /// How many loops of the main program have been compiled.
     pub(crate) generation: u32,
     /// The parameters.
     pub(crate) parameters: Parameters,
@@ -87,23 +87,23 @@ pub struct Interpreter {
     pub(crate) subs: Vec<u32>,
     /// Numbered subprograms by label, once M98 has looked for them.
     pub(crate) programs: Option<BTreeMap<NameId, NumberedProgram>>,
-    /// Labels of subs that M98's search has come by.
+    /// Labels of subs that M98's search has passed.
     pub(crate) subs_ahead: Vec<NameId>,
     /// The line of each sub of the main program.
     pub(crate) defined_lines: BTreeMap<NameId, u32>,
     /// Labels of the subs that the last program has defined.
     pub(crate) previous_subs: BTreeSet<NameId>,
-    /// Bytes of packed subs and subprograms.
+    /// Bytes of compiled subs and subprograms.
     pub(crate) code_bytes: usize,
     /// Open log files.
     pub(crate) logs: Logs,
-    /// The block of words that is not finished: where it stands, its line, and what kind it is.
+    /// The block of words that is not finished: its place, its line, and its kind.
     pub(crate) pending: Option<(Cursor, u32, BlockKind)>,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
 
-/// Reusable memory for parameters, and the documents' options as read: making it costs more than a few blocks.
+/// Reusable memory for parameters, and the dialect: to create both costs more than to execute a few blocks.
 #[derive(Debug, Default)]
 pub struct Scratch(Option<(Numbered, Dialect)>);
 
@@ -118,21 +118,21 @@ pub(crate) struct NumberedProgram {
     pub(crate) called: bool,
 }
 
-/// What a step came to.
+/// The result of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
-    /// As many blocks as were asked for were executed; there is more.
+    /// As many blocks as requested were executed; there is more.
     More,
-    /// The sink asked to stop, within the last block; the next step goes on from there.
+    /// The sink replied with a stop within the last block; the next step continues from there.
     Stopped,
-    /// The sink broke the last block off ([`Reply::Aborted`](crate::Reply::Aborted)).
+    /// The sink aborted the last block ([`Reply::Aborted`](crate::Reply::Aborted)).
     Aborted,
     /// The program is over. A refused block is an [`Error::Fault`] and not an end.
     Ended(End),
 }
 
 impl Interpreter {
-    /// An interpreter that stands before a program's first block, in the machine's initial state.
+    /// An interpreter before a program's first block, in the machine's initial state.
     ///
     /// # Errors
     /// [`Error::Configuration`]: an option that its choice does not have, or a machine that cannot be.
@@ -140,7 +140,8 @@ impl Interpreter {
         Self::with_scratch(machine, options, limits, Scratch::default())
     }
 
-    /// The same, in the room of an interpreter that is not needed any more: for whoever runs many short programs.
+    /// The same, with the scratch memory of an interpreter that is not needed any more. For a caller that runs many
+    /// short programs.
     ///
     /// # Errors
     /// As for [`Self::new`].
@@ -200,33 +201,33 @@ impl Interpreter {
         })
     }
 
-    /// Its room, for another interpreter. Nothing of what it knows goes with it.
+    /// Its scratch memory, for another interpreter. It carries no state.
     pub fn into_scratch(self) -> Scratch {
         let mut numbered = self.parameters.numbered;
         numbered.clear();
         Scratch(Some((numbered, self.dialect)))
     }
 
-    /// Sets whether blocks that begin with a slash are skipped, for the next program; the default is no.
+    /// Sets whether blocks that begin with a slash are skipped, for the next program. By default they are executed.
     pub fn set_block_delete(&mut self, skipped: bool) {
         self.compiler.block_delete = skipped;
     }
 
-    /// Says that the sink is told of lines that hold a plain comment only, as of blocks that do nothing; otherwise
-    /// they are none.
+    /// Sets whether lines that hold only a plain comment are reported to the sink as blocks that do nothing. By
+    /// default they are not blocks.
     pub fn set_report_comments(&mut self, report: bool) {
         self.compiler.report_comments = report;
     }
 
-    /// Says that this run only shows what a program would do: `#<_task>` is 0 then, by which a program can spare a
-    /// preview what only a machine can answer (11.4.3.5).
+    /// Sets whether this run is a preview of what a program would do. `#<_task>` is 0 in a preview, so that a program
+    /// can skip what only a machine can answer (11.4.3.5).
     pub fn set_preview(&mut self, preview: bool) {
         self.parameters.drives = !preview;
     }
 
-    /// Does as LinuxCNC's `rs274` where that departs from its manual and a stand-in for it must follow: a few points
-    /// only, which the module `quirks` lists. Off unless this is called before the program begins, with all that is
-    /// stored: also what is not persistent is taken over.
+    /// Behaves like LinuxCNC's `rs274` where that differs from its manual: only a few points, which the module
+    /// `quirks` lists. It is off unless this is called before the program begins. `stored` holds all stored
+    /// parameters: those that are not persistent are taken over too.
     pub fn emulate_rs274(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
         self.compiler.emulates_rs274 = true;
         for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
@@ -283,7 +284,7 @@ impl Interpreter {
     /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main
     /// program has saved as the options say, settings are reset.
     ///
-    /// The interpreter stands before another program's first block then, as after [`Self::begin`].
+    /// After it the interpreter is before another program's first block, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
         self.modal.abort(sink, self.parameters.line);
         self.restart();
@@ -336,8 +337,8 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Goes on behind a refused block: the next step executes the block after it, or, where calls were open, the one
-    /// after the outermost call. What a refused block has done already stays done.
+    /// Continues after a refused block: the next step executes the block after it, or, where calls were open, the
+    /// block after the outermost call. What a refused block has done already stays done.
     pub fn skip_faulted_block(&mut self) {
         if let Some(frame) = self.call_stack.frames.first() {
             self.cursor = frame.back;
@@ -348,9 +349,9 @@ impl Interpreter {
         self.ended = None;
     }
 
-    /// Makes it ready for a block that is entered by hand, as line `number` of a file of this name, in MDI mode. The
-    /// states that are saved at the level of the main program stay; what the last program has defined is forgotten.
-    /// The source holds that one line.
+    /// Makes it ready for an MDI block, as line `number` of a file of this name. The states that are saved at the
+    /// level of the main program stay; what the last program has defined is forgotten. The source holds that one
+    /// line.
     pub fn begin_mdi(&mut self, file: &str, number: u32) {
         self.forget_program();
         self.reader.begin_at(number);
@@ -364,18 +365,18 @@ impl Interpreter {
         self.modal.set_controller_mode(ControllerMode::Mdi);
     }
 
-    /// Whether what it executes was entered by hand.
+    /// Whether it executes an MDI block.
     pub(crate) fn is_mdi(&self) -> bool {
         self.files.first().is_some_and(|main| main != Program::MAIN)
     }
 
-    /// Whether it stands between two blocks of the text that it was begun with, and the next one has not been read.
+    /// Whether it is between two blocks of the main text, and the next one has not been read.
     pub fn needs_text(&self) -> bool {
         self.cursor.segment == STREAM && !self.line_pending && self.pending.is_none()
     }
 
     /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
-    /// run. The block is read and kept, no more: a caller that does not ask loses nothing.
+    /// run. The block is only read and kept: a caller that does not use this loses nothing.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         if self.ended.is_some() || self.pending.is_some() {
             return None;
@@ -390,7 +391,7 @@ impl Interpreter {
                 Err(error) => self.ended = Some(Err(error)),
             }
             if let Some(ended) = &self.ended {
-                // A line that is refused where it stands is there all the same.
+                // A refused line still has a place.
                 return ended.as_ref().err().and_then(Error::line);
             }
         }
@@ -411,8 +412,8 @@ impl Interpreter {
         segment(&self.segments, at.segment).and_then(|code| code.block(at.place))
     }
 
-    /// Says which HAL items programs can read by `#<_hal[…]>`, before anything is read; there are none otherwise, nor
-    /// where the INI file disables them. Their values are zero until they are set.
+    /// Declares the HAL items that programs can read by `#<_hal[…]>`, before anything is read. By default there are
+    /// none, nor where the INI file disables them. Their values are zero until they are set.
     pub fn declare_items(&mut self, names: impl IntoIterator<Item = ItemName>) {
         if !self.compiler.items_enabled {
             return;
@@ -421,17 +422,17 @@ impl Interpreter {
         self.parameters.items.resize(self.compiler.items.len(), 0.0);
     }
 
-    /// Puts the values of HAL items, in the order in which they were declared.
+    /// Sets the values of HAL items, in the order in which they were declared.
     pub fn set_items(&mut self, values: &[f64]) {
         self.parameters.set_items(values);
     }
 
-    /// The mode of the controller, as programs and the state show it.
+    /// The mode of the controller, as programs and the state report it.
     pub fn controller_mode(&self) -> ControllerMode {
         self.modal.controller_mode()
     }
 
-    /// Says in which mode the controller is now; a program end changes it too.
+    /// Sets the mode of the controller; a program end changes it too.
     pub fn set_controller_mode(&mut self, mode: ControllerMode) {
         self.modal.set_controller_mode(mode);
     }
@@ -441,14 +442,14 @@ impl Interpreter {
         self.modal.machine_point().position()
     }
 
-    /// Says that nothing is executed from here on, but only read: the steps that follow change modes and parameters,
-    /// and not the machine.
+    /// From here on blocks are only read and not executed: the steps that follow change modes and parameters, and not
+    /// the machine.
     pub fn begin_read_ahead(&mut self) {
         self.modal.begin_read_ahead();
     }
 
-    /// Ends reading ahead, which [`Self::begin_read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun: the point
-    /// stands where it stood, and the tools are those that the machine has.
+    /// Ends reading ahead, which [`Self::begin_read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun:
+    /// the point is where it was before, and the tools are those of the machine.
     pub fn end_read_ahead(&mut self) {
         self.modal.end_read_ahead(&mut self.parameters.numbered);
     }

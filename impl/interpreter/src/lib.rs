@@ -13,44 +13,44 @@
 //! ```text
 //! Source      bytes, as many as lie ready
 //!   reader      lines, in place                                     control/reader
-//!   direct      a plain line is evaluated while it is read          control/direct, control/operand
-//!   compiler      a line becomes a block of operations, once          syntax/
-//!   segment     blocks that can run again lie together, packed      syntax/packed, control/gather
-//!   evaluator  operations become words and settings of parameters  control/evaluate, parameters/
+//!   fast path   a plain line is evaluated while it is read          control/fast_path
+//!   compiler    a line becomes a block of operations, once          syntax/
+//!   bytecode    blocks that can run again, stored together          syntax/bytecode, control/compile
+//!   evaluator   operations become words and settings of parameters  control/evaluate, parameters/
 //!   control     o-words, calls, M98, M99: which block comes next    control/
 //!   modal       words become settings and effects, in order         modal/
 //! Sink        settings, effects, and a look at each block when it is done
 //!   task        the sink of a controller: what a machine may have, and when    task/
 //! ```
 //!
-//! A plain line of the main program goes the short way, from text to words in one pass. Every other block of it is
-//! packed, executed and forgotten. A loop is packed when its head is executed, a sub when its definition is, the
-//! numbered subprograms when M98 first looks for them. What cannot be packed is kept as a block that is refused when
-//! it is executed, because the documents refuse blocks and not programs.
+//! A plain line of the main program takes the fast path, from text to words in one pass. Every other block of it is
+//! compiled, executed and forgotten. A loop is compiled when its head is executed, a sub when its definition is, the
+//! numbered subprograms when M98 first looks for them. A line that cannot be compiled is kept as a block that is
+//! refused when it is executed, because the documents refuse blocks and not programs.
 //!
-//! Whoever embeds an interpreter alone gives it a sink and answers for the rest. [`task`] is that rest, as far as
-//! documents tell it: it runs an interpreter on a machine that has a clock, inputs, pins and somebody at its panel.
-//! It costs an interpreter without it nothing.
+//! An embedder of the interpreter alone supplies a sink and does the rest itself. [`task`] is that rest, as far as
+//! documents describe it: it runs an interpreter on a machine that has a clock, inputs, pins and an operator. An
+//! interpreter without it pays nothing for it.
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes,
-//! straight moves, arcs, canned cycles, probes, splines and threads, the task all that an operator can ask; moves
+//! straight moves, arcs, canned cycles, probes, splines and threads, the task every request of an operator. Moves
 //! under cutter compensation end a run as [`gaugeblock_vocabulary::End::Unsupported`], and what the documents leave
 //! undefined as [`gaugeblock_vocabulary::End::Unspecified`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
-//! * It has no `std`: there is no clock, no file, no environment and no thread to reach for. Time goes by where the
-//!   embedder lets it.
+//! * It has no `std`: it reaches no clock, file, environment or thread. Time passes only where the embedder lets it.
 //! * It never panics, on any program; the lints below refuse what could.
-//! * A step of the interpreter is one block at most, of a long canned cycle only a part, and skips or packs no more
-//!   than the text once. A caller can always stop.
-//! * In steady state a block allocates nothing, unless it shows a message. Memory is bounded by [`Limits`], whatever
-//!   the length of the program.
+//! * A step of the interpreter is at most one block, or a part of a long canned cycle. It skips or compiles the text
+//!   at most once. A caller can always stop.
+//! * In steady state a block allocates nothing, except for the text of a message. Memory is bounded by [`Limits`],
+//!   whatever the length of the program.
 //! * Where a program is cut into pieces by its source changes nothing.
 //! * A refused block changes nothing: modes, tools and parameters are those after the block before. A probe that
 //!   finds nothing has moved, though: what its block did up to there stays.
-//! * The short way has the outcome of the long one, and leaves to it whatever is unusual or refused.
-//! * Names are looked up when a line is read, and never when a packed block runs.
+//! * A fast path has the outcome of the path that it shortens, and leaves to it whatever is unusual or refused. Its
+//!   documentation names that path.
+//! * Names are looked up when a line is read, and never when a compiled block runs.
 #![no_std]
 #![cfg_attr(
     not(test),

@@ -13,9 +13,9 @@ pub struct Limits {
     pub call_depth: u32,
     /// Named parameters that exist at one time, all levels together.
     pub named_parameters: u32,
-    /// Bytes that packed loops and subroutines take together, their labels included.
+    /// Bytes that compiled loops and subroutines take together, their labels included.
     pub code_bytes: u32,
-    /// Blocks that are read behind one that an abort has broken off, where the documents are read so.
+    /// Blocks that are read after an aborted one, where the dialect reads ahead.
     pub blocks_ahead: u32,
 }
 

@@ -145,7 +145,7 @@ pub(crate) fn whole(value: f64) -> Option<i64> {
     let exact = value as i64;
     ((exact as f64 - value).to_bits() << 1 == 0).then_some(exact)
 }
-/// Without the digits behind the point.
+/// Without the digits after the point.
 pub(crate) fn truncate(value: f64) -> f64 {
     libm::trunc(value)
 }

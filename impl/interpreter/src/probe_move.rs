@@ -1,4 +1,4 @@
-//! What a sink is told of a straight probe besides its effect.
+//! What a sink receives of a straight probe in addition to its effect.
 
 use gaugeblock_vocabulary::Position;
 

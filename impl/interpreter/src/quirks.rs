@@ -1,13 +1,12 @@
-//! What LinuxCNC's `rs274` does otherwise than its manual, for who stands in for it: off the main path, and off
-//! unless it is asked for.
+//! What LinuxCNC's `rs274` does differently from its manual, to emulate it: off the main path, and off by default.
 //!
-//! Only what cannot be had by printing otherwise is here. Each was observed; the page of its id in `suite/quirks`
-//! shows it.
+//! Differences that a printer can make up for are not here. Each was observed; the page of its id in `suite/quirks`
+//! has a program.
 //!
-//! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may stand behind a
-//!   number sign (`syntax::parameter`), and a name alone behind an O (`syntax::o_word`): no page, since no document
-//!   speaks of them.
-//! * `rs274.file-with-two-subs`: `control::files`, but for calls of those other subs.
+//! * `rs274.exists-numbered`: EXISTS takes a numbered parameter (`syntax::expression`). A function may follow a
+//!   number sign (`syntax::parameter`), and a name alone may follow an O (`syntax::o_word`): no page, because no
+//!   document mentions them.
+//! * `rs274.file-with-two-subs`: `control::files`, except for calls of those other subs.
 //! * `rs274.unpassed-arguments-zero`: `control::calls`.
 //! * `rs274.orient-without-angle` and `rs274.orient-without-timeout`: `modal::spindle`.
 //! * `rs274.cycle-retract-from-initial`: `modal::cycles`.
@@ -18,10 +17,10 @@
 //! * `rs274.stored-rotation`: `modal`. What its parameter file holds of parameters that are not persistent it takes
 //!   over, too (`interpret`).
 //! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and
-//!   `rs274.unused-q-minus-one`, but for a row of cycles that peck: `modal::check`.
+//!   `rs274.unused-q-minus-one`, except for a series of cycles that peck: `modal::check`.
 //! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
 //! * `rs274.polar-repeated`: `syntax::block`.
-//! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::units`, but for restores.
+//! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::mode_select`, except for restores.
 
 use gaugeblock_vocabulary::LengthUnit;
 
@@ -69,6 +68,6 @@ pub(crate) fn arc_least_radius(units: LengthUnit) -> f64 {
     }
 }
 
-/// How far the centre of an arc is from its chord at least, in radii: half a circle has it not quite on it, which
-/// shows in the sign of a zero.
+/// How far the centre of an arc is from its chord at least, in radii: for half a circle it is not quite on the chord,
+/// which decides the sign of a zero.
 pub(crate) const ARC_HEIGHT: f64 = f64::EPSILON / 4.0;

@@ -8,10 +8,10 @@ use alloc::vec::Vec;
 /// The text of a program and of its subroutine files, as much at a time as lies ready.
 ///
 /// A main program is read from front to back and never held whole, so it may be larger than memory; what runs again
-/// (loops, subroutines) is kept in packed form by the interpreter. Lines that lie whole in what [`Self::text`] gives
-/// are read in place.
+/// (loops, subroutines) is kept as bytecode by the interpreter. Lines that lie whole in what [`Self::text`] gives are
+/// read in place.
 pub trait Source {
-    /// The text of the innermost open file from where reading stands; empty at its end. The same call again gives the
+    /// The text of the innermost open file from the reader's place; empty at its end. The same call again gives the
     /// same text.
     ///
     /// # Errors
@@ -21,10 +21,9 @@ pub trait Source {
     /// Moves on by so many bytes of what [`Self::text`] gave.
     fn consume(&mut self, bytes: usize);
 
-    /// Goes to a place of the innermost open file, bytes from its beginning; `false` where the source cannot.
+    /// Goes to a place of the innermost open file, bytes from its beginning; `false` where the source cannot go back.
     ///
-    /// It is asked for M98, whose subprogram stands later in the file, and for what jumps back to a loop that has
-    /// ended.
+    /// It is called for M98, whose subprogram follows later in the file, and for jumps back to a loop that has ended.
     ///
     /// # Errors
     /// The file cannot be read any more.
@@ -65,9 +64,9 @@ pub struct SourceError {
 pub struct Memory<'a> {
     main: Cow<'a, [u8]>,
     files: BTreeMap<String, Cow<'a, [u8]>>,
-    /// Where reading stands in the main file.
+    /// The reader's place in the main file.
     at: usize,
-    /// The open subroutine files, innermost last, and where reading stands in each.
+    /// The open subroutine files, innermost last, and the reader's place in each.
     open: Vec<(String, usize)>,
 }
 

@@ -10,7 +10,7 @@ pub(crate) const M_WORDS: usize = 8;
 pub(crate) struct Words {
     /// Line in its file, from 1.
     pub(crate) line: u32,
-    /// Bit n: letter `b'A' + n` has a value. G, M, N and O never stand here.
+    /// Bit n: letter `b'A' + n` has a value. G, M, N and O are never set.
     pub(crate) present: u32,
     /// By letter, `A` first; 0 where absent.
     pub(crate) values: [f64; 26],
@@ -18,7 +18,7 @@ pub(crate) struct Words {
     pub(crate) g: [u16; G_WORDS],
     /// How many of `g` count.
     pub(crate) g_count: u8,
-    /// M codes in the order of writing; a number that is no code of the documents is kept as written.
+    /// M codes in the order of writing; an unknown number is kept as written.
     pub(crate) m: [u16; M_WORDS],
     /// How many of `m` count.
     pub(crate) m_count: u8,
@@ -116,7 +116,7 @@ impl Words {
         true
     }
 
-    /// Whether an M code stands among the words.
+    /// Whether the words include an M code.
     #[inline]
     pub(crate) fn has_m(&self, code: u16) -> bool {
         self.m.iter().take(usize::from(self.m_count)).any(|m| *m == code)

@@ -25,7 +25,7 @@ impl Cursor {
     /// The next line of the main program.
     pub(crate) const MAIN: Self = Self { segment: STREAM, place: 0 };
 
-    /// The block behind this one.
+    /// The next block.
     pub(crate) fn after(self) -> Self {
         Self { place: self.place.saturating_add(1), ..self }
     }
@@ -77,7 +77,7 @@ pub(crate) struct Definition {
     pub(crate) offset: u64,
     /// Where the block lies.
     pub(crate) at: Cursor,
-    /// Which of the loops that lay in [`LOOP`] it belongs to.
+    /// Which of the loops that were in [`LOOP`] it belongs to.
     pub(crate) generation: u32,
     /// Turns of a repeat that are left, this one included.
     pub(crate) left: u64,
@@ -113,7 +113,7 @@ impl CallStack {
         self.frames.last().map_or(0, |frame| frame.definitions)
     }
 
-    /// Where a label's definition stands, or would stand, at the running level.
+    /// The place of a label's definition at the running level, or where it would be inserted.
     #[inline]
     fn search(&self, label: NameId) -> Result<usize, usize> {
         let base = self.base();

@@ -40,7 +40,7 @@ impl Interpreter {
         }
     }
 
-    /// A sub begins: its body is packed, and execution goes on behind it.
+    /// A sub begins: its body is compiled, and execution continues after it.
     pub(crate) fn define_main_sub<S: Source>(
         &mut self,
         at: Cursor,
@@ -52,7 +52,7 @@ impl Interpreter {
             return refuse(FaultKind::NestedSub, "a sub within a sub");
         }
         if self.defined_lines.get(&label) == Some(&block.line) {
-            // A jump back has come by here before.
+            // A jump back has passed here before.
             return Ok(self.skip_sub(label, source)?);
         }
         if self.segment_of(label).is_some() {
@@ -64,7 +64,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A sub that lies among packed blocks is defined when it is come by.
+    /// A sub among compiled blocks is defined when execution reaches it.
     pub(crate) fn define_sub(
         &mut self,
         at: Cursor,
@@ -109,8 +109,7 @@ impl Interpreter {
         let segment = match self.segment_of(label) {
             Some(segment) => segment,
             None => {
-                // What stands on the line is evaluated before the sub is sought (11.4.5), which may take other values
-                // in between.
+                // The line is evaluated before the sub is searched for (11.4.5); the search may change values.
                 self.evaluate_values(at, block, o_word)?;
                 self.find_sub(label, source)?
             }
@@ -190,7 +189,7 @@ impl Interpreter {
         self.parameters.call_level = self.parameters.call_level.saturating_sub(1);
     }
 
-    /// The run is over, and with it every call: `#1` to `#30` and local names are those of the main program, which
+    /// The run is over, and every call with it: `#1` to `#30` and local names are those of the main program, which
     /// numbered subprograms share. Nothing is restored besides: that is for a return (11.6.22).
     pub(crate) fn leave_calls(&mut self) {
         let first = self.call_stack.frames.iter().find(|frame| frame.kind == FrameKind::Sub);
@@ -312,7 +311,7 @@ impl Interpreter {
         Ok(Progress::More)
     }
 
-    /// Where a numbered subprogram begins; it must follow the call. Whether it is called now is told.
+    /// Where a numbered subprogram begins; it must follow the call. `called` says whether it is called now.
     fn find_program<S: Source>(
         &mut self,
         label: NameId,

@@ -1,4 +1,4 @@
-//! What can run again is packed whole: loops and subs. Files and numbered subprograms: [`super::files`].
+//! Compiles what can run again as a whole: loops and subs. Files and numbered subprograms: [`super::files`].
 
 use alloc::collections::BTreeMap;
 
@@ -16,10 +16,10 @@ use crate::syntax::{
     CodeSegment, LineError, LineKind, LinePlace, is_o_word, is_percent, label_ops,
 };
 
-/// Bytes that a label takes beside its characters.
+/// Bytes of a label in addition to its characters.
 const LABEL: usize = 32;
 
-/// What the next line of a file was.
+/// The kind of the next line of a file.
 pub(super) enum Next {
     /// A block, the last one of the segment now.
     Block(Block),
@@ -31,7 +31,7 @@ pub(super) enum Next {
     Over,
 }
 
-/// A sub that cannot be packed.
+/// A sub that cannot be compiled.
 pub(super) enum Bad {
     /// Another one begins within it, at this line.
     Nested(u32),
@@ -39,7 +39,7 @@ pub(super) enum Bad {
     Endless,
 }
 
-/// Where the last endsub of each label stands behind a place.
+/// The line of the last endsub of each label after a place.
 pub(super) struct Ends(BTreeMap<NameId, u32>);
 
 impl Ends {
@@ -78,7 +78,7 @@ impl Interpreter {
         self.compile_next_of(source, into, false)
     }
 
-    /// Reads the next line into a segment; of no interest are, if it is asked so, lines without o-words.
+    /// Reads the next line into a segment; with `owords_only`, lines without o-words are skipped.
     pub(super) fn compile_next_of<S: Source>(
         &mut self,
         source: &mut S,
@@ -94,7 +94,7 @@ impl Interpreter {
             (taken, place, taken == LineKind::Nothing && line.trim_ascii().is_empty())
         })?;
         self.finish_line(STREAM)?;
-        // Behind anything but blank lines a percent line does not begin the file.
+        // After anything except blank lines a percent line does not begin the file.
         if let Some((LineKind::Block | LineKind::Nothing, _, false)) = taken {
             self.percent = self.percent.or(Some(false));
         }
@@ -108,8 +108,8 @@ impl Interpreter {
         })
     }
 
-    /// Packs a loop of the main program whose head has just been read; the head becomes its first block. A loop
-    /// within a loop or sub is packed already.
+    /// Compiles a loop of the main program whose head has just been read; the head becomes its first block. A loop
+    /// within a loop or sub is compiled already.
     pub(crate) fn compile_loop<S: Source>(
         &mut self,
         at: Cursor,
@@ -139,7 +139,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Packs lines up to the end of a loop.
+    /// Compiles lines up to the end of a loop.
     fn compile_until<S: Source>(
         &mut self,
         label: NameId,
@@ -147,7 +147,7 @@ impl Interpreter {
         source: &mut S,
         code: &mut CodeSegment,
     ) -> Result<(), Error> {
-        // A sub without an end may have come to the end of the file.
+        // A sub without an end may have reached the end of the file.
         while !self.percent_closed {
             match self.compile_next(source, code)? {
                 Next::Over => return Ok(()),
@@ -171,7 +171,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A percent line among packed blocks; true where it ends the file.
+    /// A percent line among compiled blocks; true where it ends the file.
     pub(super) fn add_percent_line(&mut self, place: LinePlace, code: &mut CodeSegment) -> bool {
         let first = u32::try_from(code.ops.len()).unwrap_or(NONE);
         let mut block = Block {
@@ -202,8 +202,8 @@ impl Interpreter {
         true
     }
 
-    /// Where a sub begins among packed blocks, it gets a segment of its own; one whose head is refused too, since who
-    /// skips it looks at nothing else of it. False where it begins and is none, since it does not end.
+    /// A sub that begins among compiled blocks gets a segment of its own, even if its head is refused: skipping it
+    /// looks at nothing else of it. False where it begins and does not end, so that it is not a sub.
     pub(super) fn compile_inner_sub<S: Source>(
         &mut self,
         head: &Block,
@@ -224,15 +224,15 @@ impl Interpreter {
         if inner.is_none() {
             refuse_endless(code);
         } else {
-            // Whether it is defined twice counts before what is wrong within.
+            // A second definition is refused before an error within the sub.
             self.segments.push(CodeSegment { file: code.file, inner, ..CodeSegment::default() });
             set_kind(code, Kind::Definition { label, segment: segment.unwrap_or(NONE) });
         }
         Ok(false)
     }
 
-    /// Packs the body of a sub whose head has just been read, up to its end. Where another one begins within it that
-    /// is as far as it is read, unless it is gathered through: then that one belongs to it, for who skips it.
+    /// Compiles the body of a sub whose head has just been read, up to its end. Reading stops where another sub
+    /// begins within it; with `through`, the inner one belongs to the body, because skipping passes over both.
     pub(super) fn compile_sub<S: Source>(
         &mut self,
         label: NameId,
@@ -244,7 +244,7 @@ impl Interpreter {
         loop {
             let endless = code.inner.map_or(Bad::Endless, Bad::Nested);
             match self.compile_next(source, &mut code)? {
-                // A sub of a file is executed as far as it goes: it is refused where its endsub is missed.
+                // A sub of a file is executed as far as it goes: it is refused where its endsub is missing.
                 Next::Over if file != 0 => break,
                 Next::Over => return Ok(Err(endless)),
                 Next::Percent(place) => {
@@ -315,7 +315,7 @@ impl Interpreter {
         compiler.computed_label(evaluator.stack.first().copied()?)
     }
 
-    /// Refuses more packed blocks than there may be.
+    /// Refuses more compiled code than the limit allows.
     pub(super) fn check_size(&self, code: &CodeSegment) -> Result<(), Error> {
         let labels = self.label_bytes();
         let bytes = self.code_bytes.saturating_add(code.bytes()).saturating_add(labels);
@@ -332,12 +332,13 @@ impl Interpreter {
         self.compiler.labels.bytes().saturating_add(labels).saturating_add(definitions)
     }
 
-    /// Refuses more labels than there may be: a program may be longer than memory, but then its labels must repeat.
+    /// Refuses more labels than the limit allows: a program may be longer than memory, but then its labels must
+    /// repeat.
     pub(crate) fn check_labels(&self) -> Result<(), Error> {
         self.check_size(&CodeSegment::default())
     }
 
-    /// Packs a sub of the main program whose head is being executed.
+    /// Compiles a sub of the main program whose head is being executed.
     pub(crate) fn compile_main_sub<S: Source>(
         &mut self,
         block: &Block,

@@ -92,7 +92,7 @@ impl Interpreter {
         }
     }
 
-    /// Goes on behind a block of words.
+    /// Continues after a block of words.
     #[inline]
     pub(crate) fn after_words<S: Source, K: Sink>(
         &mut self,
@@ -115,7 +115,7 @@ impl Interpreter {
         Ok(progress)
     }
 
-    /// Goes on within a block that is not finished.
+    /// Continues a block that is not finished.
     #[inline(never)]
     fn resume_block<S: Source, K: Sink>(
         &mut self,
@@ -272,7 +272,7 @@ impl Interpreter {
         }
     }
 
-    /// Makes room for names that a line brought, and tells when there are too many.
+    /// Makes room for the names of a line, and fails when there are too many.
     pub(crate) fn finish_line(&mut self, segment: u32) -> Result<(), Error> {
         self.parameters.named.cover(&self.compiler.names);
         match self.compiler.limit_exceeded.take() {
@@ -281,7 +281,7 @@ impl Interpreter {
         }
     }
 
-    /// Tells the sink that a block is done.
+    /// Reports the end of a block to the sink.
     #[inline]
     pub(crate) fn report_block_end<K: Sink>(
         &mut self,

@@ -1,4 +1,4 @@
-//! What is packed from elsewhere: the sub of a file, and the numbered subprograms that follow in the main program.
+//! Compiles code from elsewhere: the sub of a file, and the numbered subprograms that follow in the main program.
 
 use alloc::collections::BTreeMap;
 use alloc::string::String;
@@ -16,10 +16,10 @@ use crate::syntax::bytecode::{Block, Keyword, Kind, NONE, OWord};
 use crate::syntax::{CodeSegment, LinePlace};
 
 impl Interpreter {
-    /// Packs the sub of a file of its name (11.7.9); none where there is no such file or sub.
+    /// Compiles the sub of a file of its name (11.7.9); none where there is no such file or sub.
     ///
     /// # Errors
-    /// The file cannot be read, or the sub cannot be packed.
+    /// The file cannot be read, or the sub cannot be compiled.
     pub(crate) fn compile_file_sub<S: Source>(
         &mut self,
         label: NameId,
@@ -92,7 +92,7 @@ impl Interpreter {
         }
     }
 
-    /// Packs a sub of a file; its faults have their places there.
+    /// Compiles a sub of a file; its faults have their places there.
     fn compile_sub_in_file<S: Source>(
         &mut self,
         head: &Block,
@@ -137,10 +137,10 @@ impl Interpreter {
         Ok(is_sub)
     }
 
-    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and packs them
+    /// Looks for the numbered subprograms in what follows of the main program (11.7.4.1), once, and compiles them
     /// together, since one that does not end runs into the next. False where the source cannot go back.
     ///
-    /// They follow the call, which stands before the place of the reader where a loop or sub holds it.
+    /// They follow the call. A call within a loop or sub is before the reader's place.
     pub(crate) fn compile_programs<S: Source>(
         &mut self,
         call: Option<LinePlace>,
@@ -172,7 +172,7 @@ impl Interpreter {
                 Next::Block(Block {
                     kind: Kind::Control(OWord { keyword: Keyword::Program, label, .. }),
                     line,
-                    // Beside anything else a number is no head of a program, but a line that is refused.
+                    // Together with anything else a number does not begin a program: the line is refused.
                     refused: NONE,
                     ..
                 }) => {

@@ -15,7 +15,7 @@ use crate::syntax::{LineKind, LinePlace, PercentAlone, is_o_word, is_percent};
 pub(crate) struct LabelTarget {
     /// The label.
     pub(crate) label: NameId,
-    /// What its o-word must ask for.
+    /// Whether a keyword is the right one.
     pub(crate) accept: fn(Keyword) -> bool,
 }
 
@@ -60,13 +60,13 @@ impl Interpreter {
         self.fault(at.segment, line, FaultKind::UnknownLabel, message, None)
     }
 
-    /// Whether a percent line in the packed loop is the end of the file: what stands behind is none of it.
+    /// Whether a percent line in the compiled loop ends the file: the text after it is not part of the file.
     fn loop_ends_file(&self) -> bool {
         let last = segment(&self.segments, LOOP).and_then(|code| code.blocks.last());
         last.is_some_and(|block| matches!(block.kind, Kind::Percent) && block.refused == NONE)
     }
 
-    /// Leaves the block that was found behind, whatever stands in it.
+    /// Skips the block that was found, whatever it holds.
     pub(crate) fn skip_found_block(&mut self) {
         self.line_pending = false;
         if self.cursor.segment != STREAM {
@@ -74,7 +74,8 @@ impl Interpreter {
         }
     }
 
-    /// Within a segment. Where all labels are known the blocks of one label are joined, and the way is short.
+    /// Within a segment. Where all labels are known, the blocks of one label are linked, and the search follows the
+    /// links.
     fn search_segment(&mut self, at: Cursor, target: LabelTarget) -> Option<(u32, Block, OWord)> {
         let code = segment(&self.segments, at.segment)?;
         if code.computed || !self.compiler.choices.skipped_free {
@@ -218,8 +219,8 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A block that is skipped defines its label too, where the option says so, whatever else stands in it; one that
-    /// must be computed it has where it is come to.
+    /// A skipped block defines its label too, where the option says so, whatever else it holds. A computed label is
+    /// defined when execution reaches it.
     fn define_skipped(&mut self, at: Cursor, block: &Block, o_word: OWord) {
         let head =
             matches!(o_word.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);

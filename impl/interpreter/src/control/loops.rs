@@ -159,20 +159,19 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Goes back to the head of a loop, or behind it.
+    /// Goes back to the head of a loop, or to the block after it.
     pub(crate) fn jump_to<S: Source>(
         &mut self,
         head: Definition,
         behind: bool,
         source: &mut S,
     ) -> Result<(), ControlError> {
-        // Behind the loop in LOOP the text goes on where the source stands; from elsewhere one does not get back into
-        // it.
-        let packed = head.at.segment > LOOP
+        // After the loop in LOOP the text continues at the source's place; nothing else jumps back into that loop.
+        let in_segment = head.at.segment > LOOP
             || head.at.segment == LOOP
                 && self.cursor.segment == LOOP
                 && head.generation == self.generation;
-        if packed {
+        if in_segment {
             self.cursor = if behind { head.at.after() } else { head.at };
             return Ok(());
         }

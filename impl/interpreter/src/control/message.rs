@@ -38,7 +38,7 @@ pub(crate) struct View<'a> {
 }
 
 impl Logs {
-    /// Performs an active comment; whether the sink asked to stop.
+    /// Performs an active comment; whether the sink replied with a stop.
     ///
     /// # Errors
     /// It is ABORT.

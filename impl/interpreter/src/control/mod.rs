@@ -1,8 +1,8 @@
 //! Control: which block comes next. Lines come in, blocks are evaluated, and o-words, calls and M98 choose the way on.
 //!
-//! Loops, subs and numbered subprograms lie packed in segments; everything else is read, executed and forgotten. A
-//! block that jumps knows its label only; where that leads is looked up among the definitions of the running call
-//! level, because the documents speak of labels that are defined when a block is executed, and not of nested text.
+//! Loops, subs and numbered subprograms are compiled into segments; everything else is read, executed and forgotten.
+//! A block that jumps knows its label only; where that leads is looked up among the definitions of the running call
+//! level, because the documents define labels when a block is executed, and not by nested text.
 
 mod call_stack;
 mod calls;

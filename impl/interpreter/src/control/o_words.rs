@@ -159,7 +159,7 @@ impl Interpreter {
             .ok_or_else(|| Refusal::fault(FaultKind::NotAnInteger, "an o-number is an integer"))
     }
 
-    /// Evaluates the values behind a keyword; they stand on the stack then.
+    /// Evaluates the values after a keyword and leaves them on the stack.
     #[inline]
     pub(crate) fn evaluate_values(
         &mut self,
@@ -261,8 +261,8 @@ impl Interpreter {
         self.next_branch(at, block, label, source)
     }
 
-    /// Goes to the next branch of a condition, which is executed as one that was searched for: an elseif is asked, an
-    /// else is taken.
+    /// Goes to the next branch of a condition, which is executed as one that was searched for: the condition of an
+    /// elseif is evaluated, an else is taken.
     fn next_branch<S: Source>(
         &mut self,
         at: Cursor,
@@ -276,7 +276,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Leaves a loop: goes behind the block that ends it.
+    /// Leaves a loop: goes to the block after its end.
     pub(crate) fn leave_loop<S: Source>(
         &mut self,
         at: Cursor,
@@ -286,7 +286,7 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<(), ControlError> {
         self.search_label(at, block.line, LabelTarget { label, accept }, source)?;
-        // The end of a loop is not executed by who goes behind it, so that nothing in it is refused.
+        // The end of a loop is skipped and not executed, so that nothing in it is refused.
         self.skip_found_block();
         if let Some(definition) = self.call_stack.find(label) {
             definition.ended = true;

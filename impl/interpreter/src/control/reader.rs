@@ -1,4 +1,4 @@
-//! Lines out of a source: in place where they lie whole in its text, put together where they do not.
+//! Lines of a source: in place where the text holds them whole, joined from parts where it does not.
 
 use alloc::vec::Vec;
 
@@ -9,7 +9,7 @@ use crate::syntax::LinePlace;
 /// is enough to refuse it.
 const LONGEST: usize = 4 * 257;
 
-/// Reads lines and knows where in the file it stands.
+/// Reads lines and tracks its place in the file.
 #[derive(Clone, Debug)]
 pub(crate) struct Reader {
     /// Where the next line begins.
@@ -35,8 +35,8 @@ impl Reader {
         self.place.line = line;
     }
 
-    /// Where the next line begins. Behind a carriage return whose line feed may still come it is the carriage return,
-    /// a blank line: whoever goes back there takes both.
+    /// Where the next line begins. After a carriage return whose line feed may still follow, it is the carriage
+    /// return, as a blank line, so that going back there reads both.
     pub(crate) fn place(&self) -> LinePlace {
         let before = u32::from(self.after_return);
         LinePlace {
@@ -57,7 +57,7 @@ impl Reader {
         !self.after_return
     }
 
-    /// Leaves a line behind that was read from the source's text, its end included.
+    /// Moves past a line that was read from the source's text, its end included.
     #[inline]
     pub(crate) fn consume_line<S: Source>(&mut self, source: &mut S, bytes: usize) {
         self.consume(source, bytes);
@@ -78,7 +78,7 @@ impl Reader {
         Ok(done)
     }
 
-    /// Shows the next line, without its end; `None` at the end of the file.
+    /// Passes on the next line, without its end; `None` at the end of the file.
     #[inline]
     pub(crate) fn next<S: Source, T>(
         &mut self,
@@ -157,13 +157,13 @@ impl Reader {
     }
 }
 
-/// Where the first carriage return or line feed stands.
+/// The place of the first carriage return or line feed.
 #[inline]
 fn line_end(text: &[u8]) -> Option<usize> {
     first_of([b'\n', b'\r'], text)
 }
 
-/// Where the first of some bytes stands. Eight bytes at a time: a byte is one of them where a zero byte shows up.
+/// The place of the first of some bytes. It looks at eight bytes at a time: a match appears as a zero byte.
 #[inline]
 pub(super) fn first_of<const N: usize>(bytes: [u8; N], text: &[u8]) -> Option<usize> {
     const ONES: u64 = 0x0101_0101_0101_0101;

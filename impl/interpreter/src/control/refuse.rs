@@ -12,7 +12,7 @@ use crate::modal::Refusal;
 use crate::syntax::bytecode::Block;
 
 impl Interpreter {
-    /// A block of words that is refused while it is executed: its settings of parameters are taken back, unless what
+    /// A block of words that is refused while it is executed: its settings of parameters are rolled back, unless what
     /// it did stays.
     #[cold]
     pub(crate) fn roll_back(
@@ -53,7 +53,7 @@ impl Interpreter {
         }
     }
 
-    /// A block that could not be packed.
+    /// A block that could not be compiled.
     #[cold]
     pub(crate) fn refused(&self, at: Cursor, block: &Block) -> Error {
         let refusal = segment(&self.segments, at.segment).and_then(|code| {

@@ -19,7 +19,7 @@ pub(super) const DEEPEST: usize = 50;
 /// What may be the symbol of the newline procedure.
 pub(super) const SYMBOLS: [&str; 9] = ["!", "#", "$", "%", "&", "@", "?", "^", "~"];
 
-/// Why a statement does not stand.
+/// Why a statement is not valid.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Stop {
     /// It is refused.
@@ -91,7 +91,7 @@ pub(super) struct Compiler<'a> {
 /// Compiles a program.
 ///
 /// # Errors
-/// The first statement that does not stand, by its line.
+/// The first statement that is not valid, by its line.
 pub(super) fn compile(
     text: &str,
     systems: &[System],
@@ -189,7 +189,7 @@ impl<'a> Compiler<'a> {
         Ok(is)
     }
 
-    /// Takes a sign that must stand here.
+    /// Takes a sign that must come next.
     pub(super) fn expect(&mut self, sign: &str) -> Result<(), Stop> {
         if self.takes(sign)? { Ok(()) } else { Err(NO_STATEMENT) }
     }
@@ -212,7 +212,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// The heading that stands here, and what is left behind it.
+    /// The heading that comes next, and the text after it.
     fn heading(&self) -> Option<(String, Lexer<'a>)> {
         if !self.next.begins_line {
             return None;
@@ -331,7 +331,7 @@ impl<'a> Compiler<'a> {
     }
 }
 
-/// Words of one line up to a colon, which is taken; none where something else stands there.
+/// Words of one line up to a colon, which is taken; none where something else comes first.
 fn words_before_colon<'a>(
     lexer: &mut Lexer<'a>,
     next: &mut Placed<'a>,

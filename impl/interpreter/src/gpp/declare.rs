@@ -17,7 +17,7 @@ fn refused(why: &'static str) -> Stop {
 const UNKNOWN: Stop = Stop::Refused(FaultKind::NoSuchVariable, "a variable that is not declared");
 
 impl Compiler<'_> {
-    /// A declaration behind its keyword.
+    /// A declaration after its keyword.
     pub(super) fn declaration(&mut self, keyword: Keyword) -> Result<(), Stop> {
         if keyword == Keyword::Format {
             self.format()

@@ -9,7 +9,7 @@ use super::words::Compare;
 use crate::faults::{Fault, planted};
 use crate::math;
 
-/// Why a statement is not executed: the kind, and what a person is told.
+/// Why a statement is not executed: the kind, and a message.
 pub(super) type StatementError = (FaultKind, &'static str);
 
 const NO_VALUE: StatementError = (FaultKind::NoValue, "a variable has no value");
@@ -21,7 +21,7 @@ pub(super) fn too_long<E>(_: E) -> StatementError {
     TOO_LONG
 }
 
-/// What can be asked of variables while a program runs.
+/// Evaluates expressions while a program runs.
 #[derive(Clone, Copy)]
 pub(super) struct Evaluator<'a> {
     pub(super) program: &'a Program,

@@ -1,4 +1,4 @@
-//! Expressions and variables: read from left to right, written as operations behind their operands.
+//! Expressions and variables: read from left to right, written as operations after their operands.
 
 use gaugeblock_vocabulary::FaultKind;
 

@@ -78,7 +78,7 @@ pub(super) fn named(name: &str) -> Option<usize> {
     NAMES.iter().position(|known| *known == name)
 }
 
-/// The formats as they are where a toolpath does not say otherwise.
+/// The formats where a toolpath does not set them.
 pub(super) fn defaults() -> [Format; 19] {
     core::array::from_fn(|place| {
         let (integer, fraction) = match place {
@@ -130,7 +130,7 @@ pub(super) struct Format {
 pub(super) struct Decimal {
     negative: bool,
     whole: u64,
-    /// What stands after the point, as so many digits.
+    /// The part after the point, as so many digits.
     fraction: u64,
     places: u32,
 }

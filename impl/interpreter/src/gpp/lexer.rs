@@ -15,11 +15,11 @@ const SIGNS: &str = "()[];:=<>+-*/!#$%&@?^~";
 /// A piece of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Token<'a> {
-    /// Letters, digits and underscores; a letter or underscore stands first.
+    /// Letters, digits and underscores; the first is a letter or underscore.
     Word(&'a str),
-    /// A digit or point stands first; perhaps no number.
+    /// The first is a digit or point; it may not be a valid number.
     Number(&'a str),
-    /// What stands between double quotes.
+    /// The text between double quotes.
     Text(&'a str),
     Sign(&'a str),
     /// `\J`
@@ -30,12 +30,12 @@ pub(super) enum Token<'a> {
     End,
 }
 
-/// A token and where it stands.
+/// A token and its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed<'a> {
     pub(super) token: Token<'a>,
     pub(super) line: u32,
-    /// Whether nothing stands before it in its line but blanks.
+    /// Whether only blanks are before it in its line.
     pub(super) begins_line: bool,
 }
 
@@ -146,7 +146,7 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Whether a character may stand in a word.
+/// Whether a word may have a character.
 pub(super) fn is_of_word(character: char) -> bool {
     character.is_ascii_alphanumeric() || character == '_'
 }

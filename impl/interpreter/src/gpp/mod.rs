@@ -13,8 +13,8 @@
 //! printed, so that printing copies it, and a number is rounded to it by integers, exactly.
 //!
 //! **Invariants.** A step is one line of the toolpath, or one statement, or the part of an OUTPUT up to the newline
-//! procedure; its time is bounded by the text of its statement and by the variables that it sets, which it tells as
-//! its cost. In steady state nothing is allocated but for a warning. Memory is bounded by the texts of program and
+//! procedure; its time is bounded by the text of its statement and by the variables that it sets, which it reports as
+//! its cost. In steady state nothing is allocated except for a warning. Memory is bounded by the texts of program and
 //! toolpath and by 25 000 variables.
 
 mod choices;
@@ -74,7 +74,7 @@ impl fmt::Display for NotCompiled {
 
 impl core::error::Error for NotCompiled {}
 
-/// A program of a post-processor, compiled, and where it stands.
+/// A program of a post-processor, compiled, and the place of its run.
 ///
 /// ```
 /// use gaugeblock_interpreter::gpp::{PostProcessor, StatementEnd};
@@ -141,13 +141,13 @@ impl PostProcessor {
         self.0.advance()
     }
 
-    /// Makes the next step and tells the sink what it does: what is printed, on the channel of the output, and
+    /// Makes the next step and reports to the sink what it does: what is printed, on the channel of the output, and
     /// warnings, on the display. What the sink answers changes nothing. The answer is what the step costs: one, one
     /// for each item that it prints or tries to, and one for each variable that it sets; nothing where no step is
     /// left.
     ///
     /// # Errors
-    /// The statement or line is refused. What the sink was told of that step does not count, and the run is over.
+    /// The statement or line is refused. Reports to the sink of that step do not count, and the run is over.
     pub fn step<S: Sink>(&mut self, sink: &mut S) -> Result<u64, Box<Fault>> {
         self.0.step(sink).map_err(|(file, line, (kind, why))| {
             self.0.stop();

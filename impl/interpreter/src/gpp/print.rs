@@ -39,7 +39,7 @@ impl Runner {
         done
     }
 
-    /// The rest of an OUTPUT behind the newline procedure, up to the next one; whether it is done.
+    /// The rest of an OUTPUT after the newline procedure, up to the next one; whether it is done.
     pub(super) fn print_rest<S: Sink>(&mut self, sink: &mut S) -> Result<bool, StatementError> {
         let mut printing = core::mem::take(&mut self.printing);
         let done = self.go_on(&mut printing, sink);

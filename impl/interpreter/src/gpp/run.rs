@@ -308,7 +308,7 @@ impl Statement {
     }
 }
 
-/// Shows a warning.
+/// Reports a warning.
 pub(super) fn report_warning<S: Sink>(sink: &mut S, line: u32, text: String) {
     let _reply = sink.perform(line, &Effect::Message { channel: Channel::Display, text });
 }

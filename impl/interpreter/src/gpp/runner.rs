@@ -14,7 +14,7 @@ use super::variables::Variables;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Printing {
     pub(super) line: u32,
-    /// Where in the program it stands.
+    /// Its place in the program.
     pub(super) at: usize,
     /// Whether it waits for the end of the newline procedure.
     pub(super) waits: bool,
@@ -51,7 +51,7 @@ pub(super) enum Next {
         at: usize,
         line: usize,
     },
-    /// The rest of an OUTPUT behind the newline procedure.
+    /// The rest of an OUTPUT after the newline procedure.
     Rest {
         line: usize,
     },
@@ -112,7 +112,7 @@ impl Runner {
         }
     }
 
-    /// What answers for the variables now.
+    /// Evaluates with the variables as they are now.
     pub(super) fn evaluator(&self) -> Evaluator<'_> {
         Evaluator {
             program: &self.program,

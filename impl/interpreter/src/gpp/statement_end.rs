@@ -51,7 +51,7 @@ impl<'a> StatementEnd<'a> {
         self.line
     }
 
-    /// Whether it was executed; what was found while the program was compiled is told before anything is.
+    /// Whether it was executed; a warning of the compilation is reported before anything is executed.
     pub fn was_executed(&self) -> bool {
         self.variables.is_some()
     }
@@ -61,7 +61,8 @@ impl<'a> StatementEnd<'a> {
         self.variables.into_iter().flat_map(Variables::changes)
     }
 
-    /// Each variable, an array as one, and whether it is modal; they are told after the first step that was executed.
+    /// Each variable, an array as one, and whether it is modal; they are reported after the first step that was
+    /// executed.
     pub fn modalities(&self) -> impl Iterator<Item = (&'a str, bool)> {
         let variables = self.variables.filter(|_| self.is_first);
         let variables = variables.into_iter().flat_map(|all| &all.variables);

@@ -107,7 +107,7 @@ fn is_words(text: &str) -> bool {
 
 struct Reader {
     toolpath: Toolpath,
-    /// Which formats have been told.
+    /// Which formats have been set.
     told: [bool; 19],
     names: BTreeMap<String, usize>,
     /// The line in which each system variable was set last.
@@ -227,7 +227,7 @@ impl Reader {
     }
 }
 
-/// A value, and what stands behind it.
+/// A value, and the text after it.
 fn value(text: &str) -> Result<(Value, &str), Wrong> {
     let (value, behind) = if let Some(text) = text.strip_prefix('"') {
         let (text, behind) = text.split_once('"').ok_or(Wrong)?;

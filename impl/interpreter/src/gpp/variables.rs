@@ -20,7 +20,7 @@ pub(super) struct Variable {
     pub(super) modal: bool,
     /// Its slot, or that of its first member.
     pub(super) first: usize,
-    /// How many members it has; none where it is no array.
+    /// How many members it has; none where it is not an array.
     pub(super) size: Option<usize>,
 }
 
@@ -30,7 +30,7 @@ impl Variable {
     }
 }
 
-/// A variable that is no array, or a member of one.
+/// A variable that is not an array, or a member of one.
 #[derive(Clone, Debug)]
 pub(super) struct Slot {
     pub(super) variable: usize,
@@ -281,7 +281,7 @@ impl Variables {
     }
 }
 
-/// A variable's name as it is told: `AXIS(3)` for a member of an array.
+/// A variable's name as it is reported: `AXIS(3)` for a member of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Name<'a> {
     name: &'a str,

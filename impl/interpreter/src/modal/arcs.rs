@@ -5,7 +5,6 @@
 
 use gaugeblock_vocabulary::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
-use crate::canon::Sink;
 use crate::faults::{Fault, planted};
 use crate::math;
 use crate::quirks;
@@ -13,9 +12,8 @@ use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
-use super::letters::{F, I, J, K, R, X, Y, Z};
-use super::mode_select::checked_feed;
-use super::refusal::{Flow, Refusal, refuse};
+use super::letters::{I, J, K, R, X, Y, Z};
+use super::refusal::{Refusal, refuse};
 use super::values::integer_in;
 
 /// A point in the selected plane, or a distance in it: along the first and along the second axis.
@@ -61,7 +59,7 @@ impl InPlane {
     }
 }
 
-/// What an arc has to do with one of its axes.
+/// An arc along one of its axes.
 struct Along {
     /// Letter of the offset along it, and its bit.
     offset: u8,
@@ -72,7 +70,7 @@ struct Along {
     end: f64,
 }
 
-/// What the selected plane says about the words of an arc.
+/// The words of an arc in the selected plane.
 struct ArcPlane {
     /// Letters of the offsets along the first and the second axis.
     offsets: [u8; 2],
@@ -84,7 +82,7 @@ struct ArcPlane {
     end: InPlane,
 }
 
-/// How far the words of an arc may be from an arc, in the active unit.
+/// The tolerances of an arc's words, in the active unit.
 struct Tolerances {
     /// Radii that differ by more are never those of one arc (11.5.5.1).
     coarse: f64,
@@ -124,40 +122,6 @@ impl Tolerances {
 }
 
 impl Modal {
-    /// An arc and nothing else, in one pass: the short way of [`Modal::execute`].
-    #[inline(never)]
-    pub(super) fn arc_block<K: Sink>(
-        &mut self,
-        words: &Words,
-        sink: &mut K,
-    ) -> Result<Flow, Refusal> {
-        let motion = match words.g.first() {
-            Some(20) if words.g_count == 1 => Motion::ArcClockwise,
-            Some(_) if words.g_count == 1 => Motion::ArcCounterclockwise,
-            Some(_) | None => self.motion,
-        };
-        let feed = if words.present & F != 0 { words.get(b'F') } else { None };
-        let rate_before = self.active.now().feed_rate;
-        let rate = feed.map_or(Ok(rate_before), checked_feed)?;
-        if rate <= 0.0 {
-            return refuse(FaultKind::ZeroFeed, "an arc without a feed rate");
-        }
-        let before = (self.motion, self.position, rate_before);
-        self.move_by(words);
-        let effect = match self.arc(words, motion, &before.1) {
-            Ok(effect) => effect,
-            Err(refusal) => {
-                self.position = before.1;
-                return Err(refusal);
-            }
-        };
-        if feed.is_some() {
-            self.active.set_feed_rate(rate);
-        }
-        self.motion = motion;
-        self.only_effect(words.line, before, &effect, sink)
-    }
-
     /// The arc from a point to where the point is now, as the words say.
     #[inline(always)]
     pub(super) fn arc(
@@ -293,7 +257,7 @@ fn radius_centre(
     wanted.centre(plane.start, plane.end)
 }
 
-/// The arc that a radius asks for.
+/// The arc of a radius.
 #[derive(Clone, Copy, Debug)]
 struct RadiusFormat {
     radius: f64,
@@ -335,8 +299,8 @@ impl RadiusFormat {
         if self.left { height } else { -height }
     }
 
-    /// The radius does not reach the end, unless it only seems so since the chord is longer than the largest number:
-    /// then a quarter of everything tells, and exactly.
+    /// The radius does not reach the end, or only seems not to because the chord is longer than the largest number. A
+    /// quarter of every length decides it exactly.
     #[cold]
     fn out_of_reach(&self, start: InPlane, end: InPlane, length: f64) -> Result<InPlane, Refusal> {
         let (start, end) = (start.times(0.25), end.times(0.25));
@@ -347,7 +311,7 @@ impl RadiusFormat {
         finite(quarter.centre(start, end)?.times(4.0))
     }
 
-    /// The centre where numbers are too large on the usual way.
+    /// The centre where the usual computation overflows.
     #[cold]
     fn far_centre(&self, start: InPlane, chord: InPlane, length: f64) -> Result<InPlane, Refusal> {
         let (radius, half) = (self.radius / 2.0, length / 4.0);

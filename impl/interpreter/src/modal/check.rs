@@ -147,7 +147,7 @@ impl Modal {
         }
     }
 
-    /// Whose the axis words are: of a code that uses them itself, or of the move (11.4.13).
+    /// Assigns the axis words to a code that uses them itself, or to the move (11.4.13).
     fn check_axes(
         &self,
         block: &mut Block<'_>,
@@ -159,7 +159,8 @@ impl Modal {
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
         let arc = matches!(explicit, Some(20 | 30));
         if words.axes() == 0 {
-            // A code that uses axis words does so also where there are none, but for G43.2 with H (11.4.13, 11.5.30).
+            // A code that uses axis words does so also where there are none, except for G43.2 with H (11.4.13,
+            // 11.5.30).
             let by_length = u8::from(matches!(block.g(TOOL_LENGTH), Some(431 | 432)));
             let moves = !matches!(explicit, None | Some(800 | 53));
             if moves && used.axis_codes > by_length {
@@ -195,8 +196,8 @@ impl Modal {
             {
                 return refuse(FaultKind::UnusedWord, "G10 L0 with axis words");
             }
-            // G43.1 and a code of group 0 may both use them: only a code of group 1 beside one of those is an error
-            // (11.4.13, 11.5.29).
+            // G43.1 and a code of group 0 may both use them: only a code of group 1 together with one of those is an
+            // error (11.4.13, 11.5.29).
             (_, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
@@ -309,7 +310,7 @@ fn check_words(words: &Words, used: &WordUse) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Polar words stand for X and Y of a move (11.4.12): they do not stand beside them, nor is an offset a move.
+/// Polar words replace X and Y of a move (11.4.12): a block does not have both, and an offset is not a move.
 fn check_polar(block: &Block<'_>, used: &WordUse) -> Result<(), Refusal> {
     let words = block.words;
     if !words.is_polar() {

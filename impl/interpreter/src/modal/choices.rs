@@ -53,7 +53,7 @@ choices! {
     arc_turns_one: "arcs.turns-below-one", "refused", "one";
     /// An arc may go round the point where it begins.
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
-    /// M7 and M8 may stand in one block.
+    /// One block may have M7 and M8.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
     /// G73 ends where the return mode says.
     break_returns: "cycles.chip-break-return", "retract", "return-level";
@@ -91,11 +91,11 @@ choices! {
     override_uncompensated: "overrides.under-compensation", "accepted", "refused";
     /// Speed overrides without $ concern spindle 0.
     override_first: "overrides.without-dollar", "all", "first";
-    /// The lathe flags are 0 where the machine is no lathe.
+    /// The lathe flags are 0 where the machine is not a lathe.
     lathe_flags_zero: "parameters.lathe-flags", "any-machine", "lathe-only";
     /// `_feed_override` follows M51 and `_speed_override` M50.
     override_names_as_written: "parameters.override-names", "by-name", "as-written";
-    /// `_retract_old_z` tells G99 and `_retract_r_plane` G98.
+    /// `_retract_old_z` reports G99 and `_retract_r_plane` G98.
     retract_names_as_written: "parameters.retract-names", "by-name", "as-written";
     /// `_spindle_on` is 0 at a speed of zero.
     spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
@@ -151,7 +151,7 @@ choices! {
     thread_constant_area: "threading.without-degression", "constant-depth", "constant-area";
     /// T is the number of a slot.
     tool_by_slot: "tool.selected-by", "number", "slot";
-    /// M61 may not stand in a program.
+    /// A program may not have M61.
     no_set_in_program: "tool.set-number-in-program", "accepted", "refused";
     /// M61 may name any tool.
     set_any_tool: "tool.set-number-unknown", "refused", "accepted";

@@ -18,7 +18,7 @@ impl PartialEq for Coordinates {
     }
 }
 
-/// How a length is told in another unit: a product and a quotient, so that 25.4 mm are 1 inch and not nearly so.
+/// Converts lengths to another unit: a product and a quotient, so that 25.4 mm are exactly 1 inch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Conversion {
     times: f64,
@@ -75,7 +75,7 @@ impl Coordinates {
         self.with(other, |mine, theirs| mine - theirs)
     }
 
-    /// Lengths told in another unit; angles stay.
+    /// Converts lengths to another unit; angles stay.
     pub(crate) fn converted(self, by: Conversion) -> Self {
         let [x, y, z, a, b, c, u, v, w] = self.0;
         Self([by.of(x), by.of(y), by.of(z), a, b, c, by.of(u), by.of(v), by.of(w)])

@@ -1,6 +1,6 @@
-//! The order of execution of a block (11.4.23), and the short way through it for a straight move.
+//! The order of execution of a block (11.4.23).
 
-use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
+use gaugeblock_vocabulary::{Effect, FaultKind, FeedMode};
 
 use crate::block_start::BlockStart;
 use crate::canon::{Reply, Sink};
@@ -15,12 +15,12 @@ use super::codes::{
     STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
 use super::coordinates::Coordinates;
-use super::letters::{ARC_WORDS, AXES, F};
 use super::mode_select::checked_feed;
 use super::refusal::{Flow, Refusal, refuse};
 
 impl Modal {
-    /// Checks and executes the words of one block. Settings and effects go to the sink in the documents' order.
+    /// Checks and executes the words of one block, on a fast path where there is one. Settings and effects go to the
+    /// sink in the documents' order.
     #[inline]
     pub(crate) fn execute<K: Sink>(
         &mut self,
@@ -35,7 +35,7 @@ impl Modal {
         self.other_block(words, numbered, sink)
     }
 
-    /// A block that is no straight move.
+    /// A block that is not a straight move.
     #[inline(never)]
     fn other_block<K: Sink>(
         &mut self,
@@ -47,110 +47,6 @@ impl Modal {
             self.arc_block(words, sink)
         } else {
             self.whole_block(words, numbered, sink)
-        }
-    }
-
-    /// Whether a block is a straight move and nothing else, with at most G0 or G1 and F beside its axis words, and
-    /// no mode in force wants a say in it.
-    #[inline]
-    fn is_straight(&self, words: &Words) -> bool {
-        let explicit = words.g.first().copied().unwrap_or(0);
-        words.m_count == 0
-            && words.g_count <= 1
-            && words.dollar.is_none()
-            && words.present & !(self.axes | F) == 0
-            && words.present & AXES != 0
-            && words.at.is_none()
-            && words.caret.is_none()
-            && (words.g_count == 0 || explicit == 0 || explicit == 10)
-            && (words.g_count == 1 || matches!(self.motion, Motion::Traverse | Motion::Feed))
-            && self.is_plain()
-    }
-
-    /// Whether a block is an arc and nothing else, likewise.
-    #[inline]
-    fn is_arc(&self, words: &Words) -> bool {
-        let explicit = words.g.first().copied().unwrap_or(0);
-        let modal = matches!(self.motion, Motion::ArcClockwise | Motion::ArcCounterclockwise);
-        words.m_count == 0
-            && words.g_count <= 1
-            && words.dollar.is_none()
-            && words.present & !(self.axes | F | ARC_WORDS) == 0
-            && !words.is_polar()
-            && match words.g_count {
-                0 => modal && words.present & AXES != 0,
-                _ => explicit == 20 || explicit == 30,
-            }
-            && self.is_plain()
-    }
-
-    /// Whether no mode in force wants more than the end point of a straight move.
-    #[inline]
-    fn is_plain(&self) -> bool {
-        let now = self.active.now();
-        now.compensation == Compensation::Off
-            && now.lathe == Lathe::Radius
-            && now.feed_mode != FeedMode::InverseTime
-            && !self.surface_speed
-            && self.motion != Motion::Nurbs
-    }
-
-    #[inline]
-    fn straight_block<K: Sink>(&mut self, words: &Words, sink: &mut K) -> Result<Flow, Refusal> {
-        let motion = match words.g.first() {
-            Some(0) if words.g_count == 1 => Motion::Traverse,
-            Some(_) if words.g_count == 1 => Motion::Feed,
-            Some(_) | None => self.motion,
-        };
-        let rate_before = self.active.now().feed_rate;
-        let feed = if words.present & F != 0 { words.get(b'F') } else { None };
-        let rate = feed.map_or(Ok(rate_before), checked_feed)?;
-        let feeds = motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
-        if feeds && rate <= 0.0 {
-            return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
-        }
-        if feed.is_some() {
-            self.active.set_feed_rate(rate);
-        }
-        let before = (self.motion, self.position, rate_before);
-        self.motion = motion;
-        self.move_by(words);
-        let end = self.position.position();
-        let effect = if motion == Motion::Traverse {
-            Effect::StraightTraverse { end }
-        } else {
-            Effect::StraightFeed { end }
-        };
-        self.only_effect(words.line, before, &effect, sink)
-    }
-
-    /// Performs the only effect of a short way. Where it is refused, mode, point and feed rate are those of before.
-    #[inline]
-    pub(super) fn only_effect<K: Sink>(
-        &mut self,
-        line: u32,
-        before: (Motion, Coordinates, f64),
-        effect: &Effect,
-        sink: &mut K,
-    ) -> Result<Flow, Refusal> {
-        self.active.report(line, sink);
-        match sink.perform(line, effect) {
-            Reply::Stop => Ok(Flow::Stopped),
-            Reply::Failed(kind) => {
-                let rate;
-                (self.motion, self.position, rate) = before;
-                self.active.set_feed_rate(rate);
-                refuse(kind, "refused from outside")
-            }
-            Reply::Aborted => {
-                (self.motion, self.position, _) = before;
-                Err(Refusal::Aborted)
-            }
-            Reply::ReadOnly => {
-                self.begin_read_ahead_at(before.1);
-                Ok(Flow::More)
-            }
-            Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => Ok(Flow::More),
         }
     }
 
@@ -188,7 +84,7 @@ impl Modal {
         for (rank, code) in block.m() {
             if rank < STOP_RANK {
                 self.before_motion(block, code, numbered, sink)?;
-                // What one code does and the next one undoes has happened.
+                // A setting that the next code sets again is reported first.
                 self.active.report(words.line, sink);
             }
         }
@@ -333,8 +229,7 @@ impl Modal {
         Ok(())
     }
 
-    /// Performs a move that has been made up to here in thought; where it is broken off the point is where the move
-    /// began.
+    /// Performs a move whose end point is set already; where it is aborted the point is where the move began.
     pub(super) fn perform_move<K: Sink>(
         &mut self,
         line: u32,
@@ -353,7 +248,7 @@ impl Modal {
         done
     }
 
-    /// Performs an effect whose outcome comes from the outside.
+    /// Performs an effect whose reply carries a result.
     pub(super) fn perform_with_reply<K: Sink>(
         &mut self,
         line: u32,

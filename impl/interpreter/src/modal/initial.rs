@@ -68,13 +68,13 @@ impl Modal {
             machine_unit: machine.length_unit,
             choices,
         };
-        // The machine stands at its origin (11.1.2).
+        // The machine is at its origin (11.1.2).
         modal.position = modal.active.now().program_of(Coordinates::default());
         modal.publish_tool(numbered);
         Ok(modal)
     }
 
-    /// Does as `rs274` from the start on: the point where the machine stands is one without the stored rotation.
+    /// Emulates `rs274` from the start: the initial point is computed without the stored rotation.
     pub(crate) fn emulate_rs274(&mut self) {
         self.emulates_rs274 = true;
         let now = *self.active.now();

@@ -9,8 +9,8 @@ macro_rules! letters {
 }
 
 letters! {
-    A = 0, B = 1, C = 2, D = 3, E = 4, F = 5, H = 7, I = 8, J = 9, K = 10, L = 11, P = 15, Q = 16, R = 17, S = 18, T = 19,
-    U = 20, V = 21, W = 22, X = 23, Y = 24, Z = 25,
+    A = 0, B = 1, C = 2, D = 3, E = 4, F = 5, H = 7, I = 8, J = 9, K = 10, L = 11, P = 15, Q = 16, R = 17, S = 18,
+    T = 19, U = 20, V = 21, W = 22, X = 23, Y = 24, Z = 25,
 }
 
 /// The nine axis letters.

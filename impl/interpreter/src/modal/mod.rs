@@ -2,13 +2,13 @@
 //!
 //! ```text
 //! Words ─► check (groups, missing and unused words) ─► execute (11.4.23, phase by phase) ─► Sink
-//!                                                         └─► motions ─► cycles/, a bounded number of strokes at a time
+//!                                                         └─► motion_dispatch ─► cycles/, a few moves at a time
 //! ```
 //!
 //! **Invariants.**
-//! * The codes stand in one table, [`codes`]; no other file says which group a code is in or which words it takes.
+//! * The codes are in one table, [`codes`]; no other file says which group a code is in or which words it takes.
 //! * A refused block leaves the modes as they were, [`undo`], unless its probe has moved and found nothing.
-//! * The sink hears of a setting when it changed, and before the next effect.
+//! * A setting is reported to the sink when it changed, and before the next effect.
 //! * Positions are program coordinates in the active length unit; only an offset, a unit or G53 goes through machine
 //!   coordinates.
 
@@ -23,6 +23,7 @@ mod cycles;
 mod end;
 mod end_point;
 mod execute;
+mod fast_path;
 mod initial;
 mod io;
 pub(crate) mod letters;

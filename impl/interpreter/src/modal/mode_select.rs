@@ -20,7 +20,8 @@ impl Modal {
         Ok(())
     }
 
-    /// G93, G94, G95. After a switch a new feed rate must be given (11.5.59); the mode in force again is no switch.
+    /// G93, G94, G95. After a switch a new feed rate must be given (11.5.59); selecting the mode in force is not a
+    /// switch.
     pub(super) fn select_feed_mode(&mut self, code: u16) {
         let mode = match code {
             930 => FeedMode::InverseTime,
@@ -30,7 +31,7 @@ impl Modal {
         if self.active.now().feed_mode != mode {
             let modes = self.active.set();
             modes.feed_mode = mode;
-            // A switch to G94 or G95 asks for a new rate, one to G93 for one in each block (11.5.59).
+            // A switch to G94 or G95 requires a new rate, one to G93 requires a rate in each block (11.5.59).
             if mode != FeedMode::InverseTime && !planted(Fault::FeedKeptOverMode) {
                 modes.feed_rate = 0.0;
             }
@@ -61,7 +62,7 @@ impl Modal {
         self.change_units(if code == 200 { LengthUnit::Inch } else { LengthUnit::Millimetre });
     }
 
-    /// Tells every length in another unit.
+    /// Converts every length to another unit.
     pub(super) fn change_units(&mut self, units: LengthUnit) {
         let conversion = Conversion::between(self.active.now().units, units);
         if self.active.now().units == units {

@@ -1,4 +1,4 @@
-//! The settings in force, and which of them the sink has not heard of yet.
+//! The settings in force, and which of them have not been reported yet.
 
 use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
@@ -24,7 +24,7 @@ pub(crate) struct Spindle {
     pub(crate) mode: SpindleMode,
     /// D of G96.
     pub(crate) limit: SpindleLimit,
-    /// What it was told to do.
+    /// What it was set to do.
     pub(crate) turn: SpindleTurn,
     /// Whether its speed override is enabled.
     pub(crate) speed_override: Switch,
@@ -70,7 +70,7 @@ pub(crate) struct Modes {
 }
 
 impl Default for Modes {
-    /// The state at power-up, as far as the documents tell; machine and options say the rest.
+    /// The state at power-up, as far as documents define it; machine and options set the rest.
     fn default() -> Self {
         let spindle = Spindle {
             speed: 0.0,
@@ -108,14 +108,14 @@ impl Default for Modes {
     }
 }
 
-/// The modes, and what the sink has been told of them.
+/// The modes, and which of them were reported to the sink.
 #[derive(Clone, Debug)]
 pub(crate) struct ActiveSettings {
     /// As they are now.
     pub(super) now: Modes,
-    /// As the sink knows them, where `changed` is set.
+    /// As reported to the sink, where `changed` is set.
     pub(super) reported: Modes,
-    /// Whether anything but F was touched since the sink was told.
+    /// Whether anything except F was touched since the last report.
     pub(super) changed: bool,
     /// Whether F was.
     pub(super) feed_changed: bool,
@@ -130,7 +130,7 @@ pub(crate) struct ActiveSettings {
 }
 
 impl ActiveSettings {
-    /// Nothing is to be told yet: a run begins with all settings known.
+    /// Nothing has to be reported yet: a run begins with all settings known.
     pub(crate) fn new(now: Modes, spindles: usize) -> Self {
         Self {
             now,
@@ -176,14 +176,14 @@ impl ActiveSettings {
         &mut self.now
     }
 
-    /// Begins a block that can be taken back.
+    /// Begins a block that can be rolled back.
     #[inline]
     pub(crate) fn begin_notes(&mut self) {
         self.noted = false;
         self.feed_before = self.now.feed_rate;
     }
 
-    /// What the block set is as it was before; what the sink was told stays told.
+    /// Restores what the block set; reports to the sink stay.
     #[cold]
     pub(crate) fn roll_back(&mut self) {
         let feed = self.feed_before;

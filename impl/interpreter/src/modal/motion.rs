@@ -25,7 +25,7 @@ impl Modal {
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
-    /// The block's move, and the motion mode that it sets. A motion that is broken off has selected none.
+    /// The block's move, and the motion mode that it sets. An aborted motion has selected none.
     pub(super) fn execute_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,

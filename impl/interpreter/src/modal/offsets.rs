@@ -84,7 +84,7 @@ pub(crate) fn publish(numbered: &mut Numbered, position: Coordinates) {
     set_row(numbered, POSITION, position);
 }
 
-/// The coordinate that a parameter of the controlled point tells, 5420 to 5428.
+/// The coordinate that a parameter of the controlled point reports, 5420 to 5428.
 pub(crate) fn published(position: Coordinates, number: u32) -> Option<f64> {
     let place = number.checked_sub(POSITION)?;
     position.0.get(usize::try_from(place).ok()?).copied()

@@ -1,4 +1,4 @@
-//! The predefined named parameters that tell modes (11.4.3.4, 11.4.3.5).
+//! The predefined named parameters that report modes (11.4.3.4, 11.4.3.5).
 
 use gaugeblock_vocabulary::{
     Compensation, Distance, FeedMode, Lathe, LengthUnit, Plane, ReturnMode, SpindleMode,

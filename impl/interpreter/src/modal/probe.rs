@@ -45,7 +45,7 @@ impl Modal {
             modes: now,
             stored_to_active: self.stored_to_active(),
         };
-        // That the probe is in the target state already only the outside can tell; it refuses then.
+        // Only the sink can see that the probe is in the target state already; it refuses then.
         self.active.report(words.line, sink);
         let reply = sink.probe(words.line, &effect, &probing);
         match reply {

@@ -9,7 +9,7 @@ use super::coordinates::Coordinates;
 use super::snapshots::MachineSnapshot;
 
 impl Modal {
-    /// From here on nothing is executed; the point stands here, program coordinates.
+    /// From here on blocks are only read; the machine's point is this one, program coordinates.
     #[cold]
     pub(super) fn begin_read_ahead_at(&mut self, point: Coordinates) {
         if self.machine_snapshot.is_some() {
@@ -24,7 +24,7 @@ impl Modal {
         }));
     }
 
-    /// From here on nothing is executed.
+    /// From here on blocks are only read.
     pub(crate) fn begin_read_ahead(&mut self) {
         self.begin_read_ahead_at(self.position);
     }

@@ -1,4 +1,4 @@
-//! What a block came to on the modal side.
+//! The result of a block on the modal side.
 
 use alloc::string::String;
 
@@ -9,11 +9,11 @@ use gaugeblock_vocabulary::FaultKind;
 pub(crate) enum Flow {
     /// With the next block.
     More,
-    /// With the next block, but the sink asked to stop first; the block has been finished.
+    /// With the next block, after a stop; the block has been finished.
     Stopped,
-    /// With the rest of this block, of which there is more than a step does; the sink may have asked to stop first.
+    /// With the rest of this block, which is more than a step does.
     Within {
-        /// Whether it did.
+        /// Whether the sink replied with a stop.
         stopped: bool,
     },
     /// Not at all: M2, M30.
@@ -31,7 +31,7 @@ pub(crate) enum Refusal {
     Unspecified(String),
     /// Its probe has moved and found nothing: what it did before stays.
     Missed,
-    /// It was broken off from outside: what it did before stays.
+    /// The sink aborted it: what it did before stays.
     Aborted,
 }
 

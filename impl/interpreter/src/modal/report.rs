@@ -7,7 +7,7 @@ use crate::canon::Sink;
 use super::modes::{ActiveSettings, difference, since};
 
 impl ActiveSettings {
-    /// Tells the sink what it does not know yet.
+    /// Reports settings that the sink does not know yet.
     #[inline]
     pub(crate) fn report<K: Sink>(&mut self, line: u32, sink: &mut K) {
         if self.changed {

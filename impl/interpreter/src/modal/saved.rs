@@ -97,7 +97,7 @@ impl Modal {
         Ok(())
     }
 
-    /// Units first, so that the saved feed and lengths are told in their own unit; then everything else (11.6.21).
+    /// Units first, so that the saved feed and lengths are in their own unit; then everything else (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
         let modes = &saved.modes;
         if !planted(Fault::UnitsForgotten) {

@@ -49,7 +49,7 @@ impl SavedStates {
         self.places.iter_mut().rev().take_while(move |place| place.level == level)
     }
 
-    /// Begins a block that can be taken back.
+    /// Begins a block that can be rolled back.
     #[inline]
     pub(super) fn begin_notes(&mut self) {
         self.noted = false;
@@ -66,7 +66,7 @@ impl SavedStates {
         }
     }
 
-    /// Takes back what the block did.
+    /// Rolls back what the block did.
     pub(super) fn roll_back(&mut self) {
         if self.noted {
             let level = self.level;

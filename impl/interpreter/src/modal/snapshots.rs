@@ -30,7 +30,7 @@ impl BlockSnapshot {
     }
 }
 
-/// What of the machine a program that is only read does not change: where it stands and which tools it has.
+/// The state of the machine that a program does not change while it is only read: its position and its tools.
 #[derive(Clone, Debug)]
 pub(super) struct MachineSnapshot {
     /// The controlled point, machine coordinates and unit.

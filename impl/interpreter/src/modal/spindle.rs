@@ -84,8 +84,7 @@ impl Modal {
     /// M3, M4, M5.
     pub(super) fn turn_spindle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         let without = if self.choices.turn_first { FIRST } else { self.all_spindles() };
-        // That -1 means all spindles is said of these codes only (11.6.5), also where S or another code stands beside
-        // them.
+        // That -1 means all spindles is said of these codes only (11.6.5), also together with S or another code.
         let all = self.choices.minus_one_all
             && block.words.dollar.is_some_and(|number| math::near_integer(number) == Some(-1));
         let which = if all { self.all_spindles() } else { self.selected(block, without)? };
@@ -125,7 +124,7 @@ impl Modal {
         };
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
-        // The sum is what the pin shows (11.6.8); it may be more than a turn.
+        // The sum is the value of the pin (11.6.8); it may be more than a turn.
         let offset = if planted(Fault::NoOrientOffset) { 0.0 } else { self.orient_offset };
         let angle = angle + offset;
         if turns && !planted(Fault::OrientTurnsOn) {
@@ -157,7 +156,8 @@ impl Modal {
         self.surface_speed && self.active.now().spindles.iter().any(stands)
     }
 
-    /// Whether any spindle is under constant surface speed; kept apart since every feed move asks.
+    /// Whether any spindle is under constant surface speed; kept in a field of its own because every feed move uses
+    /// it.
     pub(super) fn note_surface_speed(&mut self) {
         self.surface_speed = self
             .active

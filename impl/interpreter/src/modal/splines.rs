@@ -14,7 +14,7 @@ use super::refusal::{Refusal, refuse};
 use super::values::integer;
 
 impl Modal {
-    /// G5 and G5.1: a curve to the end point. I, J, P and Q shape it and do not show in the effect.
+    /// G5 and G5.1: a curve to the end point. I, J, P and Q shape it and are not part of the effect.
     pub(super) fn spline<K: Sink>(
         &mut self,
         words: &Words,
@@ -60,7 +60,7 @@ impl Modal {
         }
     }
 
-    /// G5.2, and the lines behind it: the first one opens the data block, axis words add a control point.
+    /// G5.2, and the lines after it: the first one opens the data block, axis words add a control point.
     pub(super) fn add_control_point(&mut self, words: &Words) -> Result<(), Refusal> {
         self.check_spline(words)?;
         let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);

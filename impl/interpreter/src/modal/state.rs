@@ -28,9 +28,9 @@ pub(crate) struct Modal {
     pub(super) motion: Motion,
     /// The controlled point: program coordinates, active length unit and degrees.
     pub(super) position: Coordinates,
-    /// What a series of cycles or splines keeps from block to block.
+    /// The series of cycles or splines.
     pub(super) series: MotionSeries,
-    /// The rest of a block that is more than a step does.
+    /// The rest of a block that takes more than a step.
     pub(super) pending: Option<PendingBlock>,
     /// Radius under cutter compensation, active length unit.
     pub(super) compensation_radius: f64,
@@ -48,19 +48,19 @@ pub(crate) struct Modal {
     pub(super) tools: Vec<Tool>,
     /// Tools that the block has changed, with their places, as they were.
     pub(super) changed_tools: Vec<(usize, Tool)>,
-    /// The machine as it is, where what is executed now is only read ahead.
+    /// The machine as it is, while blocks are only read.
     pub(super) machine_snapshot: Option<Box<MachineSnapshot>>,
     /// Mode of the controller.
     pub(super) controller_mode: ControllerMode,
     /// What M70 and M73 saved.
     pub(super) saved: SavedStates,
-    /// The sink asked to stop within this block.
+    /// The sink replied with a stop within this block.
     pub(super) stop_asked: bool,
     /// Letters of the axes that the machine has.
     pub(super) axes: u32,
     /// Highest velocity of each axis, machine unit per second; infinite where none is given.
     pub(super) velocities: Coordinates,
-    /// Whether quirks of `rs274` are imitated.
+    /// Whether quirks of `rs274` are emulated.
     pub(crate) emulates_rs274: bool,
     /// P of the last cycle that had one, seconds.
     pub(super) cycle_dwell: f64,
@@ -78,7 +78,7 @@ pub(crate) struct Modal {
     pub(super) random_tool_changer: bool,
     /// Length unit of stored data.
     pub(super) machine_unit: LengthUnit,
-    /// The readings of the documents that apply.
+    /// The choices of the dialect.
     pub(super) choices: Choices,
 }
 

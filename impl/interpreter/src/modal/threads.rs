@@ -25,8 +25,8 @@ impl Modal {
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
-    /// G33.1: there at K per revolution and back, where the move ends. I says how fast back, which the effect does
-    /// not show.
+    /// G33.1: there at K per revolution and back, where the move ends. I sets the speed of the way back, which is not
+    /// part of the effect.
     pub(super) fn tap_rigidly<K: Sink>(
         &mut self,
         block: &Block<'_>,

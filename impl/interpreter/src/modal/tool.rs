@@ -199,7 +199,7 @@ impl Modal {
     }
 
     /// The tool of an H or D word. Zero is the tool in the spindle, except where tools change places; nothing in the
-    /// spindle is no tool.
+    /// spindle means no tool.
     pub(super) fn named_tool(
         &self,
         word: Option<f64>,

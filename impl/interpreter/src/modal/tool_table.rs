@@ -20,7 +20,7 @@ use super::values::{integer, integer_in};
 const FIXTURE: u32 = 9;
 
 impl Modal {
-    /// Whether G10 is L0, beside which an axis word has no use (11.5.12); rs274 accepts it.
+    /// Whether G10 is L0, which does not use axis words (11.5.12); rs274 accepts them.
     pub(super) fn refuses_axes_of_reload(&self, words: &Words) -> bool {
         !self.emulates_rs274 && words.get(b'L').and_then(math::near_integer) == Some(0)
     }

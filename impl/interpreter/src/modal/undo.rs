@@ -1,7 +1,7 @@
-//! A refused block changes nothing: what it had changed until it was refused is taken back. Only one whose probe
-//! finds nothing has been executed so far.
+//! A refused block changes nothing: what it had changed until it was refused is rolled back. An exception is a block
+//! whose probe finds nothing: it has been executed up to there.
 //!
-//! What the sink was told and did stays told and done; a caller that records looks at whole blocks.
+//! What the sink received and did stays; a caller that records looks at whole blocks.
 
 use gaugeblock_vocabulary::Tool;
 
@@ -11,7 +11,7 @@ use super::Modal;
 use super::snapshots::BlockSnapshot;
 
 impl Modal {
-    /// Begins a block that can be taken back.
+    /// Begins a block that can be rolled back.
     pub(super) fn snapshot_block(&mut self, numbered: &mut Numbered) -> BlockSnapshot {
         numbered.begin_notes();
         self.active.begin_notes();
@@ -31,7 +31,7 @@ impl Modal {
         }
     }
 
-    /// Changes a tool of the table, which a refusal takes back.
+    /// Changes a tool of the table, which a refusal rolls back.
     pub(super) fn change_tool_entry(&mut self, place: usize, change: impl FnOnce(&mut Tool)) {
         if let Some(tool) = self.tools.get_mut(place) {
             self.changed_tools.push((place, tool.clone()));
@@ -39,7 +39,7 @@ impl Modal {
         }
     }
 
-    /// Takes back what the block did to the state.
+    /// Rolls back what the block did to the state.
     #[cold]
     pub(super) fn roll_back(&mut self, before: &BlockSnapshot, numbered: &mut Numbered) {
         numbered.roll_back();

@@ -221,7 +221,7 @@ impl Runner {
         });
     }
 
-    /// M99, with what stands behind P.
+    /// M99, with the value of P.
     pub(super) fn end_call(&mut self, to: Option<f64>) -> Result<Flow, Stop> {
         if self.frames.len() <= 1 {
             return self.end_main(to);

@@ -20,7 +20,7 @@ pub(super) struct Choices {
     pub(super) milliseconds: bool,
     /// FIX rounds down and FUP up.
     pub(super) floor_and_ceiling: bool,
-    /// COS and NOT are the only functions, and MOD is no operator.
+    /// COS and NOT are the only functions, and MOD is not an operator.
     pub(super) documented_functions: bool,
     /// WHILE, DO and END are refused.
     pub(super) no_loops: bool,

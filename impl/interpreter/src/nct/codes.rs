@@ -1,4 +1,4 @@
-//! What the codes of a block change and ask for.
+//! What the codes of a block change and require.
 
 use gaugeblock_vocabulary::{
     Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, SpindleTurn, Switch,
@@ -81,7 +81,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Another unit tells lengths otherwise and needs another feed.
+    /// Another unit converts lengths and needs another feed.
     fn select_units(&mut self, units: LengthUnit) -> Result<(), Stop> {
         if self.modes.units != units {
             let conversion = Conversion::between(self.modes.units, units);
@@ -123,10 +123,10 @@ enum Group {
     Coolant,
 }
 
-/// What the codes of a block ask for besides modes.
+/// What the codes of a block require in addition to modes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Codes {
-    /// A bit for each group of which a code stands there.
+    /// A bit for each group of which the block has a code.
     groups: u32,
     pub(super) dwells: bool,
     pub(super) changes_tool: bool,

@@ -17,7 +17,7 @@ use crate::math;
 /// Operands that wait.
 pub(super) type Stack = Vec<Option<f64>>;
 
-/// What can be asked of variables while a program runs.
+/// Evaluates expressions while a program runs.
 #[derive(Clone, Copy)]
 pub(super) struct Evaluator<'a> {
     pub(super) code: &'a Code,

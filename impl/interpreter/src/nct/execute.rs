@@ -1,4 +1,4 @@
-//! A block of words: their values, the codes told, effects in order, and the call behind them.
+//! A block of words: their values, the codes reported, effects in order, and the call after them.
 
 use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion};
 
@@ -18,7 +18,7 @@ const AXES: [u8; 9] = *b"XYZABCUVW";
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Letters {
     values: [f64; 26],
-    /// A bit for each letter that stands there.
+    /// A bit for each letter of the block.
     present: u32,
 }
 
@@ -151,7 +151,7 @@ impl Runner {
         }
     }
 
-    /// Every letter but G and M stands once, and something uses it.
+    /// Every letter except G and M occurs once, and something uses it.
     fn letters(&self, codes: &Codes) -> Result<Letters, Stop> {
         let is_arc = self.is_arc();
         let calls = matches!(codes.end, Some(98 | 99));

@@ -1,4 +1,4 @@
-//! Expressions: read from left to right, written as operations behind their operands.
+//! Expressions: read from left to right, written as operations after their operands.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -56,7 +56,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// What must stand here.
+    /// Requires this text next.
     pub(super) fn expect(&mut self, what: &[u8]) -> Result<(), Stop> {
         if self.cursor.takes(what) { Ok(()) } else { bad_statement() }
     }
@@ -178,7 +178,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Writes a sign behind its operand.
+    /// Writes a sign after its operand.
     fn signed(&mut self, sign: Option<Operation>) {
         match (sign, self.code.operations.last_mut()) {
             (None, _) | (Some(Operation::Plus), Some(Operation::Number(_))) => {}

@@ -14,10 +14,10 @@
 //! The whole text is compiled before the first step: a jump goes to a place, and a word finds its variable without
 //! looking at text. What is wrong with a block is kept with it, and refuses it when it is reached.
 //!
-//! **Invariants.** A step is one block, or the modal call behind one; its time is bounded by the text of its line,
-//! and that of a call by the number of variables. A sink hears of a block when nothing can refuse it any more. In
-//! steady state nothing is allocated. Memory is bounded by the text, and by the modal calls that are in force, of
-//! which a step commands one at most.
+//! **Invariants.** A step is one block, or the modal call after one; its time is bounded by the text of its line, and
+//! that of a call by the number of variables. A sink hears of a block when nothing can refuse it any more. In steady
+//! state nothing is allocated. Memory is bounded by the text, and by the modal calls that are in force, of which a
+//! step commands one at most.
 
 mod arcs;
 mod calls;
@@ -52,7 +52,7 @@ use run::{Flow, Runner};
 pub use macro_step::MacroStep;
 pub use variables::VariableChange;
 
-/// A program with custom macros, compiled, and where it stands.
+/// A program with custom macros, compiled, and the place of its run.
 ///
 /// ```
 /// use gaugeblock_interpreter::nct::CustomMacros;
@@ -112,18 +112,18 @@ impl CustomMacros {
         self.runner.modes.settings()
     }
 
-    /// Whether the program in progress has a block left, or a call behind one. Where it has none, or the run is over,
+    /// Whether the program in progress has a block left, or a call after one. Where it has none, or the run is over,
     /// the next step says how it ends.
     pub fn has_next(&mut self) -> bool {
         self.over.is_none() && self.runner.has_next()
     }
 
-    /// Makes the next step and tells the sink what it does. What the sink answers to effects changes nothing.
+    /// Makes the next step and reports to the sink what it does. Replies of the sink change nothing.
     ///
     /// # Errors
-    /// How the run has ended, and again whenever it is asked. After [`End::ProgramEnd`] and [`End::Endless`] the sink
-    /// has been told of the last step; a block that is refused, open or unsupported is none, and the sink has heard
-    /// nothing of it.
+    /// How the run has ended; later calls return the same. After [`End::ProgramEnd`] and [`End::Endless`] the sink
+    /// has received the last step; a block that is refused, open or unsupported is not a step, and the sink has
+    /// received nothing of it.
     pub fn step<S: Sink>(&mut self, sink: &mut S) -> Result<(), Box<End>> {
         if let Some(end) = &self.over {
             return Err(end.clone());
@@ -144,7 +144,7 @@ impl CustomMacros {
         Err(self.over.insert(Box::new(end)).clone())
     }
 
-    /// Tells what a step has done.
+    /// Reports what a step has done.
     fn report_state<S: Sink>(&self, line: u32, before: &modes::Modes, sink: &mut S) {
         let Runner { modes, variables, report, effects, .. } = &self.runner;
         if modes != before {

@@ -39,7 +39,7 @@ impl Default for Modes {
 }
 
 impl Modes {
-    /// All of them, as a sink is told of them.
+    /// All of them, as reported to a sink.
     pub(super) fn settings(&self) -> Settings {
         Settings {
             units: Some(self.units),

@@ -19,7 +19,7 @@ pub(super) struct Code {
     pub(super) numbers: Vec<(u32, usize)>,
     /// Sequence numbers by program, sorted, and the block of each.
     pub(super) labels: Vec<(usize, u32, usize)>,
-    /// The blocks of each loop, from behind its WHILE up to its END.
+    /// The blocks of each loop, from the one after its WHILE up to its END.
     pub(super) loops: Vec<IndexRange>,
 }
 
@@ -55,14 +55,14 @@ pub(super) enum Kind {
         condition: Condition,
         to: Value,
     },
-    /// A WHILE, and the block behind its END.
+    /// A WHILE, and the block after its END.
     While {
         condition: Condition,
         behind: usize,
     },
     /// An END, and its WHILE.
     End(usize),
-    /// It does not stand, or the documents leave it open.
+    /// It is not valid, or the documents leave it open.
     Stop(Stop),
 }
 
@@ -141,7 +141,7 @@ pub(super) enum Operation {
     Variable(Slot),
     /// The variable whose number comes before.
     Indirect,
-    /// A plus sign: what is vacant is zero behind it.
+    /// A plus sign: a vacant value is zero after it.
     Plus,
     Minus,
     One(Function),

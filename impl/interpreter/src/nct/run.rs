@@ -14,7 +14,7 @@ use crate::faults::{Fault, planted};
 use crate::math;
 use crate::modal::Coordinates;
 
-/// What a step tells besides variables.
+/// What a step reports in addition to variables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct StepReport {
     pub(super) modal_call: Option<(u32, u32)>,
@@ -22,7 +22,7 @@ pub(super) struct StepReport {
     pub(super) position: Option<Position>,
 }
 
-/// What comes of a block.
+/// The result of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Flow {
     /// The run goes on.
@@ -63,7 +63,7 @@ pub(super) struct Runner {
     pub(super) effects: Vec<Effect>,
     pub(super) report: StepReport,
     stack: Stack,
-    /// Motion mode and position as they were told last.
+    /// Motion mode and position as they were reported last.
     last: Option<(Motion, Coordinates)>,
 }
 
@@ -96,7 +96,7 @@ impl Runner {
         }
     }
 
-    /// Whether a block is left, or a call behind one: else the next step refuses the program.
+    /// Whether a block is left, or a call after one; otherwise the next step refuses the program.
     pub(super) fn has_next(&mut self) -> bool {
         if self.follows.is_some() {
             return true;
@@ -107,7 +107,7 @@ impl Runner {
         has_next
     }
 
-    /// Makes a step: its line, and what came of it or why it is none.
+    /// Makes a step: its line, and its result or why it failed.
     pub(super) fn step(&mut self) -> (u32, Result<Flow, Stop>) {
         self.variables.begin();
         self.effects.clear();
@@ -184,7 +184,7 @@ impl Runner {
         Ok(Flow::On)
     }
 
-    /// What can be asked of variables, and operands to do it with.
+    /// Evaluates with the variables as they are now, and the stack for it.
     pub(super) fn evaluator(&mut self) -> (Evaluator<'_>, &mut Stack) {
         let (code, variables) = (&self.code, &self.variables);
         (Evaluator { code, variables, choices: self.choices }, &mut self.stack)

@@ -66,31 +66,31 @@ impl<'a> Cursor<'a> {
         self.0.first().copied().unwrap_or(0)
     }
 
-    /// Takes what stands here, if it does.
+    /// Takes this text if it comes next.
     pub(super) fn takes(&mut self, what: &[u8]) -> bool {
         let rest = self.0.strip_prefix(what);
         self.0 = rest.unwrap_or(self.0);
         rest.is_some()
     }
 
-    /// Takes a letter, if one stands here.
+    /// Takes a letter if one comes next.
     pub(super) fn letter(&mut self) -> Option<u8> {
         let (letter, rest) = self.0.split_first().filter(|(byte, _)| byte.is_ascii_uppercase())?;
         self.0 = rest;
         Some(*letter)
     }
 
-    /// Whether digits or a point stand here.
+    /// Whether digits or a point come next.
     pub(super) fn begins_number(self) -> bool {
         matches!(self.peek(), b'0'..=b'9' | b'.')
     }
 
-    /// Whether a variable stands here, or what only a variable takes.
+    /// Whether a variable comes next, or what only a variable takes.
     pub(super) fn begins_variable(self) -> bool {
         matches!(self.peek(), b'#' | b'[')
     }
 
-    /// Digits and points that stand together.
+    /// Adjacent digits and points.
     fn run(&mut self) -> &'a [u8] {
         let is_of_number = |byte: &u8| matches!(byte, b'0'..=b'9' | b'.');
         let length = self.0.iter().take_while(|byte| is_of_number(byte)).count();
@@ -112,7 +112,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The m of a loop: 1 to 3, behind any number of zeros.
+    /// The m of a loop: 1 to 3, after any number of zeros.
     pub(super) fn number_of_loop(&mut self) -> Option<u32> {
         let run = self.run();
         let zeros = run.iter().take_while(|digit| **digit == b'0').count();
@@ -124,7 +124,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The number behind an O or N: digits alone.
+    /// The number after an O or N: digits alone.
     pub(super) fn plain(&mut self) -> Result<u32, Stop> {
         if self.begins_variable() {
             return refuse(FaultKind::Statement, "O and N take no variable");

@@ -1,7 +1,7 @@
 //! Names of HAL items.
 
-/// The name of a HAL item, in lower case: a number, if it has one, between what stands before and behind it. No text
-/// is made of it.
+/// The name of a HAL item, in lower case: a number, if it has one, between a prefix and a suffix. It is never put
+/// together as a text.
 ///
 /// ```
 /// use gaugeblock_interpreter::ItemName;

@@ -1,4 +1,4 @@
-//! Parameters: numbered, named, and those that tell the state of the interpreter (11.4.3, 11.4.4).
+//! Parameters: numbered, named, and those that report the state of the interpreter (11.4.3, 11.4.4).
 
 mod item;
 mod named;

@@ -1,4 +1,4 @@
-//! Names become numbers, once, when a block is packed.
+//! Names become numbers, once, when a block is compiled.
 
 use alloc::boxed::Box;
 use alloc::string::String;
@@ -16,7 +16,7 @@ const MIX: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// A table of names. It only grows; the caller bounds it.
 ///
-/// The table is open-addressed and its order is never told, so that a run depends on the text alone.
+/// The table is open-addressed and its order is never visible, so that a run depends on the text alone.
 #[derive(Clone, Debug)]
 pub(crate) struct Names {
     names: Vec<Box<str>>,
@@ -64,8 +64,8 @@ impl Names {
         self.add(name, place)
     }
 
-    /// The number of a known name that stands at the beginning of a text, and its length with the bracket behind it.
-    /// None where the name is longer than seven characters, new, or not written as it is known.
+    /// Fast path of [`Self::intern`]. The number of a known name at the beginning of a text, and its length with the
+    /// bracket after it. None where the name is longer than seven characters, new, or not written as it is known.
     #[inline(always)]
     pub(crate) fn find_short(&self, text: &[u8]) -> Option<(NameId, usize)> {
         const ONES: u64 = 0x0101_0101_0101_0101;
@@ -83,7 +83,7 @@ impl Names {
         (found == wanted && wanted != 0).then_some((id, length))
     }
 
-    /// Where a short name stands, or would stand.
+    /// The place of a short name, or where it would be inserted.
     #[inline]
     fn short_place(&self, wanted: u64) -> usize {
         let mask = self.short.len().wrapping_sub(1);
@@ -123,7 +123,7 @@ impl Names {
         id
     }
 
-    /// Where a name stands, or would stand, in the table.
+    /// The place of a name in the table, or where it would be inserted.
     #[inline]
     fn place(&self, name: &[u8]) -> usize {
         let mask = self.table.len().wrapping_sub(1);

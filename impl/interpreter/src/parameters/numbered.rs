@@ -10,9 +10,9 @@ pub(crate) const LAST: u32 = 5602;
 const USER: RangeInclusive<u32> = 31..=5000;
 /// The persistent parameters (11.4.3): positions, offsets and coordinate systems.
 const PERSISTENT: RangeInclusive<u32> = 5161..=5390;
-/// Values, one for each number from 0; 0 is no parameter and stays 0.
+/// Values, one for each number from 0; 0 is not a parameter and stays 0.
 const COUNT: usize = 5603;
-/// Room for what one block sets beside its settings.
+/// Room for what one block sets in addition to its settings.
 const NOTES: usize = 64;
 /// Words of 64 bits that hold a bit for each parameter.
 const MARKS: usize = 88;
@@ -25,7 +25,7 @@ pub(crate) struct Numbered {
     marks: [u64; MARKS],
     /// A bit for each word of marks that has one, since a block sets few parameters.
     marked: u128,
-    /// A bit for each that was told of then.
+    /// A bit for each that was reported then.
     reported: [u64; MARKS],
     /// What a block has set, with the values before, while it can still be refused.
     notes: Vec<(u32, f64)>,
@@ -109,7 +109,7 @@ impl Numbered {
         self.noting = false;
     }
 
-    /// What was set since [`Self::begin_notes`] gets its values back.
+    /// Restores the values from before [`Self::begin_notes`].
     #[cold]
     pub(crate) fn roll_back(&mut self) {
         self.noting = false;
@@ -118,7 +118,7 @@ impl Numbered {
         }
     }
 
-    /// Tells each parameter that was set since the last time, in ascending order, and forgets that it was.
+    /// Reports each parameter that was set since the last time, in ascending order, and forgets that it was.
     pub(crate) fn take_changes(&mut self, mut tell: impl FnMut(u32, f64)) {
         let mut marked = core::mem::take(&mut self.marked);
         while marked != 0 {

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::named::{Internal, Named};
 use super::numbered::Numbered;
 
-/// The version of the manual, as `_vmajor` tells it.
+/// The version of the manual, as `_vmajor` reports it.
 const VERSION: f64 = 2.9;
 
 /// All parameters.
@@ -30,7 +30,7 @@ pub(crate) struct Parameters {
 }
 
 impl Parameters {
-    /// What the interpreter tells of itself.
+    /// A predefined value of the interpreter itself.
     pub(crate) fn internal(&self, name: Internal) -> f64 {
         match name {
             Internal::Line => f64::from(self.line),

@@ -8,7 +8,7 @@ use gaugeblock_planner::Axes;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
-/// What stands between program and machine coordinates.
+/// The transformation from program to machine coordinates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frame {
     /// Units, offsets, rotation and plane of these alone are kept.

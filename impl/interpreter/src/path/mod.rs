@@ -1,15 +1,15 @@
-//! The programmed path: what effects ask of the axes, in machine coordinates.
+//! The programmed path: what effects require of the axes, in machine coordinates.
 //!
 //! ```text
-//! Sink::set ─────► Frame, feed, path mode      what is in force
-//! Sink::perform ─► Resolver ─► MotionRequest           a segment to plan, an output to switch, or something that waits for rest
+//! Sink::set ─────► Frame, feed, path mode       what is in force
+//! Sink::perform ─► Resolver ─► MotionRequest    a segment to plan, an output to switch, or a wait for rest
 //! ```
 //!
 //! Effects carry program coordinates in the active length unit. A planner takes machine coordinates: millimetres for
-//! X Y Z U V W, degrees for A B C. In between stand the offsets, the rotation, the units, the plane, and what F
-//! means.
+//! X Y Z U V W, degrees for A B C. The offsets, the rotation, the units, the plane, and the meaning of F are in
+//! between.
 //!
-//! **Invariant:** nothing here looks ahead. An effect becomes what it asks by what is in force when it comes.
+//! **Invariant:** nothing here looks ahead. A request follows from the effect and the settings in force.
 
 mod arc;
 mod frame;
@@ -24,11 +24,11 @@ use gaugeblock_planner::{Axes, Feed, OutputSwitch, Path, PathControl, Segment};
 
 use frame::Frame;
 
-/// Axes that move less than this do not move, millimetres or degrees: offsets that are added and taken away again
-/// leave as much.
+/// Axes that move less than this do not move, millimetres or degrees: offsets that are added and subtracted again
+/// leave such a rest.
 const MOTION_MIN: f64 = 1e-9;
 
-/// What an effect asks of whoever plans motion.
+/// What an effect requires of the motion planner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionRequest {
     /// To go along a segment, after those before it.
@@ -39,12 +39,12 @@ pub enum MotionRequest {
     Rest,
     /// Nothing; motion goes on as if the effect were not there.
     Nothing,
-    /// A motion of which the effect does not tell the path (G5 to G5.3), or which follows a spindle there and back
+    /// A motion whose effect does not include the path (G5 to G5.3), or which follows a spindle there and back
     /// (G33.1, G84).
     Unplanned,
 }
 
-/// Turns effects into what they ask of the axes.
+/// Turns effects into requests to the axes.
 ///
 /// ```
 /// use gaugeblock_interpreter::path::{MotionRequest, Resolver};
@@ -81,8 +81,8 @@ pub struct Resolver {
 }
 
 impl Resolver {
-    /// Nothing in force but what holds when a controller is switched on: millimetres, XY, G94 without a rate, G64
-    /// without P, no offset. The controlled point stands at `at`, machine coordinates.
+    /// The settings after a controller is switched on: millimetres, XY, G94 without a rate, G64 without P, no offset.
+    /// The controlled point is at `at`, machine coordinates.
     pub fn new(at: Axes) -> Self {
         Self {
             frame: Frame::default(),
@@ -105,12 +105,12 @@ impl Resolver {
         self.pitch.is_some()
     }
 
-    /// The point is elsewhere: a probe has stopped a move on its way, or a run was broken off.
+    /// Sets the point: a probe has stopped a move on its way, or a run was aborted.
     pub fn set_position(&mut self, at: Axes) {
         self.at = at;
     }
 
-    /// Takes over settings: those that stand in `changed`.
+    /// Takes over settings: those that are set in `changed`.
     pub fn set(&mut self, changed: &Settings) {
         self.frame.set(changed);
         self.feed_mode = changed.feed_mode.unwrap_or(self.feed_mode);
@@ -119,7 +119,7 @@ impl Resolver {
         self.tolerance = changed.blend_tolerance.unwrap_or(self.tolerance);
     }
 
-    /// What an effect asks. `line` comes back as the segment's number.
+    /// Returns what an effect requires. `line` becomes the segment's number.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects ask nothing of motion")]
     pub fn resolve(&mut self, line: u32, effect: &Effect) -> MotionRequest {
         match effect {
@@ -234,7 +234,7 @@ impl Resolver {
     }
 }
 
-/// What a setting of an output asks. M64, M65 and M68 come at once, and with them motion breaks.
+/// What a setting of an output requires. M64, M65 and M68 act at once and interrupt the motion.
 fn switch(output: i32, value: f64, timing: OutputTiming) -> MotionRequest {
     match (timing, u16::try_from(output)) {
         (OutputTiming::WithMotion, Ok(output)) => {

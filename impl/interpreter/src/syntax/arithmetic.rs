@@ -64,7 +64,7 @@ pub(crate) fn binary(
     binary_inline(operator, left, right, choices)
 }
 
-/// The same where most expressions are evaluated: a call would cost more than most operators.
+/// The same as [`binary`], inlined where most expressions are evaluated: a call would cost more than most operators.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "the compiler decides by what else there is in the crate")]
 pub(crate) fn binary_inline(
@@ -165,7 +165,7 @@ pub(crate) fn function(
     })
 }
 
-/// The value of operations that ask nothing of a program; none where they ask something, or are not those of one value.
+/// The value of operations that depend on nothing; none where they depend on something, or do not give one value.
 pub(crate) fn constant(ops: &[Op], choices: &Choices) -> Option<Result<f64, ArithmeticError>> {
     let mut stack: Vec<f64> = Vec::new();
     for op in ops {

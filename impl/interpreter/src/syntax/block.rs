@@ -13,7 +13,7 @@ use crate::syntax::cursor::Cursor;
 use crate::syntax::parameter::is_machine_state;
 use crate::syntax::{Parsed, comment, number};
 
-/// What a line was.
+/// The kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineKind {
     /// Nothing that is executed: it is blank, deleted, or a comment that does not act.
@@ -24,7 +24,7 @@ pub(crate) enum LineKind {
     Percent,
 }
 
-/// Where a line stands in its file.
+/// The place of a line in its file.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinePlace {
     /// From 1.
@@ -42,8 +42,8 @@ struct Items<'a> {
 }
 
 impl LineCompiler {
-    /// Packs a line behind the blocks of a segment. A line that is no block is packed too: as one that is refused
-    /// when it is executed.
+    /// Compiles a line and appends its block to a segment. A line that is not a valid block is compiled too: as one
+    /// that is refused when it is executed.
     #[inline]
     pub(crate) fn compile_line(
         &mut self,
@@ -77,13 +77,13 @@ impl LineCompiler {
             refused: NONE,
             offset: place.offset,
         };
-        let mut packed = self.items(cursor, &mut block, into);
+        let mut parsed = self.items(cursor, &mut block, into);
         let within = self.within_length(line);
         if within.len() < line.len() && !planted(Fault::AnyLength) {
             self.truncate_o_word(within, &mut block, into);
-            packed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
+            parsed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
         }
-        if let Err(refused) = packed {
+        if let Err(refused) = parsed {
             block.refused = u32::try_from(into.refusals.len()).unwrap_or(NONE);
             into.refusals.push(*refused);
         }
@@ -132,8 +132,8 @@ impl LineCompiler {
         Ok(())
     }
 
-    /// What of a line lies within the 256 characters that it may have (11.4.2), of which the line end may be one. One
-    /// of several bytes is one.
+    /// The part of a line within the 256 characters that it may have (11.4.2), of which the line end may be one. A
+    /// character of several bytes counts once.
     #[inline]
     fn within_length<'a>(&self, line: &'a [u8]) -> &'a [u8] {
         let longest = if self.choices.line_end_free { 256 } else { 255 };
@@ -145,8 +145,7 @@ impl LineCompiler {
         line.get(..behind.map_or(line.len(), |(at, _)| at)).unwrap_or(line)
     }
 
-    /// A line that is too long is the o-word that its first characters are, or none: a search passes over a keyword
-    /// that stands behind them.
+    /// A line that is too long is the o-word of its first characters, or none: a search ignores a keyword after them.
     #[cold]
     fn truncate_o_word(&mut self, within: &[u8], block: &mut Block, into: &mut CodeSegment) {
         let Kind::Control(_) = core::mem::replace(&mut block.kind, Kind::Plain) else { return };
@@ -290,7 +289,7 @@ impl LineCompiler {
         Ok(())
     }
 
-    /// Whether a numbered parameter tells something and is not set by programs.
+    /// Whether a numbered parameter reports state and cannot be set by programs.
     #[inline]
     pub(crate) fn is_read_only(&self, number: u16) -> bool {
         is_machine_state(number) && !self.choices.position_writable

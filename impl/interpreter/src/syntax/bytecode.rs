@@ -1,8 +1,7 @@
-//! The packed form: what is left of a line when text, names and constants have been dealt with.
+//! The compiled form of lines: text, names and constants are resolved.
 //!
 //! A block is a run of operations for a machine with a stack of numbers. Most operations of a plain line carry their
-//! number with them and never touch the stack. Blocks that run again (a loop, a sub) lie one after the other in a
-//! segment.
+//! number and never touch the stack. The blocks of a loop or sub follow each other in a segment.
 
 use alloc::vec::Vec;
 
@@ -76,7 +75,7 @@ pub(crate) enum Function {
     Tangent,
 }
 
-/// One operation. "Pushes" and "takes" speak of the stack.
+/// One operation. "Pushes" and "takes" refer to the stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Op {
     /// Pushes a number.
@@ -87,9 +86,9 @@ pub(crate) enum Op {
     Local(NameId),
     /// Pushes a global named parameter.
     Global(NameId),
-    /// Pushes what the modes tell.
+    /// Pushes a predefined value of the modes.
     Mode(Predefined),
-    /// Pushes what the interpreter tells of itself.
+    /// Pushes a predefined value of the interpreter itself.
     Internal(Internal),
     /// Names a parameter that cannot exist: an INI entry or a pin that is not there.
     Absent,
@@ -143,7 +142,7 @@ pub(crate) enum Op {
     SetGlobal(NameId),
 }
 
-/// Where a parameter lies.
+/// Refers to a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ParameterRef {
     /// By a number that is known.
@@ -164,7 +163,7 @@ pub(crate) enum ParameterRef {
     Absent,
 }
 
-/// What an o-word asks for (11.7).
+/// The keyword of an o-word (11.7).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Keyword {
     /// `sub`.
@@ -206,7 +205,7 @@ pub(crate) enum Keyword {
 /// An o-word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OWord {
-    /// What it asks for.
+    /// The keyword.
     pub(crate) keyword: Keyword,
     /// Its label; [`NONE`] where it is computed, by the first number that the block's operations push.
     pub(crate) label: NameId,
@@ -224,7 +223,7 @@ pub(crate) enum Kind {
     Plain,
     /// Control.
     Control(OWord),
-    /// A sub that lies in a segment of its own.
+    /// A sub in a segment of its own.
     Definition {
         /// The sub's label.
         label: NameId,
@@ -292,9 +291,9 @@ pub(crate) enum Piece {
     Local(NameId),
     /// The value of a global parameter.
     Global(NameId),
-    /// What the modes tell.
+    /// A predefined value of the modes.
     Mode(Predefined),
-    /// What the interpreter tells of itself.
+    /// A predefined value of the interpreter itself.
     Internal(Internal),
     /// An entry of the INI file, by its place among the segment's constants.
     Constant(u32),
@@ -315,7 +314,7 @@ pub(crate) struct Comment {
     pub(crate) end: u32,
 }
 
-/// Blocks that lie together: a loop of the main program, a sub, or the one block that is being read.
+/// Blocks that are stored together: a loop of the main program, a sub, or the one block that is being read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CodeSegment {
     /// The blocks in the order of the text.
@@ -341,7 +340,7 @@ pub(crate) struct CodeSegment {
 }
 
 impl CodeSegment {
-    /// Takes everything out and keeps the room.
+    /// Removes everything and keeps the memory.
     pub(crate) fn clear(&mut self) {
         self.blocks.clear();
         self.ops.clear();

@@ -1,4 +1,4 @@
-//! The readings of the documents that text, expressions and o-words depend on, taken from the options once.
+//! The choices that text, expressions and o-words depend on, taken from the options once.
 
 use gaugeblock_vocabulary::Options;
 
@@ -46,7 +46,7 @@ dialect! {
         /// To the even integer.
         "even" Even,
     }
-    /// What a message shows for a named parameter that does not exist.
+    /// What a message prints for a named parameter that does not exist.
     "active-comments.absent-name" AbsentName {
         /// One sign.
         "number-sign" One,
@@ -62,7 +62,7 @@ dialect! {
         /// Every while goes back to the first.
         "first" First,
     }
-    /// How often a repeat runs whose count is no integer.
+    /// How often a repeat runs whose count is not an integer.
     "control.repeat-fraction" RepeatFraction {
         /// As the nearest integer says, from halfway the larger one.
         "rounded" Rounded,
@@ -82,7 +82,7 @@ macro_rules! choices {
         several { $($(#[$many_about:meta])* $many:ident: $type:ident,)* }
         two { $($(#[$about:meta])* $field:ident $id:literal [$first:literal, $second:literal],)* }
     ) => {
-        /// The readings that apply. Every flag is false under the first option of its page.
+        /// The choices that apply. Every flag is false under the first option of its page.
         #[derive(Clone, Debug)]
         pub(crate) struct Choices {
             $($(#[$many_about])* pub(crate) $many: $type,)*
@@ -115,11 +115,11 @@ macro_rules! choices {
 
 choices! {
     several {
-        /// What a message shows for a name that does not exist.
+        /// What a message prints for a name that does not exist.
         absent_name: AbsentName,
         /// Several do loops with one label.
         do_label: DoLabel,
-        /// A count that is no integer.
+        /// A count that is not an integer.
         repeat_fraction: RepeatFraction,
         /// Where ROUND goes from halfway.
         round_half: RoundHalf,
@@ -135,7 +135,7 @@ choices! {
         message_free "active-comments.msg-without-comma" ["plain", "message"],
         /// %f gives six decimals.
         format_six "active-comments.plain-f-format" ["four-decimals", "six-decimals"],
-        /// A message shows values from before its block.
+        /// A message prints values from before its block.
         message_old "active-comments.same-block-setting" ["new", "old"],
         /// No comment on the line of an o-word.
         oword_comment_refused "control.comment-after-o-word" ["ignored", "refused"],
@@ -169,7 +169,7 @@ choices! {
         uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
         /// A global parameter that was never set is zero.
         absent_zero "parameters.absent-global" ["refused", "zero"],
-        /// A function may stand behind a number sign.
+        /// A function may follow a number sign.
         function_number "parameters.function-number" ["refused", "accepted"],
         /// #5400 to #5428 can be set.
         position_writable "parameters.read-only-numbered" ["refused", "written"],

@@ -1,4 +1,4 @@
-//! Active comments (11.4.14 to 11.4.20): messages, logs, and an error that the program asks for.
+//! Active comments (11.4.14 to 11.4.20): messages, logs, and an abort by the program.
 
 use crate::syntax::bytecode::{Act, CodeSegment, Comment, NONE, ParameterRef, Piece};
 use crate::syntax::compiler::LineCompiler;
@@ -16,7 +16,7 @@ const ACTS: [(&[u8], Act); 7] = [
     (b"abort,", Act::Abort),
 ];
 
-/// Packs the last comment of a block; none where it is a plain one.
+/// Compiles the last comment of a block; none where it is a plain one.
 pub(crate) fn pack(
     compiler: &mut LineCompiler,
     text: &[u8],
@@ -63,7 +63,7 @@ fn act(text: &[u8], message_free: bool) -> Option<(Act, &[u8])> {
     None
 }
 
-/// The raw text after a word whose letters may stand apart; none where another word comes first.
+/// The raw text after a word, whose letters may be separated by blanks; none where another word comes first.
 fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
     let mut rest = text;
     for byte in word {
@@ -77,8 +77,7 @@ fn after<'a>(text: &'a [u8], word: &[u8]) -> Option<&'a [u8]> {
     Some(rest)
 }
 
-/// What stands behind the blanks at the beginning: spaces and tabs are blanks (11.4.2), other control characters are
-/// not.
+/// The text after the blanks at the beginning: spaces and tabs are blanks (11.4.2), other control characters are not.
 fn behind_blanks(mut text: &[u8]) -> &[u8] {
     while let [b' ' | b'\t', rest @ ..] = text {
         text = rest;
@@ -171,7 +170,7 @@ fn parameter(
         let close = after_sign.iter().position(|byte| *byte == b'>')?;
         let name = after_sign.get(..=close)?;
         let mut cursor = Cursor::new(name);
-        // What can be the name of no parameter is one that does not exist.
+        // An invalid name is one of a parameter that does not exist.
         let place = compiler.named(&mut cursor).unwrap_or(ParameterRef::Absent);
         let piece = match place {
             ParameterRef::Local(id) => Piece::Local(id),

@@ -1,4 +1,4 @@
-//! What packing lines needs: the names of the whole run, and how documents are read.
+//! The state of compiling lines: the names of the whole run, and the choices of the dialect.
 
 use alloc::collections::BTreeMap;
 use alloc::string::String;
@@ -11,7 +11,7 @@ use crate::parameters::{ItemName, Names};
 use crate::syntax::Choices;
 use crate::syntax::bytecode::ParameterRef;
 
-/// Packs lines. It knows the names of the whole run.
+/// Compiles lines. It holds the names of the whole run.
 #[derive(Clone, Debug)]
 pub(crate) struct LineCompiler {
     /// Named parameters.
@@ -24,30 +24,30 @@ pub(crate) struct LineCompiler {
     pub(crate) items: Vec<ItemName>,
     /// Whether HAL items can be read.
     pub(crate) items_enabled: bool,
-    /// Readings of the documents.
+    /// The choices of the dialect.
     pub(crate) choices: Choices,
     /// Whether blocks that begin with a slash are skipped.
     pub(crate) block_delete: bool,
     /// Whether a line that holds a plain comment only is a block, which does nothing.
     pub(crate) report_comments: bool,
-    /// Whether quirks of `rs274` are imitated.
+    /// Whether quirks of `rs274` are emulated.
     pub(crate) emulates_rs274: bool,
     /// Whether the label of an o-word is being read.
     pub(crate) in_label: bool,
-    /// The bound that the line just packed goes beyond.
+    /// The limit that the line just compiled exceeds.
     pub(crate) limit_exceeded: Option<Limit>,
     /// Most named parameters.
     pub(crate) names_max: u32,
     /// Deepest nesting of brackets.
     pub(crate) bracket_depth: u32,
-    /// Room for a name.
+    /// Scratch memory for a name.
     pub(crate) scratch: String,
-    /// Where each named parameter lies.
+    /// The reference of each named parameter, by its number.
     pub(crate) parameter_refs: Vec<ParameterRef>,
 }
 
 impl LineCompiler {
-    /// A packer that knows no names yet.
+    /// A compiler without names.
     pub(crate) fn new(machine: &Machine, choices: Choices, limits: &Limits) -> Self {
         Self {
             names: Names::new(),
@@ -73,7 +73,7 @@ impl LineCompiler {
     }
 }
 
-/// Whether a switch of the INI file is on; it is where the file says nothing (4.4.2.6).
+/// Whether a switch of the INI file is on; it is on where the file does not set it (4.4.2.6).
 fn enables(machine: &Machine, entry: &str) -> bool {
     machine.ini.get(entry).is_none_or(|value| value.abs() > 0.0)
 }

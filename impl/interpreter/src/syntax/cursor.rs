@@ -12,7 +12,7 @@ pub(crate) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// Before the first character that is no blank.
+    /// Before the first character that is not a blank.
     pub(crate) fn new(line: &'a [u8]) -> Self {
         let mut cursor = Self { line, at: 0 };
         cursor.skip_blanks();
@@ -24,26 +24,26 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// The next character, in lower case; 0 at the end, where a NUL stands for nothing that is allowed either.
+    /// The next character, in lower case; 0 at the end; a NUL in the text is not allowed either.
     #[inline]
     pub(crate) fn peek(&self) -> u8 {
         self.line.get(self.at).map_or(0, u8::to_ascii_lowercase)
     }
 
-    /// What is left of the line, as it stands.
+    /// What is left of the line, unchanged.
     #[inline]
     pub(crate) fn rest(&self) -> &'a [u8] {
         self.line.get(self.at..).unwrap_or(&[])
     }
 
-    /// Goes on by so many bytes, and over the blanks behind them.
+    /// Moves on by so many bytes, and over the blanks after them.
     #[inline]
     pub(crate) fn advance(&mut self, bytes: usize) {
         self.at = self.at.wrapping_add(bytes);
         self.skip_blanks();
     }
 
-    /// Goes on by so many bytes, behind which no blank stands.
+    /// Moves on by so many bytes, which no blank follows.
     #[inline]
     pub(crate) fn advance_to_next(&mut self, bytes: usize) {
         self.at = self.at.wrapping_add(bytes);
@@ -55,7 +55,7 @@ impl<'a> Cursor<'a> {
         self.at >= self.line.len()
     }
 
-    /// Goes to the next character that is no blank.
+    /// Goes to the next character that is not a blank.
     #[inline]
     pub(crate) fn step(&mut self) {
         self.at = self.at.wrapping_add(1);
@@ -96,7 +96,7 @@ impl<'a> Cursor<'a> {
         self.line.get(self.at.wrapping_add(1)..).unwrap_or(&[])
     }
 
-    /// Leaves raw text behind, this character and `length` bytes after it.
+    /// Skips raw text, this character and `length` bytes after it.
     pub(crate) fn skip_raw(&mut self, length: usize) {
         self.at = self.at.wrapping_add(length);
         self.step();
@@ -107,14 +107,14 @@ impl<'a> Cursor<'a> {
         self.at = self.line.len();
     }
 
-    /// A refusal of what stands here.
+    /// Refuses the character here.
     #[cold]
     pub(crate) fn refuse<T>(&self, kind: FaultKind, message: &'static str) -> Parsed<T> {
         let start = u32::try_from(self.at).unwrap_or(u32::MAX);
         Err(LineError { kind, message, start, end: start.saturating_add(1) }.into())
     }
 
-    /// A refusal of what stands between an earlier place and this one.
+    /// Refuses the text between an earlier place and this one.
     #[cold]
     pub(crate) fn refuse_from<T>(
         &self,

@@ -1,4 +1,4 @@
-//! From characters to the packed form: a line becomes a block, once, and the block can then run any number of times.
+//! From characters to bytecode: a line becomes a block, once, and the block can then run any number of times.
 
 pub(crate) mod arithmetic;
 mod block;
@@ -25,10 +25,10 @@ pub(crate) use number::plain as plain_number;
 pub(crate) use o_word::label_ops;
 pub(crate) use parameter::{is_machine_state, is_position, parameter_number};
 
-/// What becomes of a part of a line. A refusal is boxed because the way without one must be short.
+/// The result of reading a part of a line. The error is boxed to keep the path without one fast.
 pub(crate) type Parsed<T> = Result<T, Box<LineError>>;
 
-/// Why a line is no block: raised when the block would be executed, not before.
+/// Why a line is not a valid block: reported when the block would be executed, not before.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct LineError {
     /// The kind of the fault.

@@ -14,9 +14,9 @@ const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
-/// Powers of ten that few digits behind a point stand for.
+/// Powers of ten by the number of digits after a point.
 const TENS: [u64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
-/// Most characters of a number that is read the slow way.
+/// Most characters of a number that the standard library reads.
 const LONGEST: usize = 320;
 
 /// Whether a number without a sign begins here.
@@ -25,7 +25,7 @@ pub(crate) fn begins(cursor: &Cursor<'_>) -> bool {
     matches!(cursor.peek(), b'0'..=b'9' | b'.')
 }
 
-/// Most digits of a number that is read the short way: together they stay below 2^53.
+/// Most digits of a short number: together they stay below 2^53.
 const SHORT: usize = 15;
 
 /// Adds the digits from a place on to a mantissa; where they end.
@@ -43,14 +43,14 @@ fn run_of_digits(text: &[u8], from: usize, mantissa: &mut u64) -> usize {
     place
 }
 
-/// A number of few digits that stand together.
+/// A number of few adjacent digits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Short {
     /// All digits as an integer.
     mantissa: u64,
-    /// How many of them stand behind the point.
+    /// How many of them are after the point.
     decimals: usize,
-    /// Bytes up to what stands behind it.
+    /// Bytes up to the text after it.
     pub(crate) length: usize,
 }
 
@@ -82,8 +82,8 @@ impl Short {
     }
 }
 
-/// Up to seven digits at the beginning of a text, read at once, and how many they are. None where there may be more
-/// of them.
+/// Fast path of [`run_of_digits`]. Up to seven digits at the beginning of a text, read at once, and how many they
+/// are. None where there may be more of them.
 #[inline(always)]
 fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     const ZEROS: u64 = 0x3030_3030_3030_3030;
@@ -91,7 +91,7 @@ fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     const HIGHS: u64 = 0x8080_8080_8080_8080;
     const BYTES: u64 = 0x0000_00ff_0000_00ff;
     let digits = u64::from_le_bytes(*text.first_chunk::<8>()?) ^ ZEROS;
-    // The high bit of the first byte that is no digit; those behind it do not matter.
+    // The high bit of the first byte that is not a digit; those after it do not matter.
     let others = (digits.wrapping_add(SIXES) | digits) & HIGHS;
     let bits = others.trailing_zeros() & 0x78;
     if others == 0 {
@@ -106,7 +106,8 @@ fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     Some((even.wrapping_add(odd) >> 32, count))
 }
 
-/// The number at the beginning of a text, where it is a short one; the caller looks at what stands behind it.
+/// Fast path of [`longer`]. The number at the beginning of a text, where it is a short one; the caller checks the
+/// text after it.
 #[inline]
 pub(crate) fn plain(text: &[u8]) -> Option<Short> {
     let Some((whole, length)) = few_digits(text) else { return longer(text) };
@@ -120,7 +121,7 @@ pub(crate) fn plain(text: &[u8]) -> Option<Short> {
     (digits != 0).then_some(Short { mantissa, decimals, length: digits.wrapping_add(1) })
 }
 
-/// A short number that may have more digits, or that the text may end behind.
+/// A short number that may have more digits, or that may end the text.
 #[inline(never)]
 fn longer(text: &[u8]) -> Option<Short> {
     let mut mantissa = 0_u64;
@@ -136,12 +137,13 @@ fn longer(text: &[u8]) -> Option<Short> {
     (digits.wrapping_sub(1) < SHORT).then_some(Short { mantissa, decimals, length })
 }
 
-/// The number at the beginning of a text, where it is a short one that ends there. This is what nearly every number is.
+/// Fast path of [`unusual`]. The number at the beginning of a text, where it is a short one that ends there, as
+/// nearly every number does.
 #[inline]
 pub(crate) fn short(text: &[u8]) -> Option<Short> {
     let number = plain(text)?;
     match text.get(number.length..)? {
-        // Digits may stand apart: the number goes on behind the blank if a digit or a point does.
+        // Blanks may separate digits: the number continues if a digit or a point follows the blank.
         [b' ', b'0'..=b'9' | b'.' | b' ' | b'\t', ..] | [b'\t' | b'.', ..] => None,
         [b' ', ..] => Some(Short { length: number.length.wrapping_add(1), ..number }),
         _ => Some(number),
@@ -160,7 +162,7 @@ pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     }
 }
 
-/// Reads a number that is long or stands apart.
+/// Reads a number that is long or has blanks in it.
 #[cold]
 fn unusual(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     let start = *cursor;

@@ -1,4 +1,4 @@
-//! O-words (11.7): a label, what it asks for, and values in brackets.
+//! O-words (11.7): a label, a keyword, and values in brackets.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -12,7 +12,7 @@ use crate::syntax::{Parsed, arithmetic, number};
 /// Most arguments of a call (11.7.4).
 const ARGUMENTS: u8 = 30;
 
-/// What an o-word can ask for, the longer of two that begin alike first.
+/// The keywords, the longer of two that begin alike first.
 const KEYWORDS: [(&[u8], Keyword); 15] = [
     (b"sub", Keyword::Sub),
     (b"endsub", Keyword::EndSub),
@@ -32,8 +32,8 @@ const KEYWORDS: [(&[u8], Keyword); 15] = [
 ];
 
 impl LineCompiler {
-    /// An o-word and everything behind it. The label and the keyword stand in the block even where the rest is
-    /// refused, so that a search for them ends here.
+    /// An o-word and everything after it. The block has the label and the keyword even where the rest is refused, so
+    /// that a search for them ends here.
     pub(crate) fn o_word(
         &mut self,
         cursor: &mut Cursor<'_>,
@@ -79,7 +79,7 @@ impl LineCompiler {
         let result = match cursor.peek() {
             b'0'..=b'9' => {
                 number::digits(cursor, &mut text);
-                // A number of more digits than are told apart is the nearest one that there is.
+                // A number of more digits than a float distinguishes is the nearest one.
                 if cursor.peek() == b'.' || text.trim_start_matches('0').len() > 15 {
                     *cursor = start;
                     self.value(cursor, into, self.bracket_depth).map(|()| NONE)
@@ -102,7 +102,8 @@ impl LineCompiler {
         }
     }
 
-    /// The label of operations that ask no parameter: it is known before anything is executed. Others wait for that.
+    /// The label of operations without parameters: it is known before anything is executed. Other labels are computed
+    /// then.
     fn constant_label(
         &mut self,
         start: &Cursor<'_>,
@@ -156,7 +157,7 @@ impl LineCompiler {
         label
     }
 
-    /// The values that the keyword takes; between those of a call comments may stand, as between words (11.4.23).
+    /// The values that the keyword takes; comments are allowed between those of a call, as between words (11.4.23).
     /// Whether there are any.
     fn values(
         &mut self,
@@ -199,7 +200,7 @@ impl LineCompiler {
     }
 }
 
-/// What an o-word asks for.
+/// The keyword of an o-word.
 fn keyword(cursor: &mut Cursor<'_>) -> Keyword {
     KEYWORDS
         .iter()

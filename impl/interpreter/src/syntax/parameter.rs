@@ -78,7 +78,7 @@ impl LineCompiler {
         match parameter_number(number) {
             Ok(number) => Ok(ParameterRef::Numbered(number)),
             Err(_) if self.in_label || !self.emulates_rs274 => {
-                // Whether its value is ever asked for is not known yet; and an o-word is there all the same.
+                // Whether its value is ever needed is not known yet, and an o-word keeps its keyword.
                 into.ops.push(Op::Number(number));
                 Ok(ParameterRef::Indirect)
             }
@@ -111,8 +111,8 @@ impl LineCompiler {
         place
     }
 
-    /// Reads a name in angle brackets into a text. Nothing limits its characters but what ends it (11.4.3.3), so that
-    /// it may be written in any language.
+    /// Reads a name in angle brackets into a text. It may have any characters except the one that ends it (11.4.3.3),
+    /// in any language.
     pub(crate) fn read_name(&self, cursor: &mut Cursor<'_>, name: &mut String) -> Parsed<()> {
         let start = cursor.at();
         name.clear();
@@ -121,7 +121,7 @@ impl LineCompiler {
         loop {
             match cursor.peek() {
                 b'>' => break,
-                // What begins or ends a comment is none of a name's characters (11.4.14).
+                // A name has no characters that begin or end a comment (11.4.14).
                 b'(' | b')' | b';' => {
                     return cursor.refuse(FaultKind::BadComment, "a comment within a name");
                 }
@@ -145,7 +145,7 @@ impl LineCompiler {
         Ok(())
     }
 
-    /// Finds where a named parameter lies. That never changes, so that it is looked up once.
+    /// Finds the reference of a named parameter. It never changes, so that it is looked up once.
     #[inline]
     pub(crate) fn resolve(&mut self, name: &[u8]) -> ParameterRef {
         let id = self.names.intern(name);
@@ -160,8 +160,8 @@ impl LineCompiler {
         place
     }
 
-    /// Where a named parameter lies whose short name stands at the beginning of a text and is known, and the length
-    /// of the name with its bracket.
+    /// Fast path of [`Self::resolve`]. The reference of a named parameter whose short, known name begins a text, and
+    /// the length of the name with its bracket.
     #[inline(always)]
     pub(crate) fn find_known(&self, text: &[u8]) -> Option<(ParameterRef, usize)> {
         let (id, length) = self.names.find_short(text)?;
@@ -169,7 +169,7 @@ impl LineCompiler {
         Some((place, length))
     }
 
-    /// Where a parameter lies whose name is new.
+    /// The reference of a parameter whose name is new.
     #[cold]
     fn look_up(&self, name: &str, id: NameId) -> ParameterRef {
         if !name.starts_with('_') {
@@ -205,13 +205,14 @@ impl LineCompiler {
     }
 }
 
-/// What stands behind such a word in a name, the bracket included; a name without one there, or without its end, is
-/// one like any other.
+/// The text after such a word in a name, from its bracket on. A name without a bracket there, or without its end, is
+/// an ordinary name.
 fn bracketed<'a>(name: &'a str, word: &str) -> Option<&'a str> {
     name.strip_prefix(word).filter(|rest| rest.starts_with('['))
 }
 
-/// `#` with a plain number, which is what nearly every parameter is; nothing is taken otherwise. Position is not plain.
+/// Fast path of [`LineCompiler::parameter`]. `#` with a plain number, as nearly every parameter is written; otherwise
+/// nothing is taken. Parameters of the position are excluded.
 #[inline]
 pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
     let short = number::short(cursor.rest().get(1..)?)?;
@@ -221,13 +222,13 @@ pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
     Some(number)
 }
 
-/// Whether a parameter tells the controlled point, which the modes know.
+/// Whether a parameter is a coordinate of the controlled point, which the modes hold.
 #[inline]
 pub(crate) fn is_position(number: u16) -> bool {
     (5420..=5428).contains(&number)
 }
 
-/// Whether a parameter tells the tool or the controlled point.
+/// Whether a parameter reports the tool or the controlled point.
 #[inline]
 pub(crate) fn is_machine_state(number: u16) -> bool {
     number >= 5400 && (number <= 5413 || is_position(number))

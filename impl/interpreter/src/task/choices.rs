@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 
-/// Readings of the documents.
+/// The choices of the dialect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Choices {
     /// `abort.read-ahead`: modes and parameters are those that the interpreter has made by reading ahead.
@@ -13,7 +13,7 @@ pub(crate) struct Choices {
     pub(super) abort_keeps_spindles: bool,
     /// `orient.brake-otherwise`: the brake is applied only while the spindle is locked.
     pub(super) brake_while_locked: bool,
-    /// `outputs.at-once-over-waiting`: what is set at once takes back what waits.
+    /// `outputs.at-once-over-waiting`: a setting at once cancels one that waits.
     pub(super) at_once_replaces: bool,
     /// `outputs.waiting-after-abort`: what waits for a motion when a program is aborted waits for the next one.
     pub(super) waits_after_abort: bool,
@@ -21,7 +21,7 @@ pub(crate) struct Choices {
     pub(super) forgets_at_end: bool,
     /// `pause.cycle-start`: cycle start goes on after M0 and M1.
     pub(super) cycle_start_resumes: bool,
-    /// `pause.during-dwell`: a dwell of a program that is paused stands still.
+    /// `pause.during-dwell`: a pause stops a dwell.
     pub(super) pause_stops_dwell: bool,
     /// `task.mdi-in-manual`: a block by hand in manual mode is executed.
     pub(super) mdi_in_manual: bool,

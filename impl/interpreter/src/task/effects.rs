@@ -1,5 +1,4 @@
-//! Effects and settings on their way from the interpreter to the machine: each is handed on when the machine may have
-//! it.
+//! Passes effects and settings from the interpreter to the machine, each at the time when the machine may have it.
 
 use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 
@@ -33,8 +32,8 @@ impl<M: Machine> TaskState<M> {
         reply
     }
 
-    /// What is answered to an effect that was broken off; where the interpreter reads ahead it goes on, but for what
-    /// waits for the machine.
+    /// The reply to an effect that was aborted. Where the interpreter reads ahead it continues, except for an effect
+    /// that waits for the machine.
     pub(super) fn abort_reply(&mut self) -> Reply {
         if self.abort_cause == Some(AbortCause::Operator)
             && self.choices.read_ahead_on_abort
@@ -75,7 +74,7 @@ impl<M: Machine> TaskState<M> {
         Reply::Aborted
     }
 
-    /// M6: where a person changes tools, that person is asked first.
+    /// M6. Where a person changes tools, a prompt comes first.
     fn change_tool(&mut self, tool: i32, effect: &Effect) -> Reply {
         if self.machine.prompts_for_tools() {
             let prompt = Effect::PromptTool { tool };
@@ -87,7 +86,7 @@ impl<M: Machine> TaskState<M> {
         self.perform_operation(effect, ExternalOperation::ToolChange)
     }
 
-    /// An effect that is over when the outside says so.
+    /// An effect that an external operation completes.
     fn perform_operation(&mut self, effect: &Effect, operation: ExternalOperation) -> Reply {
         let reply = self.machine.perform(self.line, effect);
         if matches!(reply, Reply::Failed(_) | Reply::Aborted) {
@@ -103,13 +102,13 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// What is answered to an effect for whose outcome the interpreter waits (9.6.17.4), where it was broken off.
+    /// The reply to an aborted effect whose outcome the interpreter waits for (9.6.17.4).
     pub(super) fn abort_waiting_reply(&mut self) -> Reply {
         self.aborted_waiting = true;
         Reply::Aborted
     }
 
-    /// An effect that is no motion.
+    /// An effect that is not a motion.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects take no time here")]
     fn perform_motionless(&mut self, effect: &Effect) -> Reply {
         match effect {

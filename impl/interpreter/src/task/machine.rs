@@ -1,4 +1,4 @@
-//! What a task needs of a machine besides what an interpreter does: time, inputs, pins, and who operates it.
+//! What a task needs of a machine besides what an interpreter does: time, inputs, pins, and an operator.
 
 use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{FaultKind, Pin};
@@ -8,58 +8,58 @@ use crate::canon::Sink;
 /// A machine that a [`Task`](super::Task) drives.
 ///
 /// As a [`Sink`] it is given settings and effects when they happen: a move when it may begin, a dwell or a wait when
-/// it begins. The reply to an effect says whether it can be done at all; how long it takes the task finds out by
-/// [`Self::wait`] and [`Self::operation_state`].
+/// it begins. The reply to an effect says whether it can be done at all; the task finds out by [`Self::wait`] and
+/// [`Self::operation_state`] how long it takes.
 pub trait Machine: Sink {
     /// Seconds since some beginning.
     fn time(&self) -> f64;
 
-    /// Lets time go by until then, or until something happens. It comes back at the first happening, and once for each.
+    /// Lets time pass until then, or until something happens. It returns at the first event, and once for each.
     fn wait(&mut self, until: Option<f64>) -> WaitEvent;
 
-    /// What the operator has asked since the last time this was called, without letting time go by; the task asks
-    /// between blocks.
+    /// Takes a request of the operator since the last call, without letting time pass. The task calls it between
+    /// blocks.
     fn poll_request(&mut self) -> Option<Action>;
 
     /// The value of an input now; 0 and 1 for digital ones.
     fn input(&self, input: Input) -> f64;
 
-    /// How far something is that the last effect of its kind has begun.
+    /// The state of the external operation that the last effect of its kind has begun.
     fn operation_state(&mut self, operation: ExternalOperation) -> OperationState;
 
-    /// Puts a value on a pin, which had another one.
+    /// Sets a pin, which had another value.
     fn set_pin(&mut self, pin: Pin, value: f64);
 
     /// The last wait for an input ([`Effect::WaitInput`](gaugeblock_vocabulary::Effect::WaitInput)) is over, and this
-    /// was read: -1 where nothing came in time.
+    /// was read: -1 after a time-out.
     fn record_input(&mut self, _value: f64) {}
 
-    /// The block that is being executed was broken off: what it has begun is not done, and [`Sink::end_block`] is
-    /// not called for it.
+    /// Discards the block that is being executed, which was aborted: what it has begun is not done, and
+    /// [`Sink::end_block`] is not called for it.
     fn discard_block(&mut self) {}
 
-    /// Whether there is a program of a user-defined code: where the interpreter reads ahead, it executes none, but
-    /// misses one.
+    /// Whether there is a program of a user-defined code. While the interpreter reads ahead it executes none, but
+    /// refuses a code without one.
     fn has_user_program(&self, _code: u32) -> bool {
         true
     }
 
-    /// Whether a person changes tools, and is to be asked for each.
+    /// Whether a person changes tools and needs a prompt for each.
     fn prompts_for_tools(&self) -> bool {
         false
     }
 }
 
-/// What has happened.
+/// Why a wait is over.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WaitEvent {
-    /// The time has come that was waited for.
+    /// The time that was waited for.
     Time,
-    /// An input has changed, or a work is over.
+    /// An input has changed, or an external operation is over.
     Changed,
-    /// The operator asks for something.
+    /// A request of the operator.
     Requested(Action),
-    /// Nothing will ever happen: there is no time to wait for, and no one there. No real machine says so.
+    /// Nothing will ever happen: there is no time to wait for, and no operator. Only for simulated machines.
     Never,
 }
 
@@ -76,7 +76,7 @@ pub enum Input {
     FeedHold,
 }
 
-/// What takes time outside.
+/// What takes time outside of the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExternalOperation {
     /// The tool change of M6.
@@ -87,7 +87,7 @@ pub enum ExternalOperation {
     UserProgram,
 }
 
-/// How far a work is.
+/// The state of an external operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OperationState {
     /// It goes on.

@@ -1,8 +1,8 @@
-//! A block that is entered by hand, as a source of one line; subs come from where the program's do.
+//! An MDI block, as a source of one line; subs come from the program's source.
 
 use crate::source::{Source, SourceError};
 
-/// One line, and the files behind it.
+/// One line, and the files of its subs.
 #[derive(Debug)]
 pub(super) struct MdiSource<'a, S> {
     line: &'a [u8],

@@ -1,4 +1,5 @@
-//! The task around an interpreter: what a controller does with a program, and what a person does with the controller.
+//! The task around an interpreter: what a controller does with a program, and what an operator does with the
+//! controller.
 //!
 //! ```text
 //!              operator's requests                        what happens outside
@@ -11,14 +12,13 @@
 //!
 //! A [`Task`] runs an [`Interpreter`] and answers for everything that its sink would have to know of the controller:
 //! it pauses at M0, M1 and M60, holds motion, lets outputs switch with it, waits for inputs, tool changers, spindles
-//! and user-defined codes, derives the pins, and keeps to the modes of the controller. What a machine is, and what
-//! time it is there, says a [`Machine`].
+//! and user-defined codes, derives the pins, and keeps to the modes of the controller. A [`Machine`] supplies the
+//! hardware and the time.
 //!
 //! **Invariants.**
-//! * Time goes by in [`Machine::wait`] alone, which is the embedder's; the task computes when it wants to be called
-//!   again.
-//! * Pins are a function of the settings in force, of the panel and of the outputs: there is no second state to go
-//!   astray.
+//! * Time passes only in [`Machine::wait`], which the embedder implements; the task computes until when it waits.
+//! * Pins are a function of the settings in force, of the panel and of the outputs: there is no second state that
+//!   could differ.
 //! * Nothing is allocated while a program runs.
 
 mod choices;
@@ -53,30 +53,30 @@ pub(crate) use choices::Choices;
 pub use machine::{ExternalOperation, Input, Machine, OperationState, WaitEvent};
 pub use state::Deadlock;
 
-/// File name of blocks that are entered by hand.
+/// File name of MDI blocks.
 pub const MDI_FILE: &str = "mdi";
 
-/// What a step of a task came to.
+/// The result of a step of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StepResult {
-    /// There is more of the program, or of the block by hand.
+    /// There is more of the program, or of the MDI block.
     More,
-    /// The block that was entered by hand has been executed, and did not end a program.
+    /// The MDI block has been executed, and did not end a program.
     MdiDone,
     /// The run has ended; the controller is idle.
     Ended(End),
-    /// It waits for what will never come, by [`WaitEvent::Never`].
+    /// It waits for something that never happens, by [`WaitEvent::Never`].
     Deadlock(Deadlock),
 }
 
-/// What an idle controller is asked for.
+/// A request to an idle controller.
 #[derive(Clone, Debug, PartialEq)]
 pub enum IdleRequest {
-    /// To run the program: [`Task::start`] is next, with its text from the beginning.
+    /// Run the program: [`Task::start`] is next, with its text from the beginning.
     Start,
-    /// To execute a block that is entered by hand: [`Task::execute_mdi`] is next.
+    /// Execute an MDI block: [`Task::execute_mdi`] is next.
     Mdi(alloc::string::String),
-    /// For nothing any more, by [`WaitEvent::Never`].
+    /// No request will come any more, by [`WaitEvent::Never`].
     None,
 }
 
@@ -124,7 +124,7 @@ pub enum IdleRequest {
 /// ```
 #[derive(Debug)]
 pub struct Task<M> {
-    /// It is large, and would be carried from place to place.
+    /// It is large, and moves would copy it.
     interpreter: Box<Interpreter>,
     state: TaskState<M>,
 }
@@ -144,7 +144,7 @@ impl<M: Machine> Task<M> {
         &self.interpreter
     }
 
-    /// The interpreter, for what a caller asks of it between steps.
+    /// The interpreter, for a caller's queries between steps.
     pub fn interpreter_mut(&mut self) -> &mut Interpreter {
         &mut self.interpreter
     }
@@ -169,7 +169,7 @@ impl<M: Machine> Task<M> {
         self.state.mode
     }
 
-    /// Puts an idle controller into a mode, as it stands when it is switched on.
+    /// Sets the mode of an idle controller, as after it is switched on.
     pub fn set_mode(&mut self, mode: ControllerMode) {
         self.state.mode = mode;
         self.interpreter.set_controller_mode(mode);
@@ -186,25 +186,25 @@ impl<M: Machine> Task<M> {
         self.interpreter.set_items(&self.state.items);
     }
 
-    /// The program begins again without an end, as M99 in the main program says: nothing is asked, and nothing changes.
+    /// Begins the program again without an end, as M99 in the main program does: nothing else changes.
     pub fn start_over(&mut self) {
         self.interpreter.restart();
         self.state.begin(RunKind::Program);
     }
 
-    /// Whether a block has begun that is not over: it waits in between then.
+    /// Whether a block has begun and is not over: the controller waits within it.
     pub fn is_within_block(&self) -> bool {
         self.state.within_block
     }
 
-    /// Where the next block stands, its file and its line; none where the next step goes on within a block or ends
-    /// the run.
+    /// The place of the next block, its file and its line; none where the next step continues a block or ends the
+    /// run.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         self.interpreter.next_block(source)
     }
 
-    /// Executes a block, or a part of one. What the operator asks meanwhile is answered, and before the block what
-    /// was asked before.
+    /// Executes a block, or a part of one. It handles the operator's requests during the block, and before it those
+    /// that came earlier.
     ///
     /// # Errors
     /// As for [`Interpreter::step`]. The run is over then.
@@ -231,9 +231,8 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// Executes a block that is entered by hand, the first line of a text, as line `number` of the file [`MDI_FILE`];
-    /// subs are found where `source` finds them. The mode is MDI mode then. It comes back with [`StepResult::MdiDone`]
-    /// or with an end.
+    /// Executes an MDI block, the first line of a text, as line `number` of the file [`MDI_FILE`]; subs are found
+    /// where `source` finds them. The mode is MDI mode then. It returns [`StepResult::MdiDone`] or an end.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
@@ -246,8 +245,8 @@ impl<M: Machine> Task<M> {
         self.execute_mdi_while(text, number, source, |_| true)
     }
 
-    /// The same, as long as it may go on: that is asked between blocks, of which a call of a sub has many. It comes
-    /// back with [`StepResult::More`] where it may not; what begins next forgets the rest.
+    /// The same, as long as `may_go_on` returns true. It is called between blocks, of which a call of a sub has many.
+    /// If it returns false the result is [`StepResult::More`], and the rest is dropped by the next program or block.
     ///
     /// # Errors
     /// As for [`Interpreter::step`].
@@ -272,7 +271,7 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// Begins a block by hand.
+    /// Begins an MDI block.
     fn begin_mdi(&mut self, number: u32) {
         self.state.change_mode(ControllerMode::Mdi);
         self.interpreter.begin_mdi(MDI_FILE, number);
@@ -284,7 +283,7 @@ impl<M: Machine> Task<M> {
         let activity = self.step(line);
         let is_over = match &activity {
             Ok(StepResult::More) => self.interpreter.needs_text() && line.is_over(),
-            // A line without a block in it.
+            // The line holds no block.
             Err(Error::Fault(fault)) => {
                 let file_is_over =
                     fault.kind == Some(FaultKind::MissingEnd) && fault.block.is_none();
@@ -299,7 +298,7 @@ impl<M: Machine> Task<M> {
         activity
     }
 
-    /// Lets time go by on an idle controller, until it is asked to execute something. Other requests are answered.
+    /// Lets time pass on an idle controller, until a request to execute something. It handles other requests.
     pub fn idle(&mut self) -> IdleRequest {
         loop {
             match self.state.machine.wait(None) {
@@ -322,10 +321,10 @@ impl<M: Machine> Task<M> {
         }
     }
 
-    /// What comes of a block that was broken off.
+    /// Finishes an aborted block, and with it the run.
     ///
     /// # Errors
-    /// More was to be read ahead than may be; the abort is done all the same.
+    /// More blocks would be read ahead than the limit allows; the abort is still complete.
     fn finish_abort<S: Source>(&mut self, source: &mut S) -> Result<StepResult, Error> {
         if let Some(why) = self.state.take_unspecified() {
             self.state.machine.discard_block();
@@ -348,11 +347,11 @@ impl<M: Machine> Task<M> {
         ahead.map(|()| StepResult::Ended(End::Aborted))
     }
 
-    /// Where an abort leaves what was read ahead, the interpreter goes on up to a block that waits for the machine,
-    /// and nothing of that is done.
+    /// Where an abort keeps what was read ahead, the interpreter reads up to a block that waits for the machine, and
+    /// executes nothing of it.
     ///
     /// # Errors
-    /// It comes to no such block, nor to an end, within as many blocks as may be read.
+    /// It reaches neither such a block nor an end within the limit of blocks.
     fn read_ahead<S: Source>(&mut self, source: &mut S) -> Result<(), Error> {
         let read = if self.state.begin_read_ahead() {
             self.interpreter.begin_read_ahead();

@@ -18,7 +18,7 @@ struct Output {
 #[derive(Clone, Debug)]
 pub(super) struct Outputs {
     outputs: Vec<Output>,
-    /// Whether any waits for a motion: each motion asks.
+    /// Whether any waits for a motion, which each motion checks.
     some_wait: bool,
 }
 
@@ -61,7 +61,7 @@ impl Outputs {
         some_wait
     }
 
-    /// Nothing waits any more: what was queued is gone with its program.
+    /// Drops what waits: it is gone with its program.
     pub(super) fn forget_waiting(&mut self) {
         self.some_wait = false;
         for output in &mut self.outputs {

@@ -32,7 +32,7 @@ impl Panel {
         }
     }
 
-    /// Takes over what the operator sets, in every mode and at every time; whether that was all.
+    /// Applies what the operator sets, in every mode and at every time; whether the action was only a setting.
     pub(super) fn apply(&mut self, action: &Action) -> bool {
         match action {
             Action::OptionalStop(on) => self.optional_stop = *on,

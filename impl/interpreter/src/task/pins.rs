@@ -7,17 +7,17 @@ use crate::faults::{Fault, planted};
 
 use super::panel::SPINDLES;
 
-/// What stands for the value of a pin that is not the task's to say: no number.
+/// The value of a pin that motion sets and not the task: not a number.
 const SET_BY_MOTION: f64 = f64::NAN;
 
-/// What a spindle is told, and how its orientation goes.
+/// The commanded state of a spindle, and its orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spindle {
     /// S: revolutions per minute, or a surface speed.
     speed: f64,
     turn: SpindleTurn,
-    /// Under constant surface speed (G96) S is no speed of the spindle: that follows from where the tool is, which
-    /// motion knows.
+    /// Under constant surface speed (G96) S is not a speed of the spindle: motion computes it from the position of
+    /// the tool.
     surface_speed: bool,
     override_enabled: bool,
     orientation: Orientation,
@@ -27,18 +27,18 @@ pub(super) struct Spindle {
     direction: f64,
 }
 
-/// How far M19 is.
+/// The state of M19.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Orientation {
-    /// Nobody asked for it, or M3, M4 or M5 took that back.
+    /// It was not commanded, or M3, M4 or M5 cancelled it.
     None,
     /// The spindle is on its way.
     Requested,
-    /// It stands at its angle and is held there.
+    /// It is at its angle and held there.
     Locked,
 }
 
-/// The pins of a spindle, in the order of [`Pins::of_spindle`].
+/// The pins of a spindle, in the order of [`Spindle::pins`].
 type SpindlePins = [(Pin, f64); 9];
 
 /// Everything that pins follow from, besides outputs.
@@ -54,7 +54,7 @@ pub(super) struct TrackedSettings {
 }
 
 impl TrackedSettings {
-    /// As the settings say that are in force.
+    /// From the settings in force.
     pub(super) fn new(settings: &Settings) -> Self {
         let spindle = Spindle {
             speed: 0.0,
@@ -77,7 +77,7 @@ impl TrackedSettings {
         tracked
     }
 
-    /// Takes over settings that changed; whether a pin may have.
+    /// Takes over settings that changed; whether a pin may have changed.
     pub(super) fn set(&mut self, changed: &Settings) -> bool {
         let switch = |to: &mut bool, switch: Option<Switch>| {
             *to = switch.map_or(*to, |switch| switch == Switch::On);
@@ -112,8 +112,8 @@ impl TrackedSettings {
         spindles || changed.mist.is_some() || changed.flood.is_some()
     }
 
-    /// Takes over settings that were only read ahead: nobody has told a spindle to turn to an angle, or taken that
-    /// back. One that turns now is held at none.
+    /// Takes over settings that were only read ahead: orientation was neither commanded nor cancelled. A spindle that
+    /// turns now is not held at an angle.
     pub(super) fn apply_read_ahead(&mut self, changed: &Settings) {
         let orientations = self.spindles.map(|spindle| spindle.orientation);
         self.set(changed);
@@ -154,7 +154,7 @@ impl TrackedSettings {
         };
     }
 
-    /// A spindle stands at its angle.
+    /// Locks a spindle at its angle.
     pub(super) fn lock(&mut self, spindle: u32) {
         let Some(spindle) = self.spindle(spindle) else { return };
         spindle.orientation = Orientation::Locked;
@@ -184,8 +184,8 @@ impl Spindle {
         let locked = self.orientation == Orientation::Locked;
         let requested = self.orientation == Orientation::Requested
             || locked && planted(Fault::OrientRequestStays);
-        // M19 tells that it turns to an angle just before it says to which. A spindle that was started at a speed of
-        // zero is not braked: a speed may come at any time.
+        // M19 reports the orientation just before the angle. A spindle that was started at a speed of zero is not
+        // braked: a speed may follow at any time.
         let turning_to_angle = self.turn == SpindleTurn::Oriented && !locked;
         let brake = if brake_while_locked {
             locked

@@ -1,13 +1,13 @@
-//! What the operator asks, and what the controller answers (11.6.2 to 11.6.4).
+//! The operator's requests, and the controller's answers (11.6.2 to 11.6.4).
 //!
-//! | asked for | a program runs | it pauses | a block by hand runs | idle |
+//! | request | a program runs | it pauses | an MDI block runs | idle |
 //! | --- | --- | --- | --- | --- |
-//! | cycle start | open | goes on after M60, after M0 and M1 by option; open after a pause that was asked for | open | starts |
+//! | cycle start | open | goes on after M60, after M0 and M1 by option; open after a requested pause | open | starts |
 //! | pause | pauses | nothing more | open | nothing |
 //! | resume | nothing | goes on | open | nothing |
 //! | abort | ends | ends | ends | as an abort leaves spindles and coolant |
 //! | a mode | refused where it is another one | refused where it is another one | open | changes |
-//! | a block by hand | refused | refused | open | executed in MDI mode, by option in manual mode |
+//! | an MDI block | refused | refused | open | executed in MDI mode, by option in manual mode |
 
 use alloc::string::String;
 
@@ -21,7 +21,7 @@ use super::machine::Machine;
 use super::state::{AbortCause, Pause, RunKind, TaskState};
 
 impl<M: Machine> TaskState<M> {
-    /// Answers a request while something is being executed.
+    /// Handles a request while something is being executed.
     pub(super) fn handle_request(&mut self, action: Action) {
         if self.panel.apply(&action) {
             self.update_pins();
@@ -65,7 +65,7 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// Answers a request to an idle controller; what it is to execute, if anything.
+    /// Handles a request to an idle controller; what it is to execute, if anything.
     pub(super) fn handle_idle_request(&mut self, action: Action) -> Option<IdleRequest> {
         if self.panel.apply(&action) {
             self.update_pins();
@@ -78,7 +78,7 @@ impl<M: Machine> TaskState<M> {
             Action::Mdi(text) => match self.mode {
                 ControllerMode::Mdi => return mdi_request(text),
                 ControllerMode::Manual if self.choices.mdi_in_manual => {
-                    // By itself, before there is a block, which may be refused.
+                    // The mode changes before the block, which may be refused.
                     self.change_mode(ControllerMode::Mdi);
                     return mdi_request(text);
                 }
@@ -99,12 +99,12 @@ impl<M: Machine> TaskState<M> {
         None
     }
 
-    /// The controller does not do it, and says so.
+    /// Reports that the controller refuses a request.
     fn refuse(&mut self, request: Request) {
         let _reply = self.machine.perform(self.line, &Effect::RequestRefused { request });
     }
 
-    /// The controller is in this mode from now on.
+    /// Changes the mode of the controller.
     pub(super) fn change_mode(&mut self, mode: ControllerMode) {
         if self.mode != mode {
             self.mode = mode;
@@ -114,7 +114,7 @@ impl<M: Machine> TaskState<M> {
     }
 }
 
-/// What is entered by hand. A blank line is no block: nothing is executed for it.
+/// The request of an MDI block. A blank line is not a block: nothing is executed for it.
 fn mdi_request(text: String) -> Option<IdleRequest> {
     let is_blank = text.bytes().all(|byte| matches!(byte, b' ' | b'\t' | b'\r' | b'\n'));
     (!is_blank).then_some(IdleRequest::Mdi(text))

@@ -1,4 +1,4 @@
-//! The desk between interpreter and machine: what the controller is doing, and the state from which pins follow.
+//! The state between interpreter and machine: what the controller is doing, and the values from which pins follow.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -19,7 +19,7 @@ use super::pins::{TrackedSettings, bit};
 pub(super) enum RunKind {
     /// It runs a program.
     Program,
-    /// It executes a block that was entered by hand.
+    /// It executes an MDI block.
     Mdi,
 }
 
@@ -30,31 +30,31 @@ pub(super) enum Pause {
     Stop,
     /// M60.
     Pallets,
-    /// The operator asked for it.
+    /// A request of the operator.
     Requested,
 }
 
-/// What it waits for that will never come.
+/// What it waits for that never happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deadlock {
-    /// That somebody lets the program go on, or motion.
+    /// A resume of the program or of motion.
     Paused,
-    /// An input, or something else outside.
+    /// An input, or an external operation.
     Waiting,
 }
 
-/// How a block was broken off.
+/// Why a block was aborted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum AbortCause {
     /// By the operator.
     Operator,
     /// The documents leave open what follows.
     Unspecified(&'static str),
-    /// Nothing will ever happen again.
+    /// Nothing will ever happen.
     Deadlock(Deadlock),
 }
 
-/// The desk.
+/// The state of a task.
 #[derive(Debug)]
 pub(super) struct TaskState<M> {
     pub(super) machine: M,
@@ -67,7 +67,7 @@ pub(super) struct TaskState<M> {
     pub(super) choices: Choices,
     /// HAL items as programs see them.
     pub(super) items: Vec<f64>,
-    /// M66 has brought them up to date since the interpreter was told.
+    /// M66 has updated them, and the interpreter does not have them yet.
     pub(super) items_changed: bool,
     pub(super) digital: Outputs,
     pub(super) analog: Outputs,
@@ -77,7 +77,7 @@ pub(super) struct TaskState<M> {
     inputs: (u16, u16),
     /// Each pin and its value, in the order of [`items::pins`].
     pins: Vec<(Pin, f64)>,
-    /// Room for the values that they are to have.
+    /// Scratch memory for their next values.
     values: Vec<f64>,
     /// Between the start and the end of a synchronisation with a spindle.
     pub(super) synchronised: bool,
@@ -89,11 +89,11 @@ pub(super) struct TaskState<M> {
     pub(super) within_block: bool,
     /// Line of the block that is being executed.
     pub(super) line: u32,
-    /// What is read now was never to be executed.
+    /// Blocks are only read and not executed.
     pub(super) reading_ahead: bool,
-    /// What it has set.
+    /// Settings that these blocks have changed.
     pub(super) settings_ahead: Settings,
-    /// What was broken off waits for the machine: nothing behind it has been read.
+    /// The aborted effect waits for the machine: nothing after it has been read.
     pub(super) aborted_waiting: bool,
 }
 
@@ -126,7 +126,7 @@ impl<M: Machine> TaskState<M> {
             settings_ahead: Settings::default(),
             aborted_waiting: false,
         };
-        // What they are before anything runs is no change.
+        // The initial values are not changes.
         state.values = state.current_pins().collect();
         for ((_, value), now) in state.pins.iter_mut().zip(&state.values) {
             *value = *now;
@@ -140,7 +140,7 @@ impl<M: Machine> TaskState<M> {
         state
     }
 
-    /// The values that all pins are to have, in the order of [`items::pins`].
+    /// The next values of all pins, in the order of [`items::pins`].
     fn current_pins(&self) -> impl Iterator<Item = f64> {
         let (panel, choices) = (&self.panel, self.choices);
         let spindles = self.tracked.spindles.iter().zip(panel.spindle_override);
@@ -152,16 +152,16 @@ impl<M: Machine> TaskState<M> {
         self.digital.values().chain(self.analog.values()).chain(spindles).chain(coolant)
     }
 
-    /// Tells the machine the pins that have changed.
+    /// Sets the machine's pins that have changed.
     pub(super) fn update_pins(&mut self) {
-        // Both lists are borrowed apart: the machine hears of a pin while the next value is computed.
+        // Both lists are borrowed separately: the machine sets a pin while the next value is computed.
         let mut pins = core::mem::take(&mut self.pins);
         let mut values = core::mem::take(&mut self.values);
         for (slot, value) in values.iter_mut().zip(self.current_pins()) {
             *slot = value;
         }
         for ((pin, old), new) in pins.iter_mut().zip(&values) {
-            // A value that is no number is one that the task does not know: the pin is left to motion.
+            // A value that is not a number means that motion sets the pin.
             if (*old - *new).abs() > 0.0 {
                 *old = *new;
                 self.machine.set_pin(*pin, *new);
@@ -182,7 +182,7 @@ impl<M: Machine> TaskState<M> {
         self.items = all;
     }
 
-    /// A program or a block by hand begins; nothing of what was left by the one before counts.
+    /// Begins a program or an MDI block, without the state of the one before.
     pub(super) fn begin(&mut self, run_kind: RunKind) {
         self.run_kind = run_kind;
         self.pause = None;
@@ -216,7 +216,7 @@ impl<M: Machine> TaskState<M> {
         self.abort_cause.is_some()
     }
 
-    /// Takes an abort that the operator asked for.
+    /// Takes the operator's abort.
     pub(super) fn take_abort(&mut self) -> bool {
         let aborted = self.abort_cause == Some(AbortCause::Operator);
         if aborted {
@@ -237,7 +237,7 @@ impl<M: Machine> TaskState<M> {
         Some(deadlock)
     }
 
-    /// After an abort: whether the interpreter shall read ahead.
+    /// After an abort: whether the interpreter reads ahead.
     pub(super) fn begin_read_ahead(&mut self) -> bool {
         let reads = self.choices.read_ahead_on_abort
             && self.run_kind == RunKind::Program
@@ -246,7 +246,7 @@ impl<M: Machine> TaskState<M> {
         reads
     }
 
-    /// What was set by reading ahead is in force now, although nothing was executed.
+    /// Puts the settings that were read ahead into force, although nothing was executed.
     pub(super) fn apply_read_ahead(&mut self) {
         self.reading_ahead = false;
         let set = core::mem::take(&mut self.settings_ahead);

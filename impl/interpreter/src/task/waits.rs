@@ -1,5 +1,5 @@
-//! Time that goes by: dwells, pauses, held moves, inputs (M66), works outside. What the operator asks meanwhile is
-//! answered.
+//! Waits for time to pass: dwells, pauses, held moves, inputs (M66), external operations. Requests of the operator
+//! are handled meanwhile.
 
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
@@ -12,21 +12,21 @@ use super::state::{AbortCause, Deadlock, TaskState};
 /// What M66 reads when nothing came in time.
 const TIMED_OUT: f64 = -1.0;
 
-/// The block was broken off while it waited.
+/// The block was aborted while it waited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Aborted;
 
 /// Why a wait is over for now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum WakeReason {
-    /// Its time has come.
+    /// Its time is over.
     TimeReached,
-    /// Something may be otherwise.
+    /// Something may have changed.
     Changed,
 }
 
 impl<M: Machine> TaskState<M> {
-    /// Waits once. A wait for nothing that will ever come is broken off as stuck.
+    /// Waits once. A wait for something that never happens is aborted as a deadlock.
     fn wait_once(&mut self, until: Option<f64>, deadlock: Deadlock) -> Result<WakeReason, Aborted> {
         let event = self.machine.wait(until);
         if event == WaitEvent::Changed {
@@ -37,7 +37,7 @@ impl<M: Machine> TaskState<M> {
             WaitEvent::Changed => Ok(WakeReason::Changed),
             WaitEvent::Requested(action) => {
                 self.handle_request(action);
-                // What is asked at the same time comes before what ends at that time.
+                // A request at the same time comes before the end of the wait.
                 while deadlock == Deadlock::Waiting
                     && self.abort_cause.is_none()
                     && let Some(action) = self.machine.poll_request()
@@ -58,7 +58,7 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// Spindles that have come to their angles are held there, whoever waits for them.
+    /// Locks the spindles that have reached their angles, whatever waits for them.
     pub(super) fn lock_oriented_spindles(&mut self) {
         for spindle in 0..u32::try_from(super::panel::SPINDLES).unwrap_or(0) {
             if self.tracked.is_orienting(spindle)
@@ -78,7 +78,7 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// Before a block: answers what was asked by now, and waits while the program is paused.
+    /// Before a block: handles the requests so far, and waits while the program is paused.
     pub(super) fn wait_while_paused(&mut self) -> Result<(), Aborted> {
         self.within_block = false;
         loop {
@@ -95,12 +95,12 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// Waits for something that lets the program or a move go on.
+    /// Waits for something that lets the program or a move continue.
     pub(super) fn wait_for_resume(&mut self) -> Result<(), Aborted> {
         self.wait_once(None, Deadlock::Paused).map(|_| ())
     }
 
-    /// Lets so many seconds of a dwell go by. Whether those of a pause are among them is a choice of the documents.
+    /// Lets so many seconds of a dwell pass. Whether they include a pause is a choice.
     pub(super) fn dwell(&mut self, seconds: f64) -> Result<(), Aborted> {
         let mut until = self.machine.time() + seconds.max(0.0);
         while self.wait_once(Some(until), Deadlock::Waiting)? != WakeReason::TimeReached {
@@ -111,7 +111,7 @@ impl<M: Machine> TaskState<M> {
         Ok(())
     }
 
-    /// A dwell of a paused program, where that makes it stand still.
+    /// Stops a dwell while the program is paused, where the choice says so.
     pub(super) fn pause_dwell(&mut self) -> Result<(), Aborted> {
         while self.choices.pause_stops_dwell && self.pause.is_some() {
             self.wait_for_resume()?;
@@ -119,7 +119,7 @@ impl<M: Machine> TaskState<M> {
         Ok(())
     }
 
-    /// Waits until a work is over, or for so many seconds at most; then it has not been done in time.
+    /// Waits until an external operation is over, or for so many seconds at most; after that the reply is a stop.
     pub(super) fn wait_for(
         &mut self,
         operation: ExternalOperation,
@@ -141,7 +141,7 @@ impl<M: Machine> TaskState<M> {
     /// M19 waits for the encoder (11.6.8).
     pub(super) fn wait_orient(&mut self, spindle: u32, timeout: f64, effect: &Effect) -> Reply {
         let reply = self.machine.perform(self.line, effect);
-        // One that answers at once is held while another one is still waited for.
+        // A spindle that is ready at once is locked while another one is waited for.
         self.lock_oriented_spindles();
         match self.wait_for(ExternalOperation::Orientation(spindle), Some(timeout)) {
             Ok(Reply::Done) => {

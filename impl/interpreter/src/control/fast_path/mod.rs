@@ -1,9 +1,10 @@
-//! The short way for a plain line of the main program, which runs once: its words are evaluated while they are read,
-//! in one pass.
+//! The fast path for a plain line of the main program, which runs once: its words are evaluated while they are read,
+//! in one pass. The complete path is [`LineCompiler::compile_line`](crate::syntax::LineCompiler), then
+//! [`Evaluator::run`](crate::control::Evaluator).
 //!
-//! **Invariant:** it only ever takes what the long way takes, with the same outcome. Whatever is unusual (an o-word,
-//! a line that is too long, an active comment, a digit that stands apart, a new name, and everything that is refused)
-//! is left alone, and the long way begins anew.
+//! **Invariant:** it takes only what the complete path takes, with the same outcome. Whatever is unusual (an o-word,
+//! a line that is too long, an active comment, a separate digit, a new name, and everything that is refused) is left
+//! alone, and the complete path starts again.
 
 mod operand;
 
@@ -21,17 +22,17 @@ use crate::source::Source;
 use crate::syntax::{ParameterRef, plain_number};
 use crate::words::Words;
 
-/// Longest line that is taken; the documents' limit is no shorter.
+/// Longest line that is taken; the documents' limit is not shorter.
 const LONGEST: usize = 255;
 /// Places of letters from A.
 const G: u8 = b'g' - b'a';
 const M: u8 = b'm' - b'a';
-/// N and O, which stand at the beginning of a line only.
+/// N and O, which are allowed at the beginning of a line only.
 const ELSEWHERE: u32 = 1 << (b'n' - b'a') | 1 << (b'o' - b'a');
 
 impl Interpreter {
-    /// Reads and executes a plain line of the main program; none where that is not what comes next. Comments that do
-    /// not act are passed over.
+    /// Fast path of `read_block` and `execute_plain`. Reads and executes a plain line of the main program; none where
+    /// the next line is another one. Comments that do not act are passed over.
     #[inline]
     pub(crate) fn execute_line_fast<S: Source, K: Sink>(
         &mut self,
@@ -83,8 +84,8 @@ impl Interpreter {
     }
 }
 
-/// A line that is being read. Every method takes the text before something and gives the text behind it; none where
-/// it is unusual.
+/// A line that is being read. Every method takes the text before an element and returns the text after it; none where
+/// the element is unusual.
 struct FastLine<'a> {
     values: operand::Values<'a>,
     words: &'a mut Words,
@@ -92,7 +93,7 @@ struct FastLine<'a> {
 }
 
 impl FastLine<'_> {
-    /// Reads a line; its length with its end, and whether it holds comments only.
+    /// Fast path of `LineCompiler::items`. Reads a line; its length with its end, and whether it holds comments only.
     #[inline]
     fn line(mut self, whole: &[u8]) -> Option<(usize, bool)> {
         let mut text = whole;
@@ -135,7 +136,7 @@ impl FastLine<'_> {
         (length <= LONGEST).then_some((length.wrapping_add(end), bare))
     }
 
-    /// A word, behind its letter.
+    /// Fast path of `LineCompiler::word`. A word, after its letter.
     #[inline]
     fn word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
         let (negative, digits) = match text {
@@ -162,7 +163,7 @@ impl FastLine<'_> {
         self.set(letter, if negative { -value } else { value }).then_some(text)
     }
 
-    /// A word that is no short number, behind its letter.
+    /// A word whose value is not a short number, after its letter.
     #[inline(never)]
     fn unusual_word<'t>(&mut self, letter: u8, text: &'t [u8]) -> Option<&'t [u8]> {
         if matches!(letter, G | M) {
@@ -172,7 +173,7 @@ impl FastLine<'_> {
         self.set(letter, value).then_some(text)
     }
 
-    /// Sets a word; false where its letter has one already, or is none that may stand there.
+    /// Sets a word; false where its letter has one already, or is not allowed there.
     #[inline]
     fn set(&mut self, letter: u8, value: f64) -> bool {
         let bit = 1_u32.wrapping_shl(u32::from(letter));
@@ -183,7 +184,7 @@ impl FastLine<'_> {
         free
     }
 
-    /// `#…=value`, behind the number sign.
+    /// Fast path of `LineCompiler::setting`. `#…=value`, after the number sign.
     fn setting<'t>(&mut self, text: &'t [u8]) -> Option<&'t [u8]> {
         let depth = self.values.compiler.bracket_depth;
         let (place, text) = self.values.place(text, depth)?;
@@ -206,14 +207,14 @@ impl FastLine<'_> {
     }
 }
 
-/// The text behind the digits of a line number; they have no point and do not stand apart.
+/// The text after the digits of a line number; they have no point and no blanks.
 fn line_number(text: &[u8]) -> Option<&[u8]> {
     let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
     let behind = text.get(digits..)?;
     (digits != 0 && behind.first() != Some(&b'.')).then_some(behind)
 }
 
-/// The text behind a plain comment. One that begins like the name of an active one is not looked at any further.
+/// The text after a plain comment. One that begins like the name of an active one is not looked at any further.
 fn comment(begin: u8, text: &[u8]) -> Option<&[u8]> {
     let mut letters = text.iter().filter(|byte| **byte > b' ').map(|byte| byte | 0x20);
     match letters.next()? {

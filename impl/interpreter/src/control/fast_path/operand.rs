@@ -1,6 +1,8 @@
-//! Values that are found while they are read: numbers, parameters, expressions and functions, for [`super::direct`].
+//! Values that are found while they are read: numbers, parameters, expressions and functions, for the fast path of a
+//! line.
 //!
-//! Reading a value changes nothing, so that whatever is unusual or wrong is left to the long way, which begins anew.
+//! Reading a value changes nothing, so that whatever is unusual or wrong is left to the complete path, which starts
+//! again.
 
 use crate::parameters::Parameters;
 use crate::syntax::bytecode::{Binary, Function};
@@ -18,10 +20,10 @@ pub(super) struct Values<'a> {
     pub(super) compiler: &'a LineCompiler,
 }
 
-/// A value and the text behind it.
+/// A value and the text after it.
 type Found<'t, T> = Option<(T, &'t [u8])>;
 
-/// The text from the next character on that is no blank.
+/// The text from the next character that is not a blank.
 #[inline]
 pub(super) fn after_blanks(mut text: &[u8]) -> &[u8] {
     while let [b' ' | b'\t', behind @ ..] = text {
@@ -36,7 +38,7 @@ impl Values<'_> {
         self.value(text, self.compiler.bracket_depth)
     }
 
-    /// A value. Most are numbers and parameters, which need no more than a call.
+    /// Fast path of `LineCompiler::value`. Most values are numbers and parameters, which need only one call.
     #[inline]
     fn value<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         match text {
@@ -47,14 +49,14 @@ impl Values<'_> {
         }
     }
 
-    /// The value of a named parameter, behind its left angle bracket.
+    /// The value of a named parameter, after its left angle bracket.
     #[inline(never)]
     fn named<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
         let (place, length) = self.compiler.find_known(text)?;
         Some((self.value_at(place)?, text.get(length..)?))
     }
 
-    /// The value of a numbered parameter, behind its number sign.
+    /// The value of a numbered parameter, after its number sign.
     #[inline(never)]
     fn numbered<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
         let (number, text) = parameter(text)?;
@@ -98,7 +100,7 @@ impl Values<'_> {
         }
     }
 
-    /// A value behind its sign.
+    /// A value after its sign.
     #[inline(never)]
     fn signed<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let text = after_blanks(text);
@@ -110,7 +112,7 @@ impl Values<'_> {
         }
     }
 
-    /// A parameter, behind its number sign.
+    /// Fast path of `LineCompiler::parameter`. A parameter, after its number sign.
     #[inline]
     pub(super) fn place<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, ParameterRef> {
         match text.split_first()? {
@@ -129,7 +131,7 @@ impl Values<'_> {
         }
     }
 
-    /// An expression, behind its left bracket.
+    /// Fast path of `LineCompiler::expression`. An expression, after its left bracket.
     fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let depth = depth.checked_sub(1)?;
         // What waits for its right side, each in a higher group than the one before, whose group it keeps.
@@ -156,7 +158,7 @@ impl Values<'_> {
         }
     }
 
-    /// A function with its argument in brackets.
+    /// Fast path of `LineCompiler::call_function`. A function with its argument in brackets.
     fn call<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let (name, text) = letters(text)?;
         let [b'[', text @ ..] = after_blanks(text) else { return None };
@@ -200,7 +202,7 @@ fn parameter(text: &[u8]) -> Found<'_, u16> {
     small_integer(text).filter(|(number, _)| (1..=LAST).contains(number))
 }
 
-/// Up to four digits without a point, of which the first stands here.
+/// Up to four digits without a point, from the beginning of the text.
 #[inline]
 fn small_integer(text: &[u8]) -> Found<'_, u16> {
     let mut number = 0_u16;
@@ -215,7 +217,7 @@ fn small_integer(text: &[u8]) -> Found<'_, u16> {
     (rest.first() != Some(&b'.')).then_some((number, rest))
 }
 
-/// Up to eight letters that stand together, in lower case, the last one in the lowest byte.
+/// Up to eight adjacent letters, in lower case, the last one in the lowest byte.
 #[inline]
 fn letters(text: &[u8]) -> Found<'_, u64> {
     let mut name = 0_u64;
@@ -238,7 +240,7 @@ fn operator(text: &[u8]) -> Found<'_, Option<Binary>> {
     let operator = match text {
         [b']', behind @ ..] => return Some((None, behind)),
         [b'*', b'*', behind @ ..] => return Some((Some(Binary::Power), behind)),
-        // The second sign of a power may stand apart.
+        // A blank may separate the signs of a power.
         [b'*', b' ' | b'\t', behind @ ..] if after_blanks(behind).first() == Some(&b'*') => {
             return None;
         }
@@ -252,7 +254,7 @@ fn operator(text: &[u8]) -> Found<'_, Option<Binary>> {
     Some((Some(operator), text.get(1..)?))
 }
 
-/// The operator behind a blank.
+/// The operator after a blank.
 #[inline(never)]
 fn operator_apart(text: &[u8]) -> Found<'_, Option<Binary>> {
     operator(after_blanks(text))

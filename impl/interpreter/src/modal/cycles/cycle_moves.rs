@@ -1,4 +1,4 @@
-//! The strokes of a canned cycle, performed.
+//! Performs the moves of a canned cycle.
 
 use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
 
@@ -11,7 +11,7 @@ use super::super::refusal::Refusal;
 use super::drilling::{At, CycleMove, Drilling, Levels};
 
 impl Modal {
-    /// Performs the next stroke of a cycle; whether the cycle is over then.
+    /// Performs the next move of a cycle; whether the cycle is over then.
     pub(super) fn perform_cycle_move<K: Sink>(
         &mut self,
         drilling: &mut Drilling,
@@ -73,7 +73,7 @@ impl Modal {
         Ok(drilling.advance())
     }
 
-    /// Tells spindles to turn; what the next stroke tells them has not been told yet.
+    /// Sets what spindles do and reports it at once, before the next move sets it again.
     fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
         self.for_spindles(which, |spindle| spindle.turn = turn);
         self.active.report(line, sink);

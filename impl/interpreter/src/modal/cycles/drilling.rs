@@ -1,4 +1,4 @@
-//! A canned cycle as strokes: which move, dwell or switch comes next.
+//! A canned cycle as a list: which move, dwell or switch comes next.
 
 use gaugeblock_vocabulary::{SpindleTurn, Switch};
 
@@ -8,7 +8,7 @@ use crate::math;
 use super::super::modes::Spindles;
 use super::plane_axes::PlaneAxes;
 
-/// A part of a cycle.
+/// One move, dwell or switch of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CycleMove {
     /// A rapid move to where the hole is, at the level at which the point is.
@@ -30,7 +30,7 @@ pub(super) enum CycleMove {
     FeedOut,
     /// A feed move to the R plane.
     FeedToRetract,
-    /// The selected spindle is told to do this.
+    /// The selected spindle is set to this.
     Turn(SpindleTurn),
     /// The selected spindle does again what it did before the cycle.
     TurnAgain,
@@ -40,7 +40,7 @@ pub(super) enum CycleMove {
     OverridesBack,
 }
 
-/// The strokes of one go-around, behind [`CycleMove::Across`] and [`CycleMove::Approach`] (11.5.43.6).
+/// The moves of one repeat, after [`CycleMove::Across`] and [`CycleMove::Approach`] (11.5.43.6).
 const fn moves(code: u16) -> &'static [CycleMove] {
     use CycleMove::{
         Drill, DrillBreaking, DrillPecking, Dwell, FeedOut, FeedToRetract, OverridesBack,
@@ -76,7 +76,7 @@ pub(super) struct Levels {
     pub(super) clear: f64,
 }
 
-/// A cycle in numbers: where it goes and what it finds.
+/// A cycle in numbers: its points, and the state that it finds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cycle {
     pub(super) axes: PlaneAxes,
@@ -101,11 +101,11 @@ pub(super) struct Cycle {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Drilling {
     pub(super) cycle: Cycle,
-    /// Strokes of one go-around.
+    /// Moves of one repeat.
     moves: &'static [CycleMove],
     /// How many holes are left, with this one.
     repeats: u64,
-    /// The next stroke of this one.
+    /// The next move of this hole.
     pub(super) at: At,
     /// Pecks that were made in this hole.
     pecks: u64,
@@ -113,14 +113,14 @@ pub(super) struct Drilling {
     peck: Peck,
 }
 
-/// Where in a go-around.
+/// The place in a repeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum At {
     /// The rapid move to the R plane that is made once, where the point is below (11.5.43.6).
     Preliminary,
     Across,
     Approach,
-    /// A place among the strokes.
+    /// A place in the list of moves.
     CycleMove(usize),
 }
 
@@ -136,12 +136,12 @@ enum Peck {
 }
 
 impl Drilling {
-    /// A cycle of a code, before its first stroke.
+    /// A cycle of a code, before its first move.
     pub(super) fn new(code: u16, cycle: Cycle, repeats: u64) -> Self {
         Self { cycle, moves: moves(code), repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
     }
 
-    /// The stroke that comes next, and none where the cycle is over.
+    /// The next move; none where the cycle is over.
     pub(super) fn next(&self) -> Option<CycleMove> {
         match self.at {
             At::Preliminary | At::Approach => Some(CycleMove::Approach),
@@ -150,7 +150,7 @@ impl Drilling {
         }
     }
 
-    /// Goes on behind a stroke; whether the cycle is over then.
+    /// Continues after a move; whether the cycle is over then.
     pub(super) fn advance(&mut self) -> bool {
         self.at = match self.at {
             At::Preliminary => At::Across,
@@ -177,7 +177,7 @@ impl Drilling {
         if depth > bottom + rounding && !planted(Fault::NoPecks) { depth } else { bottom }
     }
 
-    /// Where the next stroke of a peck leads and whether it is a feed move; whether the hole is done then.
+    /// The level of a peck's next move and whether it is a feed move; whether the hole is done then.
     pub(super) fn next_peck(&mut self, breaking: bool, clearance: f64) -> (f64, bool, bool) {
         match self.peck {
             Peck::Down => {

@@ -2,12 +2,12 @@
 //! plain moves.
 //!
 //! ```text
-//! Words ─► series (sticky words, initial level) ─► Drilling (a hole as numbers) ─► strokes (one move, dwell or switch at a time)
+//! Words ─► MotionSeries (sticky words, initial level) ─► Drilling (a hole as numbers) ─► moves, one at a time
 //! ```
 //!
 //! **Invariants.**
-//! * Everything that a block can be refused for is checked before its first stroke.
-//! * A step performs a bounded number of strokes, whatever L and Q are, and a cycle allocates nothing.
+//! * Everything that a block can be refused for is checked before its first move.
+//! * A step performs a bounded number of moves, whatever L and Q are, and a cycle allocates nothing.
 
 mod cycle_moves;
 mod drilling;
@@ -111,7 +111,7 @@ impl Modal {
             dwell: numbers.dwell,
             increment: numbers.increment,
             spindle,
-            // One that was held at an angle is not turned back to it.
+            // A spindle that was held at an angle is not turned back to it.
             turn: if turning.turns() { turning.turn } else { SpindleTurn::Stopped },
             overrides: (self.active.now().feed_override, turning.speed_override),
         };

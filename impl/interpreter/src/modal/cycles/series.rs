@@ -1,7 +1,7 @@
 //! What a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial level of
 //! canned cycles (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
 //!
-//! A motion mode that ends a series does not come here: what is kept holds only while the motion mode in force is one
+//! A motion mode that ends a series does not clear it: the series counts only while the motion mode in force is one
 //! of its own.
 
 use gaugeblock_vocabulary::Motion;
@@ -10,7 +10,7 @@ use super::super::coordinates::{Conversion, Coordinates};
 use super::super::motion_codes::is_cycle;
 use super::numbers::Numbers;
 
-/// What is kept.
+/// The state of a series.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in super::super) struct MotionSeries {
     /// Where the point was before the first cycle.
@@ -34,7 +34,7 @@ pub(in super::super) struct Curve {
     pub(in super::super) last: Coordinates,
 }
 
-/// A series of cycles that a block goes on with or begins.
+/// A series of cycles that a block continues or begins.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CycleSeries {
     start: Coordinates,
@@ -66,12 +66,12 @@ impl MotionSeries {
         Self { curve: Some(curve), ..Self::default() }
     }
 
-    /// The motion mode changes by other means than a motion code (M72): a series goes on from cycle to cycle only.
+    /// The series after a change of the motion mode by M72: it continues only from cycle to cycle.
     pub(in super::super) fn changed(self, from: Motion, to: Motion) -> Self {
         if from == to || is_cycle(from) && is_cycle(to) { self } else { Self::default() }
     }
 
-    /// Lengths are told in another unit; sticky words are numbers and stay.
+    /// Converts lengths to another unit; sticky words are numbers and stay.
     pub(in super::super) fn convert(&mut self, by: Conversion) {
         self.each_point(|point| point.converted(by));
     }

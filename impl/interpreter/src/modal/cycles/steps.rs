@@ -1,4 +1,4 @@
-//! Work of a block that may be more than a step does: it is done a bounded number of strokes at a time.
+//! Performs the pending work of a block in steps, a bounded number of moves at a time.
 
 use crate::canon::Sink;
 use crate::parameters::Numbered;
@@ -8,7 +8,7 @@ use super::super::refusal::{Flow, Refusal};
 use super::super::snapshots::BlockSnapshot;
 use super::pending::{Job, PendingBlock};
 
-/// Most strokes of a step.
+/// Most moves of a step.
 const MOVES_PER_STEP: u8 = 32;
 
 impl Modal {
@@ -25,7 +25,7 @@ impl Modal {
         }
     }
 
-    /// The last phases of a block, behind the motion: its unfinished work, then a stop or an end.
+    /// The last phases of a block, after the motion: its pending work, then a stop or an end.
     pub(in super::super) fn after_motion<K: Sink>(
         &mut self,
         line: u32,
@@ -40,7 +40,7 @@ impl Modal {
         self.finish(line, stop, numbered, sink)
     }
 
-    /// Goes on within a block that is not finished.
+    /// Continues a block that is not finished.
     #[inline(never)]
     pub(crate) fn resume_block<K: Sink>(
         &mut self,
@@ -54,8 +54,8 @@ impl Modal {
         self.end_step(before, flow, numbered)
     }
 
-    /// Behind a step of a block that can be refused: it is taken back, or done, or can still be refused in a later
-    /// step.
+    /// After a step of a block that can be refused: the block is rolled back, or done, or can still be refused in a
+    /// later step.
     #[inline]
     pub(in super::super) fn end_step(
         &mut self,
@@ -88,7 +88,7 @@ impl Modal {
         flow
     }
 
-    /// Performs so many strokes as are a step.
+    /// Performs the moves of one step.
     fn continue_pending<K: Sink>(
         &mut self,
         numbered: &mut Numbered,

@@ -53,7 +53,7 @@ pub(super) enum PassStep {
     /// To the beginning of the entry's taper, and along it.
     ToTaper,
     Taper,
-    /// Synchronisation along the thread, behind a tapered entry.
+    /// Synchronisation along the thread, after a tapered entry.
     Straighten,
     /// Along the thread.
     Cut,
@@ -80,7 +80,7 @@ impl Threading {
         self.pitch * math::hypotenuse(self.full_depth, taper) / taper.abs()
     }
 
-    /// Goes on behind a part; whether the thread is over then.
+    /// Continues after a part; whether the thread is over then.
     pub(super) fn advance(&mut self) -> bool {
         self.at = match self.at {
             PassStep::Back => PassStep::In,
