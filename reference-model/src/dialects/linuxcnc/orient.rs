@@ -9,7 +9,6 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::execute::orient::{
     OrientRules, angle, direction, spindles, timeout, turn_to, wait_for,
 };
-use crate::rs274::execute::spindle::all;
 use crate::rs274::execute::{pass, word};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
@@ -39,7 +38,8 @@ impl OrientRules for LinuxCnc {
             Some(timeout(words, state)?)
         };
         if state.shows(quirk::rs274::ORIENT_FORGETS_TURNING) {
-            state.modes.memory.get_mut().taken_for_stopped = all(state).into_iter().collect();
+            state.modes.memory.get_mut().taken_for_stopped =
+                state.all_spindles().into_iter().collect();
         }
         if let Some(angle) = angle {
             turn_to(&spindles, angle, direction, state, record);

@@ -6,7 +6,7 @@ use super::{LinuxCnc, Shows};
 use crate::ids::{Rule, quirk};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::spindle::{SpindleRules, all};
+use crate::rs274::execute::spindle::SpindleRules;
 use crate::rs274::execute::word;
 use crate::rs274::modes::Modes;
 use crate::rs274::refusal::StepError;
@@ -19,7 +19,7 @@ impl SpindleRules for LinuxCnc {
         let mode_too = words.g.iter().any(|code| [960, 970].contains(code));
         let every = !mode_too && word(words, '$') == Some(-1.0);
         if every && state.shows(quirk::rs274::SPEED_OF_ALL_SPINDLES) {
-            return Ok(all(state));
+            return Ok(state.all_spindles());
         }
         let spindles = Documented.spindles_of_speed(words, state)?;
         if mode_too {

@@ -10,6 +10,7 @@ pub mod inputs;
 mod local_offset;
 pub mod message;
 pub mod motion;
+pub(crate) mod move_start;
 pub mod offsets;
 pub mod orient;
 pub mod outputs;
@@ -25,6 +26,7 @@ pub mod splines;
 pub mod stop;
 mod target;
 pub(crate) mod threading;
+mod time;
 pub mod tool;
 pub mod tool_change;
 pub mod tool_length;
@@ -34,6 +36,7 @@ pub mod user_codes;
 mod word;
 
 pub(crate) use target::{end_point, letter};
+pub(crate) use time::{clear_orientation, pass};
 pub(crate) use word::{whole, word};
 
 use gaugeblock_vocabulary::{Compensation, FaultKind};
@@ -41,12 +44,6 @@ use gaugeblock_vocabulary::{Compensation, FaultKind};
 use super::refusal::{StepError, refuse};
 use super::state::State;
 use crate::ids::{Choice, Rule};
-
-/// Lets time go by; what ends outside meanwhile has ended.
-pub(crate) fn pass(seconds: f64, state: &mut State) {
-    state.environment.advance(seconds);
-    orient::settle(state);
-}
 
 /// A code that a choice allows or refuses while cutter compensation is on: by this rule, under this option.
 pub(crate) fn not_under_compensation<C: Choice>(

@@ -3,8 +3,8 @@
 use gaugeblock_vocabulary::scenario::OrientAnswer;
 use gaugeblock_vocabulary::{Effect, FaultKind, OrientDirection, Pin, SpindleTurn};
 
-use super::spindle::all;
-use super::{pass, whole, word};
+use super::time::{brake, index, pass, turns};
+use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::environment::Orientation;
 use crate::rs274::evaluate::Words;
@@ -97,7 +97,7 @@ pub(crate) fn spindles(words: &Words, state: &mut State) -> Result<Vec<usize>, S
         let rule = rule::orient::WITHOUT_DOLLAR;
         state.coverage.accepted(rule);
         return Ok(if state.choices.is(choice::orient::WithoutDollar::All) {
-            all(state)
+            state.all_spindles()
         } else {
             vec![0]
         });
@@ -205,70 +205,6 @@ fn wait(
             Err(refuse(rule::orient::TIMEOUT, FaultKind::Orient, message))
         }
     }
-}
-
-/// What has come about outside: spindles stand at their angle, brakes are applied or released.
-///
-/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the
-/// spindle is locked and braked. A spindle that turns is neither.
-pub(crate) fn settle(state: &mut State) {
-    if state.pins_are_current() {
-        return;
-    }
-    for (place, time) in state.environment.oriented() {
-        state.environment.end_orientation(place);
-        let Some(spindle) = index(place) else { continue };
-        state.environment.set_at(time, Pin::SpindleOrient(spindle), 0.0);
-        state.environment.set_at(time, Pin::SpindleLocked(spindle), 1.0);
-        brake_at(time, place, state);
-        state.coverage.accepted(rule::orient::COMPLETE);
-    }
-    for place in all(state) {
-        if turns(place, state) {
-            clear(place, state);
-        }
-        brake(place, state);
-    }
-}
-
-/// Whether a spindle was told to turn.
-fn turns(place: usize, state: &State) -> bool {
-    let turn = state.modes.spindles[place].turn;
-    matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
-}
-
-/// The brake of a spindle is as it is now.
-fn brake(place: usize, state: &mut State) {
-    brake_at(state.environment.time(), place, state);
-}
-
-fn brake_at(time: f64, place: usize, state: &mut State) {
-    let Some(spindle) = index(place) else { return };
-    let locked = state.environment.level(Pin::SpindleLocked(spindle)) != 0.0;
-    let applied = state.dialect().applies_brake(place, locked, state);
-    if locked {
-        state.coverage.accepted(rule::orient::BRAKE_OTHERWISE);
-    }
-    state.environment.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
-}
-
-/// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.
-pub(crate) fn clear(place: usize, state: &mut State) {
-    let Some(spindle) = index(place) else { return };
-    state.environment.end_orientation(place);
-    let pins = [Pin::SpindleOrient(spindle), Pin::SpindleLocked(spindle)];
-    for pin in pins {
-        if state.environment.level(pin) == 0.0 {
-            continue;
-        }
-        state.coverage.accepted(rule::orient::CLEARED);
-        state.environment.set(pin, 0.0);
-    }
-}
-
-/// The index of a spindle's pins.
-fn index(place: usize) -> Option<u16> {
-    u16::try_from(place).ok()
 }
 
 impl Orientation {

@@ -163,13 +163,6 @@ fn switch(pin: Option<Pin>, value: f64, timing: OutputTiming, state: &mut State)
     state.environment.set(pin, value);
 }
 
-/// Rule outputs.at-next-motion. What waits for a motion switches when the next one begins.
-pub(crate) fn motion_begins(state: &mut State) {
-    if state.environment.motion_begins() {
-        state.coverage.accepted(rule::outputs::AT_NEXT_MOTION);
-    }
-}
-
 /// Rule outputs.without-motion. When no motion follows, what waits for one never switches.
 pub(crate) fn program_ends(state: &mut State) {
     if state.environment.awaits_motion() {

@@ -2,7 +2,6 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
-use super::spindle::all;
 use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
@@ -125,7 +124,7 @@ fn speed_overrides(words: &Words, state: &mut State) -> Result<Vec<usize>, StepE
     let Some(value) = state.dialect().spindle_word(words, state) else {
         state.coverage.accepted(rule::overrides::WITHOUT_DOLLAR);
         let every = state.choices.is(choice::overrides::WithoutDollar::All);
-        return Ok(if every { all(state) } else { vec![0] });
+        return Ok(if every { state.all_spindles() } else { vec![0] });
     };
     let place = state.dialect().overridden_spindle(value, state)?;
     state.coverage.accepted(rule::overrides::OUT_OF_RANGE);

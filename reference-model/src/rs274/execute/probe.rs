@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{
     Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
 };
 
-use super::feed::Speed;
+use super::move_start::Speed;
 use super::target::end_point;
 use crate::ids::{Rule, choice, rule};
 use crate::math;

@@ -6,7 +6,6 @@ use gaugeblock_vocabulary::{
 
 use super::offsets::use_system;
 use super::outputs;
-use super::spindle::all;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::state::State;
@@ -61,7 +60,7 @@ pub(crate) trait ProgramEndRules {
         }
         state.dialect().select_first_system(state);
         let every = state.choices.is(choice::program_end::Spindles::All);
-        let stopped = if every { all(state) } else { vec![0] };
+        let stopped = if every { state.all_spindles() } else { vec![0] };
         per_minute(state);
         state.dialect().enable_overrides_at_end(state);
         let modes = &mut state.modes;

@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{Motion, PathControlMode, SpindleTurn, Switch};
 
+use super::clear_orientation;
 use super::offsets::use_system;
-use super::orient;
 use super::units_planes::use_units;
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::modes::{Modes, Spindle};
@@ -103,7 +103,7 @@ pub(crate) trait RestoreRules {
                 state.coverage.accepted(rule::saved_state::ORIENTATION_NOT_SAVED);
             }
             if was_oriented && turn != SpindleTurn::Oriented {
-                orient::clear(place, state);
+                clear_orientation(place, state);
             }
         }
         Ok(())

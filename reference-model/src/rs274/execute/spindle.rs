@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, Lathe, SpindleLimit, SpindleMode, SpindleTurn};
 
-use super::{orient, whole, word};
+use super::{clear_orientation, whole, word};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::Spindle;
@@ -134,12 +134,11 @@ pub fn turn(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule spindle.without-dollar. Which spindles M3, M4 and M5 without $ act on is a choice.
 fn without_dollar(state: &mut State) -> Vec<usize> {
     state.coverage.accepted(rule::spindle::WITHOUT_DOLLAR);
-    if state.choices.is(choice::spindle::WithoutDollar::All) { all(state) } else { vec![0] }
-}
-
-/// Every spindle of the machine.
-pub(crate) fn all(state: &State) -> Vec<usize> {
-    (0..state.modes.spindles.len()).collect()
+    if state.choices.is(choice::spindle::WithoutDollar::All) {
+        state.all_spindles()
+    } else {
+        vec![0]
+    }
 }
 
 /// The spindles that $ names.
@@ -150,7 +149,7 @@ fn chosen(number: f64, state: &mut State) -> Result<Vec<usize>, StepError> {
         let rule = rule::spindle::MINUS_ONE;
         if state.choices.is(choice::spindle::MinusOne::All) {
             state.coverage.accepted(rule);
-            return Ok(all(state));
+            return Ok(state.all_spindles());
         }
         return Err(refuse(rule, FaultKind::SpindleOutOfRange, "$-1 names no spindle"));
     }
@@ -183,7 +182,7 @@ pub(crate) trait SpindleRules {
     /// Starts or stops a spindle, which ends an orientation.
     fn set_turn(&self, turn: SpindleTurn, place: usize, state: &mut State) {
         state.modes.spindles[place].turn = turn;
-        orient::clear(place, state);
+        clear_orientation(place, state);
     }
 
     /// How a spindle turns, as far as the interpreter knows.

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, ControllerMode, Effect, FaultKind, Position, SpindleTurn};
 
 use super::positions;
-use super::{pass, spindle, whole, word};
+use super::{pass, whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -70,7 +70,7 @@ pub fn before_moving(state: &mut State) {
         state.coverage.accepted(rule::tool::CHANGE_SPINDLE_ON);
         return;
     }
-    for place in spindle::all(state) {
+    for place in state.all_spindles() {
         state.dialect().set_turn(SpindleTurn::Stopped, place, state);
     }
     state.coverage.accepted(rule::tool::CHANGE_STOPS_SPINDLE);

@@ -4,7 +4,7 @@ mod phase;
 mod rules;
 
 pub use phase::{
-    Phase, Phases, has_axis_words, is_of_axis, moves_by_axis_words, moves_without_code,
+    AfterPhase, Phase, Phases, has_axis_words, is_of_axis, moves_by_axis_words, moves_without_code,
 };
 pub use rules::{ORDER_RULES, OrderRule};
 
@@ -14,17 +14,6 @@ use super::refusal::StepError;
 use super::state::State;
 use super::task::Record;
 use crate::ids::rule;
-
-/// What becomes of a block after one of its phases.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AfterPhase {
-    /// The later phases are executed.
-    Execute,
-    /// There are none, and the program pauses: M0, M1, M60.
-    Pause,
-    /// There are none, and the program has ended: M2, M30.
-    ProgramEnd,
-}
 
 /// What a controller may do otherwise with the order of a block.
 pub(crate) trait OrderRules {

@@ -3,6 +3,17 @@
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, m_code};
 
+/// What becomes of a block after one of its phases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AfterPhase {
+    /// The later phases are executed.
+    Execute,
+    /// There are none, and the program pauses: M0, M1, M60.
+    Pause,
+    /// There are none, and the program has ended: M2, M30.
+    ProgramEnd,
+}
+
 /// A phase of a block. The order of the list is the order of execution.
 ///
 /// The document's list leaves out the spindle mode, the lathe mode and the arc distance mode. The spindle mode goes

@@ -179,6 +179,11 @@ impl State {
             })
     }
 
+    /// Every spindle of the machine.
+    pub(crate) fn all_spindles(&self) -> Vec<usize> {
+        (0..self.modes.spindles.len()).collect()
+    }
+
     /// Everything that is in force, as it is recorded.
     pub fn settings(&self) -> Settings {
         self.modes.settings()

@@ -56,7 +56,7 @@ impl ModelRun<'_> {
             let modes = &mut self.state.modes;
             modes.mist = Switch::Off;
             modes.flood = Switch::Off;
-            for place in execute::spindle::all(&self.state) {
+            for place in self.state.all_spindles() {
                 let dialect = self.state.dialect();
                 dialect.set_turn(SpindleTurn::Stopped, place, &mut self.state);
             }

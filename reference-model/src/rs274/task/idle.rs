@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{ControllerMode, End};
 
 use super::request::{Activity, Answer};
-use super::{ModelRun, open_entries};
+use super::run::{ModelRun, open_entries};
 use crate::ids::rule;
 use crate::rs274::control::{Control, Frame, MAIN, Place};
 use crate::rs274::execute;

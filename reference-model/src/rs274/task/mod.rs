@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`program`] | block after block: parsed, evaluated, checked, executed, recorded |
 //! | [`operator`] | what the operator does, and when |
+//! | [`run`] | the state of a run |
 //! | [`moves`] | moves of a block that are held where they begin |
 //! | [`wait`] | what the operator does while the program waits, pauses or stands |
 //! | [`request`] | what the controller does with a request, or refuses, by its mode |
@@ -11,6 +12,7 @@
 //! | [`abort`] | what an abort leaves behind |
 //! | [`pins`] | what the machine's pins show |
 //! | [`record`] | what is observed |
+//! | [`watch`] | moves and waits of a phase, looked at one by one |
 
 mod abort;
 mod idle;
@@ -20,11 +22,13 @@ mod pins;
 mod program;
 mod record;
 mod request;
+mod run;
 mod wait;
+mod watch;
 
 use std::borrow::Cow;
 
-use gaugeblock_vocabulary::scenario::{Action, Start};
+use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome,
     Position, Program, Scenario, Settings, Shared,
@@ -33,8 +37,8 @@ use gaugeblock_vocabulary::{
 pub(crate) use pins::update_pins;
 pub use record::Record;
 
-use self::operator::Operator;
-use super::control::{Control, Frame, MAIN, Place};
+use self::run::ModelRun;
+use super::control::{Control, Frame, MAIN};
 use super::environment::EnvironmentState;
 use super::execute;
 use super::modes::{Modes, Rounding};
@@ -207,51 +211,7 @@ fn not_begun(what: String) -> Outcome {
     }
 }
 
-struct ModelRun<'a> {
-    scenario: &'a Scenario,
-    state: State,
-    control: Control,
-    record: Record,
-    operator: Operator<'a>,
-    /// The first of the blocks that the operator enters by hand, one for each event that enters one.
-    entries: Place,
-    /// Whether what is executed was entered by hand.
-    by_hand: bool,
-    /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
-    ahead: bool,
-    /// Whether the operator has asked for a pause that the program has not come to stand at.
-    pause_asked: bool,
-    /// The state when the block that is executed began, where somebody may abort it.
-    at_block: Option<Box<State>>,
-    /// Whether the block that is executed waits for what the machine answers.
-    waits_for_machine: bool,
-    /// Whether a block is being executed, so that some of what it does may be done.
-    is_within_block: bool,
-    /// The state before the block, where the operator has acted as it began.
-    before_block: Option<Box<State>>,
-}
-
-impl<'a> ModelRun<'a> {
-    fn new(scenario: &'a Scenario, mut state: State, record: Record) -> Self {
-        let mut control = Control::new(&scenario.program, &mut state);
-        let entries = open_entries(scenario, &mut control, &mut state);
-        Self {
-            scenario,
-            state,
-            control,
-            record,
-            operator: Operator::new(&scenario.operator),
-            entries,
-            by_hand: false,
-            ahead: false,
-            pause_asked: false,
-            at_block: None,
-            waits_for_machine: false,
-            is_within_block: false,
-            before_block: None,
-        }
-    }
-
+impl ModelRun<'_> {
     /// The program, or the lines entered by hand, and all that the operator does afterwards.
     fn whole(&mut self) -> End {
         let mut end = match self.scenario.program.start {
@@ -400,16 +360,4 @@ impl<'a> ModelRun<'a> {
             }
         }
     }
-}
-
-/// Opens the text of what the operator enters by hand: a line for each event, in the order of the scenario.
-fn open_entries(scenario: &Scenario, control: &mut Control, state: &mut State) -> Place {
-    let mut text = String::new();
-    for event in &scenario.operator {
-        if let Action::Mdi(block) = &event.action {
-            text.push_str(block.split(['\r', '\n']).next().unwrap_or_default());
-            text.push('\n');
-        }
-    }
-    control.files.begin_entries(&text, state)
 }

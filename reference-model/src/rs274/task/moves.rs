@@ -6,119 +6,23 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::{Effect, End, Position};
+use gaugeblock_vocabulary::End;
 
-use super::ModelRun;
 use super::request::{Activity, Answer, By};
-use crate::rs274::environment::EnvironmentState;
+use super::run::ModelRun;
+use super::watch::{Waited, Watch, Why};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute;
-use crate::rs274::execute::feed::Speed;
+use crate::rs274::execute::move_start::{self, Speed};
 use crate::rs274::order::{self, AfterPhase, Phase};
 use crate::rs274::refusal::StepError;
-use crate::rs274::state::{Panel, State};
-
-/// The moves and dwells of a phase, looked at one by one.
-#[derive(Clone, Debug)]
-pub(super) struct Watch {
-    /// How many of them there were so far.
-    place: usize,
-    /// Those before this one have been waited for, or need not be.
-    from: usize,
-    /// What came of each wait, by the place of its move or dwell.
-    waited: BTreeMap<usize, Waited>,
-    /// Whether the program is to pause before the next move.
-    pause_asked: bool,
-    /// Whether the operator may act in a dwell.
-    operator_is_due: bool,
-    /// Where the controlled point is, program coordinates, active length unit.
-    position: Position,
-    /// Where the phase came to wait; what it computes after that has not happened.
-    stop: Option<Stop>,
-}
-
-/// What a wait has changed.
-#[derive(Clone, Debug)]
-struct Waited {
-    environment: EnvironmentState,
-    panel: Panel,
-    /// What the controller refused meanwhile.
-    refused: Vec<Effect>,
-}
-
-/// Where a phase waits.
-#[derive(Clone, Debug)]
-pub(super) struct Stop {
-    /// The state there.
-    state: Box<State>,
-    /// What is recorded of the block there.
-    record: super::record::Mark,
-    why: Why,
-}
-
-/// What a phase waits for.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Why {
-    /// That a move may begin.
-    Move(Speed),
-    /// That a dwell of so many seconds is over.
-    Dwell(f64),
-    /// That something outside is done, which takes so many seconds.
-    Wait(f64),
-}
-
-/// When a move or a dwell begins.
-#[derive(Clone, Debug)]
-pub(super) enum Begins {
-    /// Now: nothing holds it.
-    AtOnce,
-    /// After a wait that is over, in which the controller refused this; a dwell is over with it.
-    After(Vec<Effect>),
-    /// Not before it has been waited for.
-    Later,
-}
-
-impl Watch {
-    /// Whether the phase has come to wait.
-    pub(super) fn has_stopped(&self) -> bool {
-        self.stop.is_some()
-    }
-
-    /// A move or a dwell begins. Where it has been waited for, that takes place.
-    pub(super) fn comes_to(&mut self, why: Why, state: &mut State) -> Begins {
-        let place = self.place;
-        self.place += 1;
-        if let Some(waited) = self.waited.get(&place) {
-            state.environment.clone_from(&waited.environment);
-            state.panel.clone_from(&waited.panel);
-            state.pin_snapshot = None;
-            return Begins::After(waited.refused.clone());
-        }
-        let waits = place >= self.from
-            && match why {
-                Why::Move(speed) => self.pause_asked || execute::feed::is_held(speed, state),
-                Why::Dwell(_) | Why::Wait(_) => self.operator_is_due,
-            };
-        if waits { Begins::Later } else { Begins::AtOnce }
-    }
-
-    /// The phase waits here.
-    pub(super) fn stops(&mut self, why: Why, record: super::record::Mark, state: &State) {
-        let state = Box::new(State { position: self.position, ..state.clone() });
-        self.stop = Some(Stop { state, record, why });
-    }
-
-    /// A move has been made.
-    pub(super) fn moved(&mut self, state: &State) {
-        self.position = state.position;
-    }
-}
+use crate::rs274::state::State;
 
 impl ModelRun<'_> {
     /// Whether a move of the phase may be held, or somebody may act between its moves or its waits.
     pub(super) fn is_watched(&self, phase: Phase, words: &Words) -> bool {
         let environment = &self.state.environment;
-        let may_be_held = self.pause_asked || execute::feed::may_be_held(&self.state);
+        let may_be_held = self.pause_asked || move_start::may_be_held(&self.state);
         let acts_between = || self.operator.is_due() || environment.next_change_of_feed().is_some();
         let dwells = || phase == Phase::Motion && super::program::is_cycle(words, &self.state);
         let moves = matches!(phase, Phase::Motion | Phase::OffsetData | Phase::ChangeTool);
@@ -210,7 +114,7 @@ impl ModelRun<'_> {
         if self.pause_asked {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }
-        while execute::feed::is_held(speed, &mut self.state) {
+        while move_start::is_held(speed, &mut self.state) {
             let change = self.state.environment.next_change_of_feed();
             let now = self.state.environment.time();
             if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {

@@ -2,19 +2,11 @@
 
 use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
-use super::ModelRun;
 use crate::ids::{Rule, rule};
 use crate::rs274::execute;
 use crate::rs274::modes::Spindle;
 use crate::rs274::order::Phase;
 use crate::rs274::state::{PinSnapshot, State};
-
-impl ModelRun<'_> {
-    /// Brings the pins up to date after a phase of a block, or after something that the operator did.
-    pub(super) fn update_pins(&mut self, after: Option<Phase>) {
-        update_pins(&mut self.state, after);
-    }
-}
 
 /// Brings the pins up to date, also within a phase that goes on.
 ///

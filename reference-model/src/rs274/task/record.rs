@@ -8,10 +8,10 @@ use gaugeblock_vocabulary::{
     Step,
 };
 
-use super::moves::{Begins, Watch, Why};
+use super::watch::{Begins, Mark, Watch, Why};
 use crate::rs274::environment::stub::BlockMotion;
-use crate::rs274::execute::feed::Speed;
-use crate::rs274::execute::{outputs, pass};
+use crate::rs274::execute::move_start::{self, Speed};
+use crate::rs274::execute::pass;
 use crate::rs274::modes::Modes;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::state::State;
@@ -50,15 +50,6 @@ pub struct Record {
     in_step: bool,
     /// The moves of the phase that is executed, where they may be held.
     pub(super) watch: Option<Watch>,
-}
-
-/// What has been observed of a block so far.
-#[derive(Clone, Debug)]
-pub(super) struct Mark {
-    events: Vec<Event>,
-    modes: Modes,
-    effects: u32,
-    in_step: bool,
 }
 
 impl Record {
@@ -104,7 +95,7 @@ impl Record {
             return self.does_not_happen();
         }
         if speed.is_some() {
-            outputs::motion_begins(state);
+            move_start::motion_begins(state);
         }
         self.happened(state, effect);
         if let Some(watch) = self.watch.as_mut().filter(|_| speed.is_some()) {

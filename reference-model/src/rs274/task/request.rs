@@ -3,8 +3,8 @@
 use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{ControllerMode, Effect, End, Request};
 
-use super::ModelRun;
 use super::operator::Happening;
+use super::run::ModelRun;
 use crate::ids::{choice, rule};
 use crate::rs274::refusal::StepError;
 

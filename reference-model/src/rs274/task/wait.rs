@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{BlockLocation, End};
 
-use super::ModelRun;
 use super::request::{Activity, Answer, By};
+use super::run::ModelRun;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::Phase;

@@ -1,10 +1,11 @@
 //! Values of parameters in messages.
 
-use super::shown_value;
+use gaugeblock_vocabulary::FaultKind;
+
 use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::rs274::parameters::{self, Name};
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 /// The text with values for its parameters.
@@ -128,5 +129,24 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
             Ok(if one { "#" } else { "######" }.to_owned())
         }
         Some(Err(error)) => Err(error),
+    }
+}
+
+/// The value that a message shows of a parameter.
+///
+/// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
+/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
+/// or its old one.
+pub(super) fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
+    let new = state.choices.is(choice::active_comments::SameBlockSetting::New)
+        && !parameters::is_told(name);
+    match state.parameters.announced(name) {
+        Some(value) if new => Ok(value),
+        _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
+            let message = "a message shows that the parameter does not exist";
+            let rule = rule::active_comments::ABSENT_NAMED;
+            Err(refuse(rule, FaultKind::NoSuchParameter, message))
+        }
+        _ => parameters::value(name, state),
     }
 }

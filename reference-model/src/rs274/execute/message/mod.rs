@@ -14,7 +14,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::Comment;
 use crate::rs274::task::Record;
-use expand::expand;
+use expand::{expand, shown_value};
 use keyword::{Active, active};
 
 /// How active comments are read and shown.
@@ -146,23 +146,4 @@ fn say(
     let text = expand(text, state)?;
     record.effect(state, Effect::Message { channel, text });
     Ok(())
-}
-
-/// The value that a message shows of a parameter.
-///
-/// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
-/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
-/// or its old one.
-fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
-    let new = state.choices.is(choice::active_comments::SameBlockSetting::New)
-        && !parameters::is_told(name);
-    match state.parameters.announced(name) {
-        Some(value) if new => Ok(value),
-        _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
-            let message = "a message shows that the parameter does not exist";
-            let rule = rule::active_comments::ABSENT_NAMED;
-            Err(refuse(rule, FaultKind::NoSuchParameter, message))
-        }
-        _ => parameters::value(name, state),
-    }
 }
