@@ -1,14 +1,14 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_vocabulary::PathControlMode;
+use gaugeblock_vocabulary::{Axis, Effect, PathControlMode, Plane, Position};
 
 use super::path::tolerances_as_numbers;
 use super::{LinuxCnc, Shows};
 use crate::ids::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::cycles::{Cycle, CycleRules};
-use crate::rs274::execute::word;
+use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, traverse_along};
+use crate::rs274::execute::{whole, word};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -21,6 +21,64 @@ impl CycleRules for LinuxCnc {
             return Ok(state.memory.chosen_spindle);
         }
         Documented.spindle_of_cycle(words, state)
+    }
+
+    /// Quirk rs274.tap-dwell-kept. A tap without P dwells as the last cycle did that had one.
+    fn dwell_of_cycle(
+        &self,
+        kind: Kind,
+        words: &Words,
+        before: Option<f64>,
+        state: &mut State,
+    ) -> Result<Option<f64>, StepError> {
+        let dwell = Documented.dwell_of_cycle(kind, words, before, state)?;
+        if let Some(seconds) = dwell {
+            state.memory.cycle_dwell = seconds;
+        }
+        let taps = matches!(kind, Kind::TapLeft | Kind::TapRight);
+        let kept =
+            (taps && state.shows(quirk::rs274::TAP_DWELL_KEPT)).then_some(state.memory.cycle_dwell);
+        Ok(dwell.or(kept))
+    }
+
+    /// Quirk rs274.cycle-negative-dwell. A negative dwell is accepted, unless it is -1.
+    fn check_cycle_dwell(&self, seconds: f64, state: &State) -> Result<(), StepError> {
+        if whole(seconds) != Some(-1) && state.shows(quirk::rs274::CYCLE_NEGATIVE_DWELL) {
+            return Ok(());
+        }
+        Documented.check_cycle_dwell(seconds, state)
+    }
+
+    /// Quirk rs274.unused-q-minus-one. A Q-1 is none for a cycle either.
+    fn programmed_peck(&self, words: &Words, state: &State) -> Option<f64> {
+        let peck = Documented.programmed_peck(words, state);
+        let is_none = peck == Some(-1.0) && state.shows(quirk::rs274::UNUSED_Q_MINUS_ONE);
+        peck.filter(|_| !is_none)
+    }
+
+    /// Quirk rs274.cycle-retract-from-initial. R counts from where the row of cycles began.
+    fn incremental_retract_from(&self, current: f64, initial: f64, state: &State) -> f64 {
+        if state.shows(quirk::rs274::CYCLE_RETRACT_FROM_INITIAL) {
+            return initial;
+        }
+        Documented.incremental_retract_from(current, initial, state)
+    }
+
+    /// Quirk rs274.cycle-rise. Whether there is a rise goes by the level at which the row of cycles began, not by the
+    /// current one. In a row that began above R the first move in the plane rises to the clear height on its way, when
+    /// it begins at R or below.
+    fn preliminary_motion(&self, cycle: &Cycle, state: &mut State, record: &mut Record) {
+        if !state.shows(quirk::rs274::CYCLE_RISE) {
+            return Documented.preliminary_motion(cycle, state, record);
+        }
+        let [_, _, normal] = cycle.axes;
+        if cycle.initial < cycle.retract {
+            return traverse_along(normal, cycle.retract, state, record);
+        }
+        let height = state.position.get_mut(normal);
+        if *height <= cycle.retract {
+            *height = cycle.clear;
+        }
     }
 
     /// Quirk rs274.cycle-exact-path. A cycle is executed on the exact path, and G64 is programmed again after it.
@@ -41,5 +99,18 @@ impl CycleRules for LinuxCnc {
         }
         state.modes.path = path;
         Ok(())
+    }
+
+    /// Quirk rs274.tap-axes. Outside of the XY plane the axes of the point are in another order; the controlled point is
+    /// none the less where it should be.
+    fn feed_tap(&self, normal: Axis, to: f64, state: &mut State, record: &mut Record) {
+        let plane = state.modes.plane;
+        if !(matches!(plane, Plane::Zx | Plane::Yz) && state.shows(quirk::rs274::TAP_AXES)) {
+            return Documented.feed_tap(normal, to, state, record);
+        }
+        *state.position.get_mut(normal) = to;
+        let Position { x, y, z, .. } = state.position;
+        let [x, y, z] = if plane == Plane::Zx { [y, z, x] } else { [z, x, y] };
+        record.effect(state, Effect::StraightFeed { end: Position { x, y, z, ..state.position } });
     }
 }

@@ -14,6 +14,8 @@ pub(crate) struct Memory {
     pub(super) drops_rest: bool,
     /// Quirk rs274.chosen-spindle: the spindle that cycles and synchronised moves follow without $.
     pub(super) chosen_spindle: usize,
+    /// Quirk rs274.tap-dwell-kept: P of the last canned cycle that had one, seconds.
+    pub(super) cycle_dwell: f64,
     /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
     pub(super) plane_before: Option<Plane>,
     /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion, or before the first block; none

@@ -56,8 +56,6 @@ pub struct State {
     pub line: u32,
     /// The row of canned cycles that the last motion belongs to, with the numbers that the next one may leave out.
     pub series: Option<Series>,
-    /// P of the last canned cycle that had one, seconds.
-    pub cycle_dwell: f64,
     /// What the next spline may need of the one before.
     pub curve: Curve,
     /// What the dialect remembers; nothing by the documents.
@@ -224,7 +222,6 @@ impl State {
             slots: Shared::default(),
             frames: vec![Frame::default()],
             line: 1,
-            cycle_dwell: 0.0,
             memory: Memory::default(),
             log_open: false,
             probe_log_open: false,

@@ -184,7 +184,6 @@ fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> S
         slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,
-        cycle_dwell: 0.0,
         memory: Memory::default(),
         log_open: false,
         probe_log_open: false,

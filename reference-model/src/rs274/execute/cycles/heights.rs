@@ -7,7 +7,6 @@ use crate::ids::{Rule, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::moved;
 use crate::rs274::execute::word;
-use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::{Series, SeriesFrame, State};
 
@@ -46,7 +45,11 @@ pub(super) fn find(
     let position = state.position.get(normal);
     let initial = before.map_or(position, |before| before.initial);
     let incremental = state.modes.distance == Distance::Incremental;
-    let from = if incremental { quirks::retract_from(position, initial, state) } else { 0.0 };
+    let from = if incremental {
+        state.dialect().incremental_retract_from(position, initial, state)
+    } else {
+        0.0
+    };
     let retract_at = from + retract;
     let bottom = if incremental { retract_at + depth } else { depth };
     if retract_at < bottom {
@@ -54,7 +57,8 @@ pub(super) fn find(
         return Err(refuse(rule::cycles::RETRACT_BELOW_BOTTOM, FaultKind::WordOutOfRange, message));
     }
     state.coverage.accepted(rule::cycles::RETRACT_BELOW_BOTTOM);
-    let dwell = super::strokes::dwell(kind, words, same.and_then(|same| same.dwell), state)?;
+    let dwell = same.and_then(|same| same.dwell);
+    let dwell = state.dialect().dwell_of_cycle(kind, words, dwell, state)?;
     let peck = super::strokes::peck(kind, words, same.and_then(|same| same.peck), state)?;
     let last = SeriesFrame::of(&state.modes);
     let first = before.map_or(last, |before| before.first);

@@ -17,14 +17,13 @@ use crate::ids::{Rule, rule};
 use crate::math::near_integer;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::motion_mode;
-use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// What a cycle is for; its number says little.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(crate) enum Kind {
     /// G81.
     Drill,
     /// G82.
@@ -89,23 +88,23 @@ pub(crate) fn axes_of(plane: Plane) -> [Axis; 3] {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cycle {
     /// What it is for.
-    kind: Kind,
+    pub(crate) kind: Kind,
     /// First, second and normal axis.
-    axes: [Axis; 3],
-    /// Where the series of cycles that it belongs to began.
-    initial: f64,
+    pub(crate) axes: [Axis; 3],
+    /// Where the normal axis was before the first of a row of cycles.
+    pub(crate) initial: f64,
     /// R: where feeding begins.
-    retract: f64,
+    pub(crate) retract: f64,
     /// Bottom of the hole.
-    bottom: f64,
-    /// Where the last move of each repeat ends.
-    clear: f64,
+    pub(crate) bottom: f64,
+    /// The clear height, where the last move of each repeat ends.
+    pub(crate) clear: f64,
     /// P: seconds at the bottom.
-    dwell: f64,
-    /// Q: how much deeper each peck goes, length unit.
-    peck: f64,
+    pub(crate) dwell: f64,
+    /// Q: how much deeper each peck goes, active length unit.
+    pub(crate) peck: f64,
     /// The spindle that $ names, 0 without it.
-    spindle: usize,
+    pub(crate) spindle: usize,
 }
 
 /// Executes a cycle as often as L says, and remembers its sticky numbers.
@@ -135,7 +134,8 @@ pub(super) fn perform(
     state.modes.motion = motion;
     state.series = Some(series);
     accepted(words, rule, state);
-    rise(&cycle, state, record);
+    state.coverage.accepted(rule::cycles::PRELIMINARY_MOTION);
+    state.dialect().preliminary_motion(&cycle, state, record);
     state.dialect().perform_repeats(&cycle, &mut places, state, record)
 }
 
@@ -150,7 +150,47 @@ pub(crate) trait CycleRules {
         Ok(place)
     }
 
-    /// Executes a cycle at each of its places.
+    /// P of a cycle that dwells, as its block or an earlier one of the row has it; none where it does not dwell, or for
+    /// zero seconds without P.
+    fn dwell_of_cycle(
+        &self,
+        kind: Kind,
+        words: &Words,
+        before: Option<f64>,
+        state: &mut State,
+    ) -> Result<Option<f64>, StepError> {
+        strokes::dwell(kind, words, before, state)
+    }
+
+    /// Rule cycles.negative-dwell. P is not negative.
+    fn check_cycle_dwell(&self, seconds: f64, _state: &State) -> Result<(), StepError> {
+        if seconds < 0.0 {
+            let message = format!("a dwell of {seconds} seconds");
+            return Err(refuse(rule::cycles::NEGATIVE_DWELL, FaultKind::WordOutOfRange, message));
+        }
+        Ok(())
+    }
+
+    /// Q as a block of G73 or G83 programs it.
+    fn programmed_peck(&self, words: &Words, _state: &State) -> Option<f64> {
+        word(words, 'q')
+    }
+
+    /// Rule cycles.incremental. The position on the normal axis that R counts from in incremental distance mode: the
+    /// current one, not the initial level of the row.
+    fn incremental_retract_from(&self, current: f64, _initial: f64, _state: &State) -> f64 {
+        current
+    }
+
+    /// Rule cycles.preliminary-motion. Where the controlled point is below R it first rises to R, once for all repeats.
+    fn preliminary_motion(&self, cycle: &Cycle, state: &mut State, record: &mut Record) {
+        let [_, _, normal] = cycle.axes;
+        if state.position.get(normal) < cycle.retract {
+            traverse_along(normal, cycle.retract, state, record);
+        }
+    }
+
+    /// Rule cycles.repeat. Executes a cycle at each of its places.
     fn perform_repeats(
         &self,
         cycle: &Cycle,
@@ -162,10 +202,15 @@ pub(crate) trait CycleRules {
             if record.is_full() {
                 return Err(StepError::TooManyEffects);
             }
-            in_between(cycle, place, state, record);
+            in_between_motion(cycle, place, state, record);
             strokes::perform(cycle, state, record)?;
         }
         Ok(())
+    }
+
+    /// Rules cycles.tap-right and cycles.tap-left. A tap feeds along the normal axis.
+    fn feed_tap(&self, normal: Axis, to: f64, state: &mut State, record: &mut Record) {
+        feed_along(normal, to, state, record);
     }
 }
 
@@ -232,21 +277,9 @@ fn places(
     }))
 }
 
-/// Rule cycles.preliminary-motion. Where the controlled point is below R it first rises to R, once for all repeats.
-fn rise(cycle: &Cycle, state: &mut State, record: &mut Record) {
-    let [_, _, normal] = cycle.axes;
-    let below = state.position.get(normal) < cycle.retract;
-    state.coverage.accepted(rule::cycles::PRELIMINARY_MOTION);
-    if quirks::rises(below, cycle.initial < cycle.retract, state) {
-        traverse_along(normal, cycle.retract, state, record);
-    } else {
-        quirks::rise_on_the_way(normal, [cycle.retract, cycle.clear], state);
-    }
-}
-
 /// Rule cycles.in-between-motion. Each repeat begins with a traverse in the plane, and one along the normal axis to R,
 /// unless it is there already.
-fn in_between(cycle: &Cycle, place: [f64; 2], state: &mut State, record: &mut Record) {
+fn in_between_motion(cycle: &Cycle, place: [f64; 2], state: &mut State, record: &mut Record) {
     let [first, second, normal] = cycle.axes;
     let mut end = state.position;
     *end.get_mut(first) = place[0];
@@ -263,7 +296,7 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
     record.effect(state, Effect::StraightTraverse { end });
 }
 
-fn traverse_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
+pub(crate) fn traverse_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
     *state.position.get_mut(axis) = to;
     record.effect(state, Effect::StraightTraverse { end: state.position });
 }

@@ -7,7 +7,6 @@ use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::word;
 use crate::rs274::order::Phase;
-use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::{Record, update_pins};
@@ -33,7 +32,7 @@ pub(super) fn dwell(
     let before = before.filter(|_| state.choices.is(choice::cycles::StickyArguments::Sticky));
     let Some(seconds) = word(words, 'p').or(before) else {
         if taps && state.choices.is(choice::cycles::TapWithoutDwell::Zero) {
-            return Ok(quirks::dwell_of_tap(state));
+            return Ok(None);
         }
         let rule = if taps {
             Rule::of_choice::<choice::cycles::TapWithoutDwell>()
@@ -47,12 +46,8 @@ pub(super) fn dwell(
         ));
     };
     state.coverage.accepted(rule::cycles::DWELL_NEEDED);
-    if seconds < 0.0 && !quirks::negative_dwell(seconds, state) {
-        let message = format!("a dwell of {seconds} seconds");
-        return Err(refuse(rule::cycles::NEGATIVE_DWELL, FaultKind::WordOutOfRange, message));
-    }
+    state.dialect().check_cycle_dwell(seconds, state)?;
     state.coverage.accepted(rule::cycles::NEGATIVE_DWELL);
-    state.cycle_dwell = seconds;
     Ok(Some(seconds))
 }
 
@@ -68,7 +63,7 @@ pub(super) fn peck(
         return Ok(None);
     }
     let before = before.filter(|_| state.choices.is(choice::cycles::StickyArguments::Sticky));
-    let Some(peck) = quirks::peck(words, state).or(before) else {
+    let Some(peck) = state.dialect().programmed_peck(words, state).or(before) else {
         let message = "this cycle needs Q, the increment of its pecks";
         return Err(refuse(rule::cycles::PECK_NEEDED, FaultKind::MissingWord, message));
     };

@@ -1,11 +1,10 @@
 //! G74 and G84: tapping with a floating chuck.
 
-use gaugeblock_vocabulary::{Axis, Effect, FaultKind, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{FaultKind, SpindleTurn, Switch};
 
 use super::strokes::{dwells, turns};
 use super::{Cycle, Kind};
 use crate::ids::{Rule, choice, rule};
-use crate::rs274::quirks::cycles as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -39,7 +38,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let feed_override = state.modes.feed_override;
     state.modes.feed_override = Switch::Off;
     state.modes.spindles[place].speed_override = Switch::Off;
-    feed(normal, cycle.bottom, state, record);
+    state.dialect().feed_tap(normal, cycle.bottom, state, record);
     let out = if cycle.kind == Kind::TapRight {
         SpindleTurn::Counterclockwise
     } else {
@@ -48,7 +47,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     turns(SpindleTurn::Stopped, cycle, state);
     turns(out, cycle, state);
     dwells(cycle.dwell, state, record);
-    feed(normal, cycle.clear, state, record);
+    state.dialect().feed_tap(normal, cycle.clear, state, record);
     if state.choices.is(choice::cycles::TapReturn::AsBefore) {
         turns(SpindleTurn::Stopped, cycle, state);
         if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
@@ -58,10 +57,4 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     state.modes.feed_override = feed_override;
     state.modes.spindles[place].speed_override = before.speed_override;
     state.coverage.accepted(rule::cycles::TAP_OVERRIDES);
-}
-
-/// A feed move along the axis of the thread.
-fn feed(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
-    *state.position.get_mut(axis) = to;
-    record.effect(state, Effect::StraightFeed { end: quirks::tapped(state) });
 }
