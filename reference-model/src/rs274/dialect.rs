@@ -33,6 +33,7 @@ use super::execute::program_end::ProgramEndRules;
 use super::execute::restore::RestoreRules;
 use super::execute::saved_state::SavedStateRules;
 use super::execute::spindle::SpindleRules;
+use super::execute::splines::SplineRules;
 use super::execute::threading::ThreadRules;
 use super::execute::threading::ThreadingRules;
 use super::execute::tool_change::ToolChangeRules;
@@ -76,6 +77,7 @@ pub(crate) trait Dialect:
     + RestoreRules
     + SavedStateRules
     + SpindleRules
+    + SplineRules
     + SubroutineRules
     + SyntaxRules
     + TaskRules
@@ -124,6 +126,7 @@ impl ProgramEndRules for Documented {}
 impl RestoreRules for Documented {}
 impl SavedStateRules for Documented {}
 impl SpindleRules for Documented {}
+impl SplineRules for Documented {}
 impl SubroutineRules for Documented {}
 impl SyntaxRules for Documented {}
 impl TaskRules for Documented {}

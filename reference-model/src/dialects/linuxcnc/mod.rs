@@ -29,6 +29,7 @@ mod restore;
 mod saved_state;
 mod skipping;
 mod spindle;
+mod splines;
 mod task;
 mod text;
 mod threading;

@@ -7,7 +7,6 @@ use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::splines as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::{Nurbs, State};
 use crate::rs274::task::Record;
@@ -47,16 +46,14 @@ pub(super) fn perform(
         return Err(StepError::Unsupported("a spline under cutter compensation".to_owned()));
     }
     if !has_axis_words(words) {
-        return Err(quirks::without_axis_words(state));
+        return Err(StepError::Unspecified("a spline without X and Y".to_owned()));
     }
     if in_data_block {
         return Err(StepError::Unspecified("another spline in an open data block".to_owned()));
     }
     super::motion::feed_possible(words, state)?;
     let end = end_point(words, state)?;
-    if !quirks::is_not_modal(state) {
-        state.modes.motion = motion;
-    }
+    state.dialect().set_spline_mode(motion, state);
     state.curve.continues = motion == Motion::CubicSpline;
     state.position = end;
     let points = if motion == Motion::CubicSpline { CUBIC } else { QUADRATIC };
@@ -91,7 +88,7 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = "G5 with only one of I and J";
         return Err(refuse(rule::splines::CUBIC_HALF_DIRECTION, FaultKind::MissingWord, message));
     }
-    if !has('i') && !state.curve.continues && !quirks::begins_without_direction(state) {
+    if !has('i') && state.dialect().needs_first_direction(state) {
         let message = "the first G5 needs I and J";
         return Err(refuse(rule::splines::CUBIC_FIRST_DIRECTION, FaultKind::MissingWord, message));
     }
@@ -102,15 +99,52 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
-fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let offset = |letter| word(words, letter).unwrap_or(0.0);
-    quirks::quadratic_needs_both(words, state)?;
-    let both_zero = offset('i') == 0.0 && offset('j') == 0.0;
-    if both_zero && !quirks::quadratic_of_zero(state) {
-        let message = "G5.1 without an offset to its control point";
-        return Err(refuse(rule::splines::QUADRATIC_OFFSET, FaultKind::MissingWord, message));
+/// What a controller may do otherwise with splines.
+pub(crate) trait SplineRules {
+    /// Rule motion.mode-change. G5 and G5.1 are motion modes.
+    fn set_spline_mode(&self, motion: Motion, state: &mut State) {
+        state.modes.motion = motion;
     }
+
+    /// Rule splines.cubic-first-direction. Whether this G5 needs I and J: the first one of a row does.
+    fn needs_first_direction(&self, state: &State) -> bool {
+        !state.curve.continues
+    }
+
+    /// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
+    fn check_quadratic_offset(&self, words: &Words, _state: &State) -> Result<(), StepError> {
+        let offset = |letter| word(words, letter).unwrap_or(0.0);
+        if offset('i') == 0.0 && offset('j') == 0.0 {
+            let message = "G5.1 without an offset to its control point";
+            return Err(refuse(rule::splines::QUADRATIC_OFFSET, FaultKind::MissingWord, message));
+        }
+        Ok(())
+    }
+
+    /// Rule splines.nurbs-default-weight. The weight of a control point is P, and 1 without it.
+    fn control_point_weight(&self, words: &Words, _state: &State) -> Result<f64, StepError> {
+        Ok(word(words, 'p').unwrap_or(1.0))
+    }
+
+    /// A NURBS has at least as many control points as its order says.
+    fn check_control_points(
+        &self,
+        points: u32,
+        order: u32,
+        _state: &State,
+    ) -> Result<(), StepError> {
+        if points < order {
+            let what = "a NURBS of fewer control points than its order";
+            return Err(StepError::Unspecified(what.to_owned()));
+        }
+        Ok(())
+    }
+}
+
+/// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
+/// Rule splines.quadratic-one-offset. The other one may be left out.
+fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
+    state.dialect().check_quadratic_offset(words, state)?;
     state.coverage.accepted(rule::splines::QUADRATIC);
     state.coverage.accepted(rule::splines::QUADRATIC_OFFSET);
     if word(words, 'i').is_none() || word(words, 'j').is_none() {
@@ -160,11 +194,10 @@ pub(super) fn nurbs(
             .filter(|order| *order > 1)
             .ok_or_else(|| open("a NURBS of an order below two"))?;
     }
-    if word(words, 'p').is_some_and(|weight| weight <= 0.0) {
+    if state.dialect().control_point_weight(words, state)? <= 0.0 {
         return Err(open("a control point whose weight is not positive"));
     }
     if has_axis_words(words) {
-        quirks::needs_weight(words, state)?;
         if word(words, 'x').is_none() || word(words, 'y').is_none() {
             return Err(open("a control point without X or without Y"));
         }
@@ -186,11 +219,8 @@ pub(super) fn nurbs(
 /// Executes the curve. With it the motion mode is over.
 fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let points = u32::try_from(nurbs.points.len() + 1).unwrap_or(u32::MAX);
-    let Some(end) = nurbs.points.last().copied().filter(|_| points >= nurbs.order) else {
-        let what = "a NURBS of fewer control points than its order";
-        return Err(StepError::Unspecified(what.to_owned()));
-    };
-    quirks::of_two_points(points, state)?;
+    state.dialect().check_control_points(points, nurbs.order, state)?;
+    let end = *nurbs.points.last().expect("splines: a NURBS of order two has a second point");
     state.modes.motion = Motion::None;
     state.position = end;
     record.effect(state, Effect::NurbsFeed { points, end });

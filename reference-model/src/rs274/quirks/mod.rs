@@ -5,4 +5,3 @@
 
 pub mod probe;
 pub mod settings;
-pub mod splines;
