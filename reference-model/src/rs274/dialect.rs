@@ -29,6 +29,7 @@ use super::execute::outputs::OutputRules;
 use super::execute::overrides::OverrideRules;
 use super::execute::path::PathRules;
 use super::execute::positions::MachinePositionRules;
+use super::execute::probe::ProbeRules;
 use super::execute::program_end::ProgramEndRules;
 use super::execute::restore::RestoreRules;
 use super::execute::saved_state::SavedStateRules;
@@ -73,6 +74,7 @@ pub(crate) trait Dialect:
     + OverrideRules
     + ParameterRules
     + PathRules
+    + ProbeRules
     + ProgramEndRules
     + RestoreRules
     + SavedStateRules
@@ -122,6 +124,7 @@ impl OutputRules for Documented {}
 impl OverrideRules for Documented {}
 impl ParameterRules for Documented {}
 impl PathRules for Documented {}
+impl ProbeRules for Documented {}
 impl ProgramEndRules for Documented {}
 impl RestoreRules for Documented {}
 impl SavedStateRules for Documented {}

@@ -24,6 +24,7 @@ mod parameters;
 mod passed_over;
 mod path;
 mod positions;
+mod probe;
 mod program_end;
 mod restore;
 mod saved_state;

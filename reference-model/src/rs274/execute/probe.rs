@@ -6,13 +6,13 @@ use gaugeblock_vocabulary::{
 
 use super::move_start::Speed;
 use super::target::end_point;
+use super::word;
 use crate::ids::{Rule, choice, rule};
 use crate::math;
 use crate::rs274::environment::{Wanted, stub};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::converted;
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::probe as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -115,6 +115,30 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepErro
     Ok(())
 }
 
+/// What a controller may do otherwise when it probes.
+pub(crate) trait ProbeRules {
+    /// Rule probe.zero-feed. Probing needs a feed rate, under inverse time in its block.
+    fn check_probe_feed(
+        &self,
+        motion: Motion,
+        words: &Words,
+        state: &State,
+    ) -> Result<(), StepError> {
+        let in_block = state.modes.feed_mode == FeedMode::InverseTime
+            && state.dialect().takes_feed_rate(motion, state);
+        if in_block && word(words, 'f').is_none() || state.modes.feed_rate == 0.0 {
+            let message = "probing without a feed rate";
+            return Err(refuse(rule::probe::ZERO_FEED, FaultKind::ZeroFeed, message));
+        }
+        Ok(())
+    }
+
+    /// Rule probe.same-point. Whether a probing move leads to where the controlled point is, which is refused.
+    fn probes_in_place(&self, _motion: Motion, end: Position, state: &State) -> bool {
+        end == state.position
+    }
+}
+
 /// The end point of a probing move that is allowed.
 ///
 /// Rule probe.axis-words-missing. It needs an axis word. Rule probe.under-compensation. It is refused while cutter
@@ -134,13 +158,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
             message,
         ));
     }
-    quirks::feed_mode(state)?;
-    let inverse = state.modes.feed_mode == FeedMode::InverseTime;
-    let without_rate = inverse && super::word(words, 'f').is_none() && !quirks::keeps_rate(state);
-    if without_rate || state.modes.feed_rate == 0.0 {
-        let message = "probing without a feed rate";
-        return Err(refuse(rule::probe::ZERO_FEED, FaultKind::ZeroFeed, message));
-    }
+    state.dialect().check_probe_feed(motion, words, state)?;
     if state.choices.is(choice::probe::StandingSpindle::Refused)
         && state.dialect().surface_speed_stands(state)
     {
@@ -149,7 +167,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }
     let end = end_point(words, state)?;
-    if end == state.position && !quirks::goes_nowhere(motion, state) {
+    if state.dialect().probes_in_place(motion, end, state) {
         let message = "probing to where the controlled point is";
         return Err(refuse(rule::probe::SAME_POINT, FaultKind::Probe, message));
     }
@@ -161,7 +179,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
     ] {
         state.coverage.accepted(rule);
     }
-    if inverse {
+    if state.modes.feed_mode == FeedMode::InverseTime {
         state.coverage.accepted(rule::probe::INVERSE_TIME);
     }
     Ok(end)

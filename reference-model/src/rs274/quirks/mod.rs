@@ -3,5 +3,4 @@
 //! Each section states what was observed, not what is right; the page of the same id in `suite/quirks` has the program
 //! that shows it. The main path calls a section by one line, `if state.choices.quirk("rs274.…")`.
 
-pub mod probe;
 pub mod settings;
