@@ -6,8 +6,10 @@ use super::{LinuxCnc, Shows};
 use crate::ids::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::positions::MachinePositionRules;
+use crate::rs274::execute::tool_change::traverse;
 use crate::rs274::modes::{converted, each, is_rotary};
 use crate::rs274::state::State;
+use crate::rs274::task::Record;
 
 impl MachinePositionRules for LinuxCnc {
     /// Quirk rs274.tool-offset-unit. G53, G28, G30 and M6 take the number of the tool offset for one of the active
@@ -24,6 +26,14 @@ impl MachinePositionRules for LinuxCnc {
             return Documented.reached(axis, coordinate, state);
         }
         coordinate + by
+    }
+
+    /// Quirk rs274.position-move-in-place. A move of no length goes before.
+    fn go_straight(&self, first: u32, state: &mut State, record: &mut Record) {
+        if state.shows(quirk::rs274::POSITION_MOVE_IN_PLACE) {
+            traverse(state.modes.machine_point(state.position), state, record);
+        }
+        Documented.go_straight(first, state, record);
     }
 
     /// Quirk rs274.tool-offset-unit. What is stored and measured is beside the point as far in the other direction.

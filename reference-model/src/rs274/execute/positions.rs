@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
 use super::target::{end_point, letter};
 use super::tool_change::traverse;
 use super::word;
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::converted;
 use crate::rs274::order::has_axis_words;
@@ -24,6 +24,17 @@ pub(crate) trait MachinePositionRules {
     /// Where on the machine G53, G28, G30 and M6 lead for a machine coordinate: there.
     fn reached(&self, _axis: Axis, coordinate: f64, _state: &State) -> f64 {
         coordinate
+    }
+
+    /// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no
+    /// axis for does not move, wherever the rotation of a coordinate system has led it.
+    fn go_straight(&self, first: u32, state: &mut State, record: &mut Record) {
+        let here = state.modes.machine_point(state.position);
+        let mut there = destination(first, state);
+        for axis in Axis::ALL.iter().filter(|axis| !state.machine.axes.contains(axis)) {
+            *there.get_mut(*axis) = here.get(*axis);
+        }
+        traverse(there, state, record);
     }
 
     /// The position of the machine that G28.1 and G30.1 store, G10 measures and parameters have: where it is.
@@ -97,22 +108,14 @@ fn stored(first: u32, state: &State) -> Position {
     converted(there, state.machine.length_unit, state.modes.units)
 }
 
-/// Rule positions.go. G28 alone moves every axis to the stored position at rapid speed; what the machine has no axis
-/// for does not move, wherever the rotation of a coordinate system has led it. Rule positions.not-stored. That is the
-/// machine's zero where nothing was stored. Quirk rs274.position-move-in-place. A move of no length goes before.
+/// Rule positions.go. Without axis words every axis goes to the stored position.
+/// Rule positions.not-stored. That is the machine's zero where nothing was stored.
 fn straight(first: u32, state: &mut State, record: &mut Record) {
     state.coverage.accepted(rule::positions::GO);
     if (first..first + 9).all(|number| state.parameters.stored(number) == 0.0) {
         state.coverage.accepted(rule::positions::NOT_STORED);
     }
-    if state.choices.quirk(quirk::rs274::POSITION_MOVE_IN_PLACE) {
-        traverse(state.modes.machine_point(state.position), state, record);
-    }
-    let (here, mut there) = (state.modes.machine_point(state.position), destination(first, state));
-    for axis in Axis::ALL.iter().filter(|axis| !state.machine.axes.contains(axis)) {
-        *there.get_mut(*axis) = here.get(*axis);
-    }
-    traverse(there, state, record);
+    state.dialect().go_straight(first, state, record);
 }
 
 /// Where G28 and G30 lead, machine position in the active length unit.

@@ -92,7 +92,7 @@ fn moves(state: &mut State, record: &mut Record) {
 }
 
 /// A rapid move to a machine position, active length unit.
-pub(super) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
+pub(crate) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
     state.position = state.modes.program_point(machine);
     record.effect(state, Effect::StraightTraverse { end: state.position });
 }
