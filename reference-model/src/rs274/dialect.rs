@@ -17,10 +17,12 @@ use super::control::NumberedRules;
 use super::control::SubroutineRules;
 use super::evaluate::EvaluationRules;
 use super::execute::arc::ArcRules;
+use super::execute::compensation::CompensationRules;
 use super::execute::cycles::CycleRules;
 use super::execute::dwell::DwellRules;
 use super::execute::feed::FeedRules;
 use super::execute::inputs::InputRules;
+use super::execute::local_offset::LocalOffsetRules;
 use super::execute::message::MessageRules;
 use super::execute::motion::MotionRules;
 use super::execute::offsets::OffsetRules;
@@ -53,6 +55,7 @@ use super::text::TextRules;
 pub(crate) trait Dialect:
     ArcRules
     + CodeRules
+    + CompensationRules
     + ConditionRules
     + ControlRules
     + CycleRules
@@ -60,6 +63,7 @@ pub(crate) trait Dialect:
     + EvaluationRules
     + FeedRules
     + InputRules
+    + LocalOffsetRules
     + LoopRules
     + MachinePositionRules
     + MessageRules
@@ -103,6 +107,7 @@ pub(crate) struct Documented;
 
 impl ArcRules for Documented {}
 impl CodeRules for Documented {}
+impl CompensationRules for Documented {}
 impl ConditionRules for Documented {}
 impl ControlRules for Documented {}
 impl CycleRules for Documented {}
@@ -110,6 +115,7 @@ impl DwellRules for Documented {}
 impl EvaluationRules for Documented {}
 impl FeedRules for Documented {}
 impl InputRules for Documented {}
+impl LocalOffsetRules for Documented {}
 impl LoopRules for Documented {}
 impl MachinePositionRules for Documented {}
 impl MessageRules for Documented {}

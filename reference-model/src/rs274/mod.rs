@@ -14,7 +14,7 @@
 //! | [`control`] | O-words, calls, M98 and M99: which block comes next |
 //! | [`environment`] | the clock, the pins, how the environment answers |
 //! | [`task`] | the run: modes of the controller, operator, start, blocks, budget, record, end |
-//! | [`quirks`] | where a real controller departs from its own document; off the main path |
+//! | [`dialect`] | the rules that a controller may follow otherwise |
 
 pub mod check;
 pub mod control;
@@ -25,7 +25,6 @@ pub mod execute;
 pub mod modes;
 pub mod order;
 pub mod parameters;
-pub mod quirks;
 pub mod refusal;
 pub mod state;
 pub mod syntax;

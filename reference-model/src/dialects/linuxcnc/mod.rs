@@ -5,6 +5,7 @@
 
 mod arcs;
 mod codes;
+mod compensation;
 mod control;
 mod cycles;
 mod dwell;

@@ -4,11 +4,19 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
 use super::tool::named;
 use super::{whole, word};
-use crate::ids::{quirk, rule};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
+
+/// What a controller may do otherwise with cutter compensation.
+pub(crate) trait CompensationRules {
+    /// Rule tool.dynamic-compensation-orientation. Whether a number is one of a tool's orientations: 0 to 9.
+    fn is_orientation(&self, number: i32, _state: &State) -> bool {
+        (0..=9).contains(&number)
+    }
+}
 
 /// Turns cutter compensation on and off.
 ///
@@ -97,9 +105,8 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
     };
     if let Some(orientation) = word(words, 'l') {
         let rule = rule::tool::DYNAMIC_COMPENSATION_ORIENTATION;
-        let most =
-            if state.choices.quirk(quirk::rs274::ORIENTATION_TOO_LARGE) { i32::MAX } else { 9 };
-        if !whole(orientation).is_some_and(|number| (0..=most).contains(&number)) {
+        let known = |number| state.dialect().is_orientation(number, state);
+        if !whole(orientation).is_some_and(known) {
             let message = format!("L{orientation} is no orientation from 0 to 9");
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
         }

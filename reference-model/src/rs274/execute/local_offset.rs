@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Axis, Position};
 
 use super::offsets::{in_force_changes, store_length};
 use super::target::offset_words;
-use crate::ids::{quirk, rule};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::each;
 use crate::rs274::refusal::StepError;
@@ -12,6 +12,14 @@ use crate::rs274::state::State;
 
 /// The parameter that tells whether the offset applies; those of the axes follow, machine unit.
 const APPLIES: u32 = 5210;
+
+/// What a controller may do otherwise with the local offset.
+pub(crate) trait LocalOffsetRules {
+    /// Rule offsets.position-omitted-axes. The local offset of axes for which G92 has no word: they have none.
+    fn offset_without_word(&self, _before: Position, _state: &State) -> Position {
+        Position::default()
+    }
+}
 
 /// Changes the local offset.
 ///
@@ -83,9 +91,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     let before = state.modes.g92_offset;
     let in_system = each(state.position, before, |point, offset| point + offset);
-    // Quirk rs274.position-omitted-axes. Axes without a word keep theirs.
-    let kept = state.choices.quirk(quirk::rs274::POSITION_OMITTED_AXES);
-    let mut offset = if kept { before } else { Position::default() };
+    let mut offset = state.dialect().offset_without_word(before, state);
     for (axis, value) in offset_words(words, state) {
         *offset.get_mut(axis) = in_system.get(axis) - value;
     }

@@ -7,7 +7,7 @@ pub mod cycles;
 pub mod dwell;
 pub mod feed;
 pub mod inputs;
-mod local_offset;
+pub(crate) mod local_offset;
 pub mod message;
 pub mod motion;
 pub(crate) mod move_start;

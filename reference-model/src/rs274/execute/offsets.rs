@@ -5,17 +5,35 @@ use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 use super::target::offset_words;
 use super::tool_table::{self, Values};
 use super::{local_offset, positions, whole, word};
-use crate::ids::{choice, quirk, rule};
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{converted, each, first_parameter};
 use crate::rs274::order::has_axis_words;
-use crate::rs274::quirks::settings as quirks;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// What a controller may do otherwise with offsets.
 pub(crate) trait OffsetRules {
+    /// Rule offsets.select. A code selects its system, be it in force already.
+    fn select_system(&self, system: u32, state: &mut State) {
+        use_system(system, state);
+    }
+
+    /// Rule offsets.calculate-needs-axes. G10 L20 needs an axis word.
+    fn check_calculated_axes(&self, words: &Words, _state: &State) -> Result<(), StepError> {
+        if !has_axis_words(words) {
+            let rule = rule::offsets::CALCULATE_NEEDS_AXES;
+            return Err(refuse(rule, FaultKind::MissingWord, "G10 L20 needs an axis word"));
+        }
+        Ok(())
+    }
+
+    /// Rule offsets.set-number. P of G10 L2 and L20 is the number of a system.
+    fn programmed_system(&self, words: &Words, _state: &State) -> Option<f64> {
+        word(words, 'p')
+    }
+
     /// Rule offsets.set-immediate. A system in force that G10 L2 has set, and can have turned, is read again.
     fn reload_turned_system(&self, state: &mut State) {
         reload(state);
@@ -41,10 +59,7 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     state.coverage.accepted(rule::offsets::SELECT);
-    if quirks::keeps_system(system, state) {
-        return Ok(());
-    }
-    use_system(system, state);
+    state.dialect().select_system(system, state);
     Ok(())
 }
 
@@ -126,12 +141,8 @@ pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
 /// Rule offsets.set-omitted-axes. Axes without a word keep theirs.
 /// Rule offsets.rotation. R of G10 L2 is the angle by which the system is turned about Z; without R it stays.
 fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
-    if calculated
-        && !has_axis_words(words)
-        && !state.choices.quirk(quirk::rs274::CALCULATE_WITHOUT_AXES)
-    {
-        let message = "G10 L20 needs an axis word";
-        return Err(refuse(rule::offsets::CALCULATE_NEEDS_AXES, FaultKind::MissingWord, message));
+    if calculated {
+        state.dialect().check_calculated_axes(words, state)?;
     }
     let system = system(words, state)?;
     if system == state.modes.work_offset {
@@ -208,7 +219,7 @@ fn kind(words: &Words) -> Result<i32, StepError> {
 
 /// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
 fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
-    let Some(number) = word(words, 'p').map(|number| quirks::origin_number(number, state)) else {
+    let Some(number) = state.dialect().programmed_system(words, state) else {
         let message = "G10 L2 and L20 need P, the coordinate system";
         return Err(refuse(rule::offsets::SET_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
