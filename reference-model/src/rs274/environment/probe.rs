@@ -45,6 +45,11 @@ impl EnvironmentState {
         }
     }
 
+    /// Whether the controller learns that the probe changed: the stand-alone interpreter has no probe.
+    pub(crate) fn reports_contact(&self) -> bool {
+        !self.is_stand_alone()
+    }
+
     /// A probing move has been made; the probe stays as it is as long as the controlled point is there.
     pub(crate) fn has_probed(&mut self, wanted: Wanted, to: Position, changed: Option<Position>) {
         let touching = changed.is_some() == (wanted == Wanted::Touching);

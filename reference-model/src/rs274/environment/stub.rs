@@ -4,10 +4,11 @@
 //! is turned. Where the interpreter asks for the point, after M6, M61 and G10 L0, it gets one that those have not
 //! changed.
 
-use gaugeblock_vocabulary::{LengthUnit, Position};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Position};
 
 use super::Input;
 use super::state::{EnvironmentState, Stands};
+use crate::math;
 use crate::rs274::modes::{converted, each};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
@@ -78,17 +79,46 @@ fn stands_at(point: Position, state: &State) -> Stands {
     Stands { point, offset: offset(state), units: state.modes.units }
 }
 
-/// Where the stub stands, active length unit, unless that has no numbers.
-pub(crate) fn position(state: &State) -> Option<Position> {
-    (!state.environment.stub.lost).then(|| coordinates(state))
+/// Where the controlled point is after probing: where a machine stops. The stub backs off a hundredth of an inch from
+/// the programmed point, as far as linear axes have moved, on the way that begins where the stub stands.
+///
+/// # Errors
+/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
+/// have one all the same.
+pub(crate) fn after_probing(
+    programmed: Position,
+    stops_at: Position,
+    state: &State,
+) -> Result<Position, StepError> {
+    if !state.environment.is_stand_alone() {
+        return Ok(stops_at);
+    }
+    if state.environment.stub.lost {
+        return Ok(programmed);
+    }
+    let from = coordinates(state);
+    let linear = [Axis::X, Axis::Y, Axis::Z];
+    let back = match state.modes.units {
+        LengthUnit::Inch => 0.01,
+        LengthUnit::Millimetre => 0.254,
+    };
+    let way = linear.map(|axis| programmed.get(axis) - from.get(axis));
+    let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
+    let mut end = programmed;
+    // A spline led it to X0 Y0 but for numbers that nobody knows.
+    if length == 0.0 && state.environment.stub.led {
+        let why = "which way the stub of a machine backs off that stands where a spline has led it";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    if length > 0.0 {
+        for (axis, way) in linear.into_iter().zip(way) {
+            *end.get_mut(axis) -= back * way / length;
+        }
+    }
+    Ok(end)
 }
 
-/// Whether that is X0 Y0 but for numbers that nobody knows.
-pub(crate) fn is_led_by_spline(state: &State) -> bool {
-    state.environment.stub.led
-}
-
-/// The same; X and Y are as they were before they were lost.
+/// Where the stub stands, active length unit; X and Y are as they were before they were lost.
 fn coordinates(state: &State) -> Position {
     let Stands { point, offset: known, units } = state.environment.stub.stands;
     let offset = offset(state);

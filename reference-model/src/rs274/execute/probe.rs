@@ -1,14 +1,11 @@
 //! G38.2 to G38.5: straight probing.
 
-use gaugeblock_vocabulary::{
-    Axis, Compensation, Effect, FaultKind, FeedMode, LengthUnit, Motion, Position,
-};
+use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Motion, Position};
 
 use super::move_start::Speed;
 use super::target::end_point;
 use super::word;
 use crate::ids::{Rule, choice, rule};
-use crate::math;
 use crate::rs274::environment::{Wanted, stub};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::converted;
@@ -84,10 +81,9 @@ pub(super) fn perform(
     for (number, value) in (POINT..).zip(stops_at.to_array()) {
         state.parameters.store(number, value);
     }
-    let stand_alone = state.environment.is_stand_alone();
-    let succeeded = contact.is_some() && !stand_alone;
+    let succeeded = contact.is_some() && state.environment.reports_contact();
     state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
-    state.position = if stand_alone { backed_off(end, state)? } else { stops_at };
+    state.position = stub::after_probing(end, stops_at, state)?;
     state.environment.synchronise();
     tell(motion, contact.is_some(), state)
 }
@@ -183,32 +179,4 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
         state.coverage.accepted(rule::probe::INVERSE_TIME);
     }
     Ok(end)
-}
-
-/// Where the stand-alone interpreter's stub stands after probing: a hundredth of an inch back on its way, as far as
-/// linear axes have moved. That way begins where the stub stands.
-///
-/// # Errors
-/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
-/// have one all the same.
-fn backed_off(end: Position, state: &State) -> Result<Position, StepError> {
-    let linear = [Axis::X, Axis::Y, Axis::Z];
-    let Some(from) = stub::position(state) else { return Ok(end) };
-    let back = match state.modes.units {
-        LengthUnit::Inch => 0.01,
-        LengthUnit::Millimetre => 0.254,
-    };
-    let way = linear.map(|axis| end.get(axis) - from.get(axis));
-    let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
-    let mut stops_at = end;
-    if length == 0.0 && stub::is_led_by_spline(state) {
-        let why = "which way the stub of a machine backs off that stands where a spline has led it";
-        return Err(StepError::Unspecified(why.to_owned()));
-    }
-    if length > 0.0 {
-        for (axis, way) in linear.into_iter().zip(way) {
-            *stops_at.get_mut(axis) -= back * way / length;
-        }
-    }
-    Ok(stops_at)
 }
