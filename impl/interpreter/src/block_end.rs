@@ -1,4 +1,4 @@
-//! What a sink can see after each block: enough to record a run, at no cost to a sink that does not look.
+//! The state that a sink receives after each block: enough to record a run, at no cost to a sink that does not look.
 
 use core::fmt;
 
@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{Position, Rs274State, Settings};
 use crate::modal::Modal;
 use crate::parameters::{Names, Parameters};
 
-/// What kind of block was executed.
+/// The kind of an executed block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockKind {
     /// Words, settings of parameters, perhaps with a comment; a line number alone.
@@ -49,7 +49,7 @@ impl BlockEnd<'_> {
         self.line
     }
 
-    /// What kind of block it was.
+    /// The kind of the block.
     pub fn kind(&self) -> BlockKind {
         self.kind
     }

@@ -1,4 +1,4 @@
-//! What a sink can see before a block: its words, as they are after evaluation, and the stored offsets.
+//! The state that a sink receives before a block: its evaluated words, and the stored offsets.
 
 use gaugeblock_vocabulary::Position;
 

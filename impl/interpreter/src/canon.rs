@@ -46,7 +46,7 @@ pub trait Sink {
     fn end_statement(&mut self, _end: &StatementEnd<'_>) {}
 }
 
-/// What a sink replies to an effect.
+/// The reply of a sink to an effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reply {
     /// It is done or queued.
@@ -55,7 +55,7 @@ pub enum Reply {
     /// without this reply has not changed. If the probe was in the target state before the move, the reply is
     /// [`Reply::Failed`] with [`FaultKind::Probe`].
     Contact(Option<Position>),
-    /// What M66 read: a level of 0 or 1, a voltage, or -1 after a time-out.
+    /// The value that M66 read: a level of 0 or 1, a voltage, or -1 after a time-out.
     Input(f64),
     /// Which tool is in the spindle now; 0 for none.
     Tool(i32),

@@ -26,7 +26,7 @@ impl Dialect {
         Ok(Self { options, text, modes, task })
     }
 
-    /// What they were read from.
+    /// The options from which they were read.
     pub(crate) fn options(&self) -> &Options {
         &self.options
     }

@@ -23,7 +23,7 @@ macro_rules! faults {
                 }
             }
 
-            /// What is wrong.
+            /// The mistake.
             pub fn about(self) -> &'static str {
                 match self {
                     $(Self::$fault => concat!($($about),*).trim_ascii(),)*

@@ -1,4 +1,4 @@
-//! What an interpreter may use: bounds of this implementation, not of the documents.
+//! Bounds of this implementation, not of the documents.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! What a sink receives of a straight probe in addition to its effect.
+//! A straight probe, as a sink receives it in addition to its effect.
 
 use gaugeblock_vocabulary::Position;
 

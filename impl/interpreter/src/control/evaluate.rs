@@ -35,14 +35,14 @@ pub(crate) enum Setting {
     Local(NameId, f64),
     /// A global one.
     Global(NameId, f64),
-    /// What a named one was before it was set.
+    /// A named one as it was before it was set.
     Before(NameId, Slot),
 }
 
 /// The stack, and what waits for the end of the block's evaluation.
 #[derive(Clone, Debug)]
 pub(crate) struct Evaluator {
-    /// What the operations pushed and nothing took: a label, a condition, arguments.
+    /// Values that the operations pushed and nothing took: a label, a condition, arguments.
     pub(crate) stack: Vec<f64>,
     /// Settings in the order of writing; once they are in force, what was in force before.
     pub(crate) settings: Vec<Setting>,
@@ -81,7 +81,7 @@ impl Evaluator {
         self.applied = true;
         for setting in &mut self.settings {
             match setting {
-                // What tells the tool or the point goes on telling it, where it can be set at all.
+                // A parameter that reports the tool or the point keeps its value, where it can be set at all.
                 Setting::Numbered(number, value) if is_machine_state(*number) => {
                     *value = parameters.numbered.get(u32::from(*number));
                 }

@@ -10,7 +10,7 @@ use crate::source::Source;
 use crate::syntax::bytecode::{Block, Keyword, Kind, NONE, OWord};
 use crate::syntax::{LineKind, LinePlace, PercentAlone, is_o_word, is_percent};
 
-/// What a search looks for.
+/// The target of a search.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LabelTarget {
     /// The label.

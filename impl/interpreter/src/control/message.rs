@@ -24,7 +24,7 @@ pub(crate) struct Logs {
     probe: bool,
 }
 
-/// What a comment can see.
+/// The values that a comment can print.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
     /// The parameters.

@@ -191,7 +191,7 @@ impl Interpreter {
         Ok(value.to_bits() << 1 != 0)
     }
 
-    /// What a label points to, where that is of the right kind.
+    /// The structure of a label, where it is of the right kind.
     pub(crate) fn find_structure(
         &mut self,
         label: NameId,

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Options;
 
 use crate::error::Error;
 
-/// What turns a variable on that has a value and is assigned one by a statement.
+/// When an assignment turns on a variable that has a value already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum AssignedAgain {
     IfChanged,

@@ -16,7 +16,7 @@ use super::words::{self, Keyword};
 
 /// Deepest nesting, of IF and REPEAT, and of parentheses, brackets and signs.
 pub(super) const DEEPEST: usize = 50;
-/// What may be the symbol of the newline procedure.
+/// The signs that may be the symbol of the newline procedure.
 pub(super) const SYMBOLS: [&str; 9] = ["!", "#", "$", "%", "&", "@", "?", "^", "~"];
 
 /// Why a statement is not valid.
@@ -33,7 +33,7 @@ pub(super) enum Stop {
 /// A statement of another form than any that there is.
 pub(super) const NO_STATEMENT: Stop = Stop::Refused(FaultKind::Statement, "this is no statement");
 
-/// What has been compiled.
+/// A compiled program.
 #[derive(Debug)]
 pub(super) struct Compiled {
     pub(super) program: Program,
@@ -71,7 +71,7 @@ pub(super) struct Compiler<'a> {
     pub(super) program: Program,
     pub(super) variables: Variables,
     pub(super) names: BTreeMap<String, usize>,
-    /// What the declarations say of each variable's modality.
+    /// The declared modality of each variable.
     pub(super) declared: Vec<Option<bool>>,
     /// Whether FORMAT has named a variable.
     pub(super) formatted: Vec<bool>,

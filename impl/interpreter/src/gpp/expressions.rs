@@ -12,7 +12,7 @@ use super::words::{self, Compare, Keyword};
 pub(super) const WRONG_TYPE: Stop =
     Stop::Refused(FaultKind::WrongType, "a text where a number belongs, or the other way");
 
-/// What has been read.
+/// A value or variable that has been read.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Node {
     /// A variable alone, of which only the index has been written.

@@ -119,7 +119,7 @@ pub(super) struct Format {
     pub(super) point: char,
     /// Whether a whole number has a point, too.
     pub(super) whole_point: bool,
-    /// What is printed for zero, where that is not empty.
+    /// The text for zero, where it is not empty.
     pub(super) zero: String,
     /// Whether its variables are modal, in the old GPP.
     pub(super) modal: bool,

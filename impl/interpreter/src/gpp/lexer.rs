@@ -24,7 +24,7 @@ pub(super) enum Token<'a> {
     Sign(&'a str),
     /// `\J`
     LineFeed,
-    /// What is none of these, and why.
+    /// Anything else, and why it is refused.
     Bad(FaultKind),
     /// There is no more.
     End,
@@ -39,7 +39,7 @@ pub(super) struct Placed<'a> {
     pub(super) begins_line: bool,
 }
 
-/// What is left of a program.
+/// The rest of a program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lexer<'a> {
     rest: &'a str,

@@ -131,9 +131,9 @@ impl PostProcessor {
             block: compiled.blocks.get(&processed.heading).copied(),
             sets: processed.sets,
         });
-        let told: Vec<Line> = lines.collect();
+        let lines: Vec<Line> = lines.collect();
         let compile::Compiled { program, variables, .. } = compiled;
-        Ok(Self(Runner::new(program, variables, formats, choices, (systems, told))))
+        Ok(Self(Runner::new(program, variables, formats, choices, (systems, lines))))
     }
 
     /// Whether a step is left.

@@ -18,7 +18,7 @@ pub(super) struct Program {
     pub(super) texts: Vec<String>,
     /// Where the statements of the newline procedure begin.
     pub(super) newline: Option<usize>,
-    /// What is warned of before anything runs, and at which line.
+    /// Warnings that are reported before anything runs, with their lines.
     pub(super) warnings: Vec<(u32, String)>,
 }
 
@@ -92,7 +92,7 @@ pub(super) enum Sum {
     Divide,
 }
 
-/// What is printed.
+/// An item that is printed.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Item {
     /// The symbol of the newline procedure.
@@ -103,7 +103,7 @@ pub(super) enum Item {
     Variable(VariableRef),
 }
 
-/// What is switched.
+/// A target that is switched.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target {
     VariableRef(VariableRef),

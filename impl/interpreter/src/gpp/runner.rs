@@ -39,7 +39,7 @@ pub(super) struct Line {
     pub(super) block: Option<usize>,
 }
 
-/// What comes next.
+/// The next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Next {
     /// A warning of compilation.
@@ -73,7 +73,7 @@ pub(super) struct Runner {
     pub(super) printing: Printing,
     /// The one within the newline procedure.
     pub(super) within: Printing,
-    /// What the step prints.
+    /// The text that the step prints.
     pub(super) text: String,
     /// Items that the step has printed or tried to.
     pub(super) printed: u64,

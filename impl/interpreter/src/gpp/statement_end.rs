@@ -1,4 +1,4 @@
-//! What a sink can see after each step of a post-processor.
+//! The state that a sink receives after each step of a post-processor.
 
 use gaugeblock_vocabulary::Program;
 

@@ -258,7 +258,7 @@ impl Variables {
         }
     }
 
-    /// What the step has changed.
+    /// The changes of the step.
     pub(super) fn changes(&self) -> impl Iterator<Item = Change<'_>> {
         self.noted.iter().filter_map(|place| {
             let slot = self.slots.get(*place)?;
@@ -270,7 +270,7 @@ impl Variables {
         })
     }
 
-    /// What a slot is called.
+    /// The name of a slot.
     pub(super) fn name_of(&self, slot: usize) -> Name<'_> {
         let variable = self.variable_of(slot);
         let member = variable.and_then(|one| {
@@ -297,7 +297,7 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// What a step made of a variable.
+/// A variable after a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Change<'a> {
     /// Its name.

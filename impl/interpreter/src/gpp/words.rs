@@ -32,7 +32,7 @@ impl Compare {
         !matches!(self, Self::Equal | Self::NotEqual)
     }
 
-    /// What it says of two numbers.
+    /// The result for two numbers.
     #[expect(clippy::float_cmp, reason = "both were rounded, and are compared as they are printed")]
     pub(super) fn holds(self, left: f64, right: f64) -> bool {
         match self {

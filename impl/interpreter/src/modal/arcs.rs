@@ -247,14 +247,14 @@ fn radius_centre(
         return refuse(FaultKind::MissingWord, "R without an axis word of the plane");
     }
     let signed = words.get(b'R').unwrap_or(0.0);
-    let wanted = RadiusFormat {
+    let format = RadiusFormat {
         radius: signed.abs(),
         // The centre of a counterclockwise arc below half a circle is on the left of the chord.
         left: counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius)),
         slack,
         emulates_rs274,
     };
-    wanted.centre(plane.start, plane.end)
+    format.centre(plane.start, plane.end)
 }
 
 /// The arc of a radius.

@@ -36,7 +36,7 @@ pub(crate) struct Block<'a> {
     pub(crate) axes_move: bool,
 }
 
-/// What the codes of a block use and need together.
+/// The words that the codes of a block use and need together.
 #[derive(Default)]
 struct WordUse {
     uses: u32,

@@ -24,7 +24,7 @@ pub(crate) const LATHE: GGroup = 15;
 /// How many places a list by group has.
 pub(crate) const G_GROUPS: usize = 16;
 
-/// What a G code is and what it takes.
+/// A G code and the words that it takes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GCode {
     /// Modal group.
@@ -170,7 +170,7 @@ pub(crate) const SINGLE_OVERRIDES: MGroup = 1 << 11;
 /// Group 10.
 pub(crate) const USER_DEFINED: MGroup = 1 << 10;
 
-/// What an M code is and what it takes.
+/// An M code and the words that it takes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MCode {
     /// Modal group.

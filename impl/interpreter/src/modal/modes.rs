@@ -15,16 +15,16 @@ pub(crate) type Spindles = u8;
 /// Spindle 0.
 pub(crate) const FIRST: Spindles = 1;
 
-/// What is set for one spindle.
+/// The settings of one spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spindle {
     /// S: revolutions per minute or surface speed.
     pub(crate) speed: f64,
-    /// What S means.
+    /// The meaning of S.
     pub(crate) mode: SpindleMode,
     /// D of G96.
     pub(crate) limit: SpindleLimit,
-    /// What it was set to do.
+    /// Its commanded state.
     pub(crate) turn: SpindleTurn,
     /// Whether its speed override is enabled.
     pub(crate) speed_override: Switch,
@@ -144,7 +144,7 @@ impl ActiveSettings {
         }
     }
 
-    /// What is in force.
+    /// The settings in force.
     #[inline]
     pub(crate) fn now(&self) -> &Modes {
         &self.now

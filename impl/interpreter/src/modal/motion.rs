@@ -83,7 +83,7 @@ impl Modal {
         self.perform_move(block.words.line, start, &effect, sink)
     }
 
-    /// What every feed move needs.
+    /// Checks the preconditions of a feed move.
     pub(super) fn check_feed_move(&self) -> Result<(), Refusal> {
         self.check_feed_rate()?;
         self.check_turning()
@@ -105,7 +105,7 @@ impl Modal {
         Ok(())
     }
 
-    /// What every move needs under cutter compensation.
+    /// Checks the preconditions of a move under cutter compensation.
     pub(super) fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
         if self.active.now().compensation == Compensation::Off {
             return Ok(());

@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::Motion;
 
 use super::modes::Modes;
 
-/// What M70 and M73 save.
+/// The state that M70 and M73 save.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Saved {
     pub(super) modes: Modes,

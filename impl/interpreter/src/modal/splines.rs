@@ -37,7 +37,7 @@ impl Modal {
         self.perform_move(words.line, start, &effect, sink)
     }
 
-    /// What no spline takes: another plane, another axis, compensation.
+    /// Refuses what no spline takes: another plane, another axis, compensation.
     fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
         if self.active.now().plane != Plane::Xy && !planted(Fault::AnySplinePlane) {
             return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
@@ -85,7 +85,7 @@ impl Modal {
         Ok(())
     }
 
-    /// What another motion code does to an open data block is not documented: the curve is not dropped silently.
+    /// The effect of another motion code on an open data block is not documented: the curve is not dropped silently.
     pub(super) fn check_open_curve(&self, code: u16) -> Result<(), Refusal> {
         if self.series.curve.is_none() || matches!(code, 52 | 53) {
             return Ok(());

@@ -52,7 +52,7 @@ pub(crate) struct Modal {
     pub(super) machine_snapshot: Option<Box<MachineSnapshot>>,
     /// Mode of the controller.
     pub(super) controller_mode: ControllerMode,
-    /// What M70 and M73 saved.
+    /// The states that M70 and M73 saved.
     pub(super) saved: SavedStates,
     /// The sink replied with a stop within this block.
     pub(super) stop_asked: bool,
@@ -72,7 +72,7 @@ pub(crate) struct Modal {
     pub(super) analog_io: i32,
     /// Degrees added to R of M19.
     pub(super) orient_offset: f64,
-    /// What a tool change does besides.
+    /// Additional actions of a tool change.
     pub(super) tool_change: ToolChange,
     /// Whether tools change places in the changer.
     pub(super) random_tool_changer: bool,

@@ -37,7 +37,8 @@ impl Modal {
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
-    /// What both begin with: a spindle turns, and from here the feed is K per revolution. Where the move leads.
+    /// The beginning of both: a spindle turns, and from here the feed is K per revolution. Returns the end of the
+    /// move.
     fn begin_synchronised<K: Sink>(
         &mut self,
         block: &Block<'_>,

@@ -92,9 +92,9 @@ impl Modal {
             let frame = self.measuring_frame(kind, table, numbered);
             let machine = self.active.now().machine_of(self.position);
             // Axes that have no word keep the coordinates that they would have with the old entry.
-            let wanted = frame.program_of(machine).replaced(&written);
+            let target = frame.program_of(machine).replaced(&written);
             let untooled = Modes { tool_offset: Coordinates::default(), ..frame };
-            let offset = machine.minus(untooled.machine_of(wanted)).converted(to_stored);
+            let offset = machine.minus(untooled.machine_of(target)).converted(to_stored);
             table.taking(frame.turned_letters(letters), offset)
         };
         tool.offset = offset.position();

@@ -119,9 +119,9 @@ impl Modal {
     fn new_g92_offset(&self, words: &Words) -> Coordinates {
         let local = self.position.plus(self.active.now().g92_offset);
         let words = self.offset_words(words);
-        let wanted = local.replaced(&words);
-        // Where no word stands `wanted` is `local`, which leaves zero.
-        local.minus(wanted)
+        let target = local.replaced(&words);
+        // Where no word stands `target` is `local`, which leaves zero.
+        local.minus(target)
     }
 
     fn set_g92(&mut self, offset: Coordinates, numbered: &mut Numbered) {
@@ -180,7 +180,7 @@ impl Modal {
     fn new_origin(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
         let machine = self.active.now().machine_of(self.position);
         let there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
-        let wanted = there.program_of(machine).replaced(&self.offset_words(words));
-        origin.taking(there.turned_letters(words.present), there.origin_for(machine, wanted))
+        let target = there.program_of(machine).replaced(&self.offset_words(words));
+        origin.taking(there.turned_letters(words.present), there.origin_for(machine, target))
     }
 }

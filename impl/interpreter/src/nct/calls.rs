@@ -274,7 +274,7 @@ impl Runner {
     }
 }
 
-/// What P and L say.
+/// The call of P and L.
 fn called(program: f64, repeats: Option<f64>) -> Result<Call, Stop> {
     let whole =
         |value| math::whole(math::round_away(value)).and_then(|one| u32::try_from(one).ok());

@@ -1,4 +1,4 @@
-//! What the codes of a block change and require.
+//! Applies the codes of a block: modes that they change, and actions that they require.
 
 use gaugeblock_vocabulary::{
     Distance, FaultKind, FeedMode, LengthUnit, Motion, Plane, SpindleTurn, Switch,
@@ -123,7 +123,7 @@ enum Group {
     Coolant,
 }
 
-/// What the codes of a block require in addition to modes.
+/// The actions of a block's codes in addition to modes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Codes {
     /// A bit for each group of which the block has a code.

@@ -30,7 +30,7 @@ struct Compiler {
     open: [u32; 4],
 }
 
-/// What the beginning of a line says.
+/// The beginning of a line.
 #[derive(Clone, Copy, Debug, Default)]
 struct Numbers {
     program: Option<u32>,

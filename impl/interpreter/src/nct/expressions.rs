@@ -46,7 +46,7 @@ pub(super) fn bad_statement<T>() -> Result<T, Stop> {
     refuse(FaultKind::Statement, "3064 BAD MACRO STATEMENT")
 }
 
-/// What is left of a line, and where its operations go.
+/// The rest of a line, and the destination of its operations.
 pub(super) struct Reader<'a> {
     pub(super) cursor: Cursor<'a>,
     pub(super) code: &'a mut Code,

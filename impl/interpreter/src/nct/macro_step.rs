@@ -1,4 +1,4 @@
-//! What a sink can see after each step of a program with custom macros.
+//! The state that a sink receives after each step of a program with custom macros.
 
 use gaugeblock_vocabulary::{Motion, Position};
 

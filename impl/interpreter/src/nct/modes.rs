@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{
     Distance, FeedMode, Indexed, LengthUnit, Plane, Settings, SpindleTurn, Switch,
 };
 
-/// What is in force besides the motion mode.
+/// The modes in force, except the motion mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Modes {
     pub(super) units: LengthUnit,

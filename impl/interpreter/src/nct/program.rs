@@ -40,7 +40,7 @@ pub(super) struct Block {
     pub(super) kind: Kind,
 }
 
-/// What a block is.
+/// The kind of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kind {
     /// Block delete skips it.

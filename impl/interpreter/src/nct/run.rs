@@ -14,7 +14,7 @@ use crate::faults::{Fault, planted};
 use crate::math;
 use crate::modal::Coordinates;
 
-/// What a step reports in addition to variables.
+/// The report of a step in addition to variables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct StepReport {
     pub(super) modal_call: Option<(u32, u32)>,
@@ -125,7 +125,7 @@ impl Runner {
         (line, flow)
     }
 
-    /// What is different from the step before.
+    /// Reports differences from the step before.
     fn report_state(&mut self) {
         let last = self.last.replace((self.motion, self.position));
         if last.is_none_or(|(motion, _)| motion != self.motion) {

@@ -1,4 +1,4 @@
-//! What a line says after its numbers: words, or a macro statement.
+//! Reads the content of a line after its numbers: words, or a macro statement.
 
 use gaugeblock_vocabulary::FaultKind;
 

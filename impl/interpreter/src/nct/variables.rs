@@ -46,7 +46,7 @@ struct Level {
     locals: Locals,
     /// A bit for each that the step has changed.
     changed: u64,
-    /// What the macro of this level was called with, where that is wanted again.
+    /// The arguments of this level's macro, kept for its repeats.
     arguments: Locals,
 }
 
@@ -68,7 +68,7 @@ pub struct VariableChange {
     pub level: Option<u32>,
     /// Its number.
     pub number: u32,
-    /// What it holds now; `None` where it is vacant.
+    /// Its value; `None` where it is vacant.
     pub value: Option<f64>,
 }
 
@@ -92,7 +92,7 @@ impl Variables {
         self.changed_common = None;
     }
 
-    /// What a variable holds.
+    /// The value of a variable.
     pub(super) fn get(&self, slot: Slot) -> Option<f64> {
         match slot {
             Slot::Vacant => None,
@@ -191,7 +191,7 @@ impl Variables {
         }
     }
 
-    /// What the step has changed.
+    /// The changes of the step.
     pub(super) fn changes(&self) -> impl Iterator<Item = VariableChange> {
         let locals = (0..).zip(&self.levels).flat_map(|(level, one)| {
             let changed = (0_u8..33).filter(|place| one.changed & bit(*place) != 0);

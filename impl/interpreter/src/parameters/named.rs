@@ -68,7 +68,7 @@ impl Slot {
     }
 }
 
-/// What a local parameter was before a call level set it.
+/// A local parameter as it was before a call level set it.
 #[derive(Clone, Copy, Debug)]
 struct Hidden {
     id: NameId,

@@ -77,20 +77,20 @@ impl Names {
         }
         let length = bracket.trailing_zeros() >> 3;
         let name = word & 1_u64.wrapping_shl(length << 3).wrapping_sub(1);
-        let wanted = name | u64::from(length) << 56;
-        let (found, id) = *self.short.get(self.short_place(wanted))?;
+        let key = name | u64::from(length) << 56;
+        let (found, id) = *self.short.get(self.short_place(key))?;
         let length = usize::try_from(length).unwrap_or(0).wrapping_add(1);
-        (found == wanted && wanted != 0).then_some((id, length))
+        (found == key && key != 0).then_some((id, length))
     }
 
     /// The place of a short name, or where it would be inserted.
     #[inline]
-    fn short_place(&self, wanted: u64) -> usize {
+    fn short_place(&self, key: u64) -> usize {
         let mask = self.short.len().wrapping_sub(1);
-        let mut place = usize::try_from(wanted.wrapping_mul(MIX) >> 40).unwrap_or(0) & mask;
+        let mut place = usize::try_from(key.wrapping_mul(MIX) >> 40).unwrap_or(0) & mask;
         while let Some((found, _)) = self.short.get(place)
             && *found != 0
-            && *found != wanted
+            && *found != key
         {
             place = place.wrapping_add(1) & mask;
         }
@@ -99,10 +99,10 @@ impl Names {
 
     /// Enters a name that is short into the table of short names.
     fn add_short(&mut self, id: NameId) {
-        let Some(wanted) = short(self.name(id).as_bytes()) else { return };
-        let place = self.short_place(wanted);
+        let Some(key) = short(self.name(id).as_bytes()) else { return };
+        let place = self.short_place(key);
         if let Some(slot) = self.short.get_mut(place) {
-            *slot = (wanted, id);
+            *slot = (key, id);
         }
     }
 

@@ -27,7 +27,7 @@ pub(crate) struct Numbered {
     marked: u128,
     /// A bit for each that was reported then.
     reported: [u64; MARKS],
-    /// What a block has set, with the values before, while it can still be refused.
+    /// The parameters that a block has set, with their old values, while the block can still be refused.
     notes: Vec<(u32, f64)>,
     /// Whether notes are taken.
     noting: bool,
@@ -103,7 +103,7 @@ impl Numbered {
         self.noting = true;
     }
 
-    /// What was set stays set.
+    /// Keeps what was set.
     #[inline]
     pub(crate) fn end_notes(&mut self) {
         self.noting = false;

@@ -28,7 +28,7 @@ use frame::Frame;
 /// leave such a rest.
 const MOTION_MIN: f64 = 1e-9;
 
-/// What an effect requires of the motion planner.
+/// A request to the motion planner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionRequest {
     /// To go along a segment, after those before it.
@@ -218,7 +218,7 @@ impl Resolver {
         self.feed_along(ways.iter().any(|way| way.abs() > MOTION_MIN))
     }
 
-    /// What F means for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else
+    /// The meaning of F for a move (2.5.2.5, 11.5.59): a length of X Y Z where one of them moves, else of U V W, else
     /// degrees, which no unit changes.
     fn feed_along(&self, is_linear: bool) -> Feed {
         let along = |rate: f64| if is_linear { self.frame.millimetres(rate) } else { rate };
@@ -234,7 +234,7 @@ impl Resolver {
     }
 }
 
-/// What a setting of an output requires. M64, M65 and M68 act at once and interrupt the motion.
+/// The request of an output's setting. M64, M65 and M68 act at once and interrupt the motion.
 fn switch(output: i32, value: f64, timing: OutputTiming) -> MotionRequest {
     match (timing, u16::try_from(output)) {
         (OutputTiming::WithMotion, Ok(output)) => {

@@ -1,4 +1,4 @@
-//! What operators and functions do with numbers (11.4.6 to 11.4.8).
+//! Operators and functions on numbers (11.4.6 to 11.4.8).
 
 use alloc::vec::Vec;
 

@@ -33,7 +33,7 @@ pub(crate) struct LinePlace {
     pub(crate) offset: u64,
 }
 
-/// What a block's items have in common.
+/// State that the items of a block share.
 struct Items<'a> {
     /// Letters that were used, a bit each; 26 to 28 are `$`, `@` and `^`.
     letters: u32,

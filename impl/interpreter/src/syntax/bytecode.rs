@@ -216,7 +216,7 @@ pub(crate) struct OWord {
     pub(crate) next: u32,
 }
 
-/// What a block is.
+/// The kind of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
     /// Words, settings of parameters, comments.
@@ -243,7 +243,7 @@ pub(crate) struct Block {
     pub(crate) first: u32,
     /// One past the last operation.
     pub(crate) end: u32,
-    /// What it is.
+    /// Its kind.
     pub(crate) kind: Kind,
     /// The comment that acts; [`NONE`] for none.
     pub(crate) comment: u32,
@@ -255,7 +255,7 @@ pub(crate) struct Block {
     pub(crate) offset: u64,
 }
 
-/// What an active comment does.
+/// The action of an active comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Act {
     /// MSG.
@@ -306,7 +306,7 @@ pub(crate) enum Piece {
 /// An active comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Comment {
-    /// What it does.
+    /// The action.
     pub(crate) act: Act,
     /// First piece of its text.
     pub(crate) first: u32,

@@ -13,7 +13,7 @@ macro_rules! dialect {
 
             impl $name {
                 const ID: &str = $id;
-                /// What holds where no option is given.
+                /// The default option.
                 const FIRST: Self = [$(Self::$variant),*][0];
 
                 fn of(option: &str) -> Result<Self, Error> {
@@ -46,7 +46,7 @@ dialect! {
         /// To the even integer.
         "even" Even,
     }
-    /// What a message prints for a named parameter that does not exist.
+    /// The text for a named parameter that does not exist, in a message.
     "active-comments.absent-name" AbsentName {
         /// One sign.
         "number-sign" One,
@@ -115,7 +115,7 @@ macro_rules! choices {
 
 choices! {
     several {
-        /// What a message prints for a name that does not exist.
+        /// The text for a name that does not exist, in a message.
         absent_name: AbsentName,
         /// Several do loops with one label.
         do_label: DoLabel,

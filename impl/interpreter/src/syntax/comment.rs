@@ -5,7 +5,7 @@ use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::parameter::parameter_number;
 
-/// What comments do, by their first word and a comma.
+/// The actions of comments, by their first word and a comma.
 const ACTS: [(&[u8], Act); 7] = [
     (b"msg,", Act::Message),
     (b"debug,", Act::Debug),
@@ -42,7 +42,7 @@ pub(crate) fn pack(
     Some(place)
 }
 
-/// What a comment does, and its text.
+/// The action of a comment, and its text.
 fn act(text: &[u8], message_free: bool) -> Option<(Act, &[u8])> {
     for (word, act) in ACTS {
         if let Some(rest) = after(text, word) {

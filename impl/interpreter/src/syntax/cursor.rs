@@ -30,7 +30,7 @@ impl<'a> Cursor<'a> {
         self.line.get(self.at).map_or(0, u8::to_ascii_lowercase)
     }
 
-    /// What is left of the line, unchanged.
+    /// The rest of the line, unchanged.
     #[inline]
     pub(crate) fn rest(&self) -> &'a [u8] {
         self.line.get(self.at..).unwrap_or(&[])

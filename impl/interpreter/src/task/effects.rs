@@ -167,7 +167,7 @@ impl<M: Machine> TaskState<M> {
         }
     }
 
-    /// What is read ahead does nothing; it ends where the machine would have to answer.
+    /// Replies to an effect that is only read. Reading ends at an effect that the machine would have to answer.
     #[expect(clippy::wildcard_enum_match_arm, reason = "only these wait for the machine")]
     fn reply_read_only(&mut self, effect: &Effect) -> Reply {
         match effect {

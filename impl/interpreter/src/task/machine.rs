@@ -1,4 +1,4 @@
-//! What a task needs of a machine besides what an interpreter does: time, inputs, pins, and an operator.
+//! The machine of a task: a sink with time, inputs, pins, and an operator.
 
 use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{FaultKind, Pin};
@@ -76,7 +76,7 @@ pub enum Input {
     FeedHold,
 }
 
-/// What takes time outside of the controller.
+/// An operation that takes time outside of the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExternalOperation {
     /// The tool change of M6.

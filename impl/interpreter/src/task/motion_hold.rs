@@ -7,7 +7,7 @@ use crate::faults::{Fault, planted};
 use super::machine::{Input, Machine};
 use super::state::TaskState;
 
-/// What kind of motion an effect is.
+/// The kind of motion of an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Motion {
     /// At rapid speed.

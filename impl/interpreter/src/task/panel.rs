@@ -1,4 +1,4 @@
-//! What the operator has set: switches and overrides.
+//! The operator's settings: switches and overrides.
 
 use gaugeblock_vocabulary::scenario::Action;
 

@@ -14,7 +14,7 @@ use super::outputs::Outputs;
 use super::panel::Panel;
 use super::pins::{TrackedSettings, bit};
 
-/// What the controller is doing, or did before it became idle.
+/// The kind of run that the controller executes, or executed before it became idle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RunKind {
     /// It runs a program.
@@ -34,7 +34,7 @@ pub(super) enum Pause {
     Requested,
 }
 
-/// What it waits for that never happens.
+/// A wait for something that never happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Deadlock {
     /// A resume of the program or of motion.
@@ -225,7 +225,7 @@ impl<M: Machine> TaskState<M> {
         aborted
     }
 
-    /// What the documents leave open.
+    /// Takes the reason why the documents leave the outcome open.
     pub(super) fn take_unspecified(&mut self) -> Option<&'static str> {
         let Some(AbortCause::Unspecified(why)) = self.abort_cause else { return None };
         self.abort_cause = None;

@@ -9,7 +9,7 @@ use crate::faults::{Fault, planted};
 use super::machine::{ExternalOperation, Input, Machine, OperationState, WaitEvent};
 use super::state::{AbortCause, Deadlock, TaskState};
 
-/// What M66 reads when nothing came in time.
+/// The value that M66 reads after a time-out.
 const TIMED_OUT: f64 = -1.0;
 
 /// The block was aborted while it waited.
@@ -180,7 +180,7 @@ impl<M: Machine> TaskState<M> {
             let value = self.machine.input(input);
             return self.finish_input(value);
         }
-        let wanted = matches!(mode, WaitMode::High | WaitMode::Rise);
+        let active_level = matches!(mode, WaitMode::High | WaitMode::Rise);
         loop {
             match self.wait_once(until, Deadlock::Waiting) {
                 Err(Aborted) => return self.abort_waiting_reply(),
@@ -191,7 +191,7 @@ impl<M: Machine> TaskState<M> {
                 Ok(WakeReason::Changed) => {}
             }
             let now = self.machine.input(input) != 0.0;
-            if was != now && now == wanted {
+            if was != now && now == active_level {
                 let value = self.machine.input(input);
                 return self.finish_input(value);
             }

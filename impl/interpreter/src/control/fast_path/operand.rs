@@ -13,7 +13,7 @@ use crate::syntax::{
 /// Highest number of a parameter.
 const LAST: u16 = 5602;
 
-/// What values depend on.
+/// The state that values depend on.
 #[derive(Clone, Copy)]
 pub(super) struct Values<'a> {
     pub(super) parameters: &'a Parameters,

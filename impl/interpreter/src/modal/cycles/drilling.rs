@@ -91,7 +91,7 @@ pub(super) struct Cycle {
     pub(super) increment: f64,
     /// The selected spindle.
     pub(super) spindle: Spindles,
-    /// What it was doing.
+    /// Its state before the cycle.
     pub(super) turn: SpindleTurn,
     /// The feed override, and the speed override of the selected spindle, as they were.
     pub(super) overrides: (Switch, Switch),
@@ -124,7 +124,7 @@ pub(super) enum At {
     CycleMove(usize),
 }
 
-/// What comes next in a peck.
+/// The next move of a peck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Peck {
     /// The feed move.

@@ -9,7 +9,7 @@ use super::super::choices::Choices;
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::not_negative;
 
-/// What the words of a cycle's block say, as numbers and not yet as positions.
+/// The words of a cycle's block, as numbers and not yet as positions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Numbers {
     /// R.

@@ -4,7 +4,7 @@ use super::super::snapshots::BlockSnapshot;
 use super::drilling::Drilling;
 use super::threading::Threading;
 
-/// What is being done.
+/// The kind of work.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Job {
     /// A canned cycle.

@@ -1,5 +1,5 @@
-//! What a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial level of
-//! canned cycles (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
+//! The state that a series of contiguous blocks of one motion keeps from block to block: sticky words and the initial
+//! level of canned cycles (11.5.43.2, 11.5.61), and an open data block of G5.2 (11.5.9).
 //!
 //! A motion mode that ends a series does not clear it: the series counts only while the motion mode in force is one
 //! of its own.
@@ -56,7 +56,7 @@ impl MotionSeries {
         Self { start: Some(start), ..Self::default() }
     }
 
-    /// What a spline leaves to the next.
+    /// The series after a spline.
     pub(in super::super) fn of_spline(cubic: bool) -> Self {
         Self { cubic, ..Self::default() }
     }
