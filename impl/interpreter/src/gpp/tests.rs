@@ -76,7 +76,7 @@ IF (A == 1) END_IF;
 }
 
 #[test]
-fn what_asks_for_too_much_is_refused_at_once() {
+fn oversized_program_is_refused_at_once() {
     let named = |program: &str, toolpath: &str, kind: &str| {
         let (_, end) = run(program, toolpath, &Options::default(), 100);
         assert!(end.contains(kind), "{program}\n{toolpath}\n{end}");
@@ -186,7 +186,7 @@ fn what_if_set_and_until_test_is_a_variable() {
 }
 
 #[test]
-fn an_option_that_there_is_not_is_no_program() {
+fn unknown_option_is_refused() {
     let options = Options([("gpp.tie".into(), "up".into())].into_iter().collect());
     let end = run("", "", &options, 1).1;
     assert!(end.contains("no such option"), "{end}");

@@ -69,7 +69,7 @@ fn kind(end: Option<End>) -> Option<FaultKind> {
 }
 
 #[test]
-fn a_sink_hears_of_a_block_when_nothing_can_refuse_it() {
+fn sink_receives_only_complete_blocks() {
     let (recorder, end) = run("O1\nT5 M6 G1 X1 F100\nT6 M6 G4 P-1\nM30\n", 10);
     assert_eq!(kind(end), Some(FaultKind::WordOutOfRange));
     let heard = ["2 set Some(100.0)", "2 prepare_tool", "2 change_tool", "2 straight_feed"];
@@ -77,7 +77,7 @@ fn a_sink_hears_of_a_block_when_nothing_can_refuse_it() {
 }
 
 #[test]
-fn what_never_ends_can_be_left_after_any_step() {
+fn endless_program_can_be_left_after_any_step() {
     for text in [
         "O1\nN1 GOTO1\n",
         "O1\nWHILE [1 EQ 1] DO1\nEND1\n",

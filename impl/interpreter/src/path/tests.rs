@@ -148,7 +148,7 @@ fn outputs_wait_for_the_next_move_or_for_rest() {
 }
 
 #[test]
-fn a_probe_that_changed_stands_where_it_did() {
+fn point_after_a_probe_is_its_contact() {
     let mut resolver = under(&Settings { feed_rate: Some(60.0), ..Settings::default() });
     let effect =
         Effect::StraightProbe { end: at(0.0, 0.0, -9.0), contact: Some(at(0.0, 0.0, -3.0)) };

@@ -148,7 +148,7 @@ fn modes_are_kept_while_a_program_runs() {
 }
 
 #[test]
-fn an_abort_breaks_off_and_keeps_what_was_done() {
+fn abort_keeps_what_was_done() {
     let mut task = task(Script::asks(&[(0.5, Action::Abort)]), &[]);
     let program = "s100 m3\nf7 g4 p1 g1 x5\nm2\n";
     assert_eq!(run(&mut task, program), StepResult::Ended(End::Aborted));
@@ -162,7 +162,7 @@ fn an_abort_breaks_off_and_keeps_what_was_done() {
 }
 
 #[test]
-fn a_held_move_that_is_aborted_was_not_made() {
+fn aborted_held_move_is_not_made() {
     for program in [
         "f100 g1 x5\nm2\n",
         "f100 g91 g1 x5\nm2\n",
@@ -179,7 +179,7 @@ fn a_held_move_that_is_aborted_was_not_made() {
 }
 
 #[test]
-fn what_was_read_ahead_counts_where_documents_are_read_so() {
+fn read_ahead_survives_an_abort_by_option() {
     let run_to = |options: &[(&str, &str)]| {
         let mut task = task(Script::asks(&[(0.5, Action::Abort)]), options);
         let program = "#31=1\ng0 x3\ng4 p1\n#31=2 g0 x4\nm66 p0 l3 q1\n#31=3\nm2\n";
@@ -233,7 +233,7 @@ fn outputs_wait_for_the_motion_that_begins() {
 }
 
 #[test]
-fn blocks_are_entered_by_hand() {
+fn mdi_blocks_are_executed() {
     let asks = [
         (1.0, Action::Mdi("g0 x5".into())),
         (2.0, Action::Mode(ControllerMode::Manual)),
@@ -257,7 +257,7 @@ fn blocks_are_entered_by_hand() {
 }
 
 #[test]
-fn a_blank_line_by_hand_is_no_block() {
+fn blank_mdi_line_is_not_a_block() {
     let asks = [(1.0, Action::Mdi(" \t".into())), (1.0, Action::Mdi("#31=1".into()))];
     let mut task = task(Script::asks(&asks), &[]);
     task.set_mode(ControllerMode::Mdi);
@@ -265,7 +265,7 @@ fn a_blank_line_by_hand_is_no_block() {
 }
 
 #[test]
-fn what_is_saved_outlives_an_abort_of_nothing() {
+fn saved_state_outlives_an_abort_while_idle() {
     let asks =
         [(1.0, Action::Mdi("m70".into())), (2.0, Action::Abort), (3.0, Action::Mdi("m72".into()))];
     let mut task = task(Script::asks(&asks), &[("saved-state.after-run", "forgotten")]);
@@ -282,7 +282,7 @@ fn what_is_saved_outlives_an_abort_of_nothing() {
 }
 
 #[test]
-fn whether_subs_of_a_program_can_be_called_by_hand_is_left_open() {
+fn mdi_call_of_an_ended_programs_sub_is_unspecified() {
     let is_open = |task: &mut Task<Script>, block: &str, files: &[(&str, &str)]| {
         let mut source = Memory::new("");
         for (name, text) in files {
@@ -308,7 +308,7 @@ fn whether_subs_of_a_program_can_be_called_by_hand_is_left_open() {
 }
 
 #[test]
-fn a_percent_line_that_is_refused_is_the_next_block() {
+fn refused_percent_line_is_the_next_block() {
     for program in ["#31=1\n%\nm2\n", "o1 repeat [1]\n%\no1 endrepeat\nm2\n"] {
         for aborts in [false, true] {
             let mut task = task(Script::default(), &[]);
@@ -335,7 +335,7 @@ fn a_percent_line_that_is_refused_is_the_next_block() {
 }
 
 #[test]
-fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
+fn read_ahead_after_an_abort_is_bounded_by_the_limits() {
     let read = |program: &str, blocks_ahead: u32| {
         let options = Options([("abort.read-ahead".into(), "read-on".into())].into());
         let limits = Limits { blocks_ahead, ..Limits::default() };
@@ -359,7 +359,7 @@ fn what_is_read_behind_an_abort_has_no_bound_but_that_of_the_limits() {
 }
 
 #[test]
-fn what_documents_leave_open_is_said_so() {
+fn undocumented_requests_are_unspecified() {
     for pauses in [false, true] {
         let asks = [(0.2, Action::Pause), (0.5, Action::CycleStart)];
         let mut task = task(Script::asks(&asks[usize::from(!pauses)..]), &[]);

@@ -7,7 +7,7 @@ use super::{Case, check, check_all};
 use crate::Limits;
 
 #[test]
-fn a_percent_line_begins_a_file_only_where_nothing_stands_before_it() {
+fn percent_line_begins_a_file_only_on_its_first_line() {
     for (head, block_delete) in [("(c)\n", false), ("/\n", false), ("/g0\n", true)] {
         let text = format!("{head}%\n%\no<x> sub\n#31=1\no<x> endsub\n");
         let files = [("x.ngc", text.as_str())].into();
@@ -86,7 +86,7 @@ fn values_are_returned() {
 }
 
 #[test]
-fn what_is_no_sub_is_refused() {
+fn unknown_sub_is_refused() {
     check_all(&[
         ("o1 call\no1 sub\no1 endsub\nm2\n", "refused at 1 unknown_sub"),
         ("o<a> call\nm2\n", "refused at 1 unknown_sub"),
@@ -167,7 +167,7 @@ fn memory_is_bounded() {
 }
 
 #[test]
-fn blocks_are_told_when_they_are_done() {
+fn blocks_are_reported_when_done() {
     let case =
         Case { files: [("f.ngc", "o<f> sub\n#31=1\no<f> endsub\n")].into(), ..Case::default() };
     let outcome = case.run(b"\n(c)\n(msg,c)\nn3 (c)\no<f> call\nm2\n");
@@ -190,13 +190,13 @@ fn an_end_within_a_sub_leaves_it() {
 }
 
 #[test]
-fn a_sub_of_a_file_runs_as_far_as_it_goes() {
+fn sub_of_a_file_runs_up_to_the_end_of_the_file() {
     let case = Case { files: [("f.ngc", "o<f> sub\n#31=1\n")].into(), ..Case::default() };
     case.check("o<f> call\nm2\n", "refused missing_end; #31 = 1");
 }
 
 #[test]
-fn a_percent_line_in_a_sub_is_refused_when_it_is_come_by() {
+fn percent_line_in_a_sub_is_refused_when_reached() {
     check_all(&[
         ("o1 sub\n%\no1 endsub\no1 call\nm2\n", "refused at 2 bad_character"),
         ("o1 sub\n%\no1 endsub\nm2\n", "accepted"),

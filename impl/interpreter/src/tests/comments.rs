@@ -3,7 +3,7 @@
 use super::{Case, check, check_all};
 
 #[test]
-fn messages_are_shown() {
+fn messages_are_reported() {
     check_all(&[
         ("(msg,hello)\nm2\n", "messages: hello"),
         ("( m S g , Hello #1)\nm2\n", "messages:  Hello #1"),
@@ -33,7 +33,7 @@ fn a_message_comes_before_its_words() {
 }
 
 #[test]
-fn messages_that_are_packed_together_stay_apart() {
+fn messages_compiled_together_stay_separate() {
     check_all(&[
         (
             "o1 repeat [2]\n(msg,one)\n(msg,two)\n(print,a#31)\n(abort)\n(debug,b)\no1 endrepeat\nm2\n",
@@ -95,7 +95,7 @@ fn logs_are_opened_and_closed() {
 }
 
 #[test]
-fn a_program_can_ask_for_an_error() {
+fn program_can_abort_itself() {
     check("(abort,enough #1)\nm2\n", "refused at 1 aborted_by_program");
     check("o1 if [0]\n(abort,no)\no1 endif\nm2\n", "accepted");
 }

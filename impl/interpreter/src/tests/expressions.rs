@@ -167,7 +167,7 @@ fn words_take_any_value() {
 
 /// However halves are rounded; which zero it is ATAN tells.
 #[test]
-fn what_is_rounded_up_to_zero_is_a_zero_below_zero() {
+fn round_up_to_zero_gives_negative_zero() {
     for option in ["away", "up", "even"] {
         let options =
             [("expressions.negative-zero", "kept"), ("expressions.round-half", option)].into();

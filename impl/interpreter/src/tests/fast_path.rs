@@ -155,7 +155,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn both_ways_agree(lines in proptest::collection::vec(line(), 1..5), chosen in 0_usize..64) {
+    fn fast_path_agrees_with_complete_path(lines in proptest::collection::vec(line(), 1..5), chosen in 0_usize..64) {
         let chosen = CHOICES.iter().enumerate().filter(|(place, _)| chosen >> place & 1 == 1);
         let options = Options(chosen.map(|(_, (id, name))| ((*id).into(), (*name).into())).collect());
         let head = "g1 f100\n#1=1 #2=-2.5 #3=0.125 #4=100\n#<a>=2 #<b1>=-3 #<_g>=0.5\n";

@@ -71,7 +71,7 @@ fn loops_are_left_and_continued() {
 }
 
 #[test]
-fn labels_are_checked_when_they_are_come_by() {
+fn labels_are_checked_when_reached() {
     check_all(&[
         ("o1 endif\nm2\n", "refused at 1 unknown_label"),
         ("o1 else\nm2\n", "refused at 1 unknown_label"),
@@ -128,7 +128,7 @@ fn labels_can_be_computed() {
 
 /// Its blocks are a scope of their own, be its beginning refused or another sub within it.
 #[test]
-fn a_sub_that_is_skipped_is_skipped_in_a_loop_and_in_a_called_program_too() {
+fn skipped_sub_is_skipped_in_loops_and_called_programs() {
     let skipped = [
         "o5 sub !\no1 endwhile\n#31=1\no5 endsub\n",
         "o5 sub\no6 sub\no1 endwhile\n#31=1\no6 endsub\no5 endsub\n",
@@ -149,7 +149,7 @@ fn a_sub_that_is_skipped_is_skipped_in_a_loop_and_in_a_called_program_too() {
 
 /// Whether it is defined twice is seen where it is come to, before what is wrong within.
 #[test]
-fn a_sub_in_a_loop_that_holds_another_one_is_refused_where_it_is_come_to() {
+fn nested_sub_in_a_loop_is_refused_when_reached() {
     let within = "o5 sub\no6 sub\no5 endsub\n";
     check_all(&[
         (&format!("o7 do\n{within}o7 while [0]\nm2\n"), "refused at 3 nested_sub"),

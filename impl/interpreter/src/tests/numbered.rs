@@ -144,7 +144,7 @@ fn bytes_read(program: &str) -> usize {
 }
 
 #[test]
-fn what_follows_a_call_is_read_a_few_times_however_much_it_holds() {
+fn text_after_a_call_is_read_a_bounded_number_of_times() {
     for count in [500, 4_000] {
         let program = |sub: fn(usize) -> String| {
             let subs: String = (1_000..1_000 + count).map(sub).collect();

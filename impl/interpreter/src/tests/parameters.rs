@@ -45,7 +45,7 @@ fn numbers_of_parameters_have_a_range() {
 }
 
 #[test]
-fn position_is_told() {
+fn position_is_reported() {
     check_all(&[
         ("g0 x3 y4\n#31=#5420 #32=#[5420+1] #33=#<_x>\nm2\n", "#31 = 3; #32 = 4; #33 = 3"),
         ("g0 x1\n#31=[#5420+1]\ng0 x#31\n#32=#<_x>\nm2\n", "#32 = 2"),
@@ -118,7 +118,7 @@ fn only_ascii_letters_have_a_case() {
 }
 
 #[test]
-fn a_name_without_brackets_around_an_item_is_one_like_any_other() {
+fn item_name_without_brackets_is_an_ordinary_name() {
     check_all(&[
         ("#<_hal[x>=5\n#31=#<_hal[x>\nm2\n", "#31 = 5"),
         ("#<_ini[x>=5\n#31=#<_INI[X>\nm2\n", "#31 = 5"),
@@ -152,7 +152,7 @@ fn locals_belong_to_a_level() {
 }
 
 #[test]
-fn nothing_is_left_in_room_that_was_used() {
+fn scratch_memory_carries_no_state() {
     let new = |scratch| {
         let parameters = [(5220, 2.0), (5241, 7.0)].into_iter().collect();
         let machine = Machine { parameters, ..Machine::default() };
@@ -173,7 +173,7 @@ fn nothing_is_left_in_room_that_was_used() {
 }
 
 #[test]
-fn options_are_not_those_of_room_that_was_used() {
+fn scratch_memory_carries_no_options() {
     let (machine, limits) = (Machine::default(), Limits::default());
     let of = |option: &str| -> Options {
         Options([("expressions.true-value".into(), option.into())].into_iter().collect())

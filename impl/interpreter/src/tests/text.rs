@@ -30,7 +30,7 @@ fn blocks_are_deleted() {
 }
 
 #[test]
-fn lines_that_are_none_are_refused() {
+fn invalid_lines_are_refused() {
     check_all(&[
         ("g0 x1.2.3\nm2\n", "refused at 1 bad_number"),
         ("g0 x.\nm2\n", "refused at 1 bad_number"),
@@ -62,7 +62,7 @@ fn lines_that_are_none_are_refused() {
 }
 
 #[test]
-fn a_keyword_behind_the_longest_line_is_not_found() {
+fn keyword_beyond_the_longest_line_is_not_found() {
     let far = |keyword: &str| format!("{}{keyword}", " ".repeat(300));
     let near = |keyword: &str| format!("{keyword}{}", " ".repeat(300));
     let skipping = |line: String| format!("o1 if [0]\n{line}\no1 endif\n#31=1\nm2\n");
@@ -183,7 +183,7 @@ fn comments_stand_between_words() {
 }
 
 #[test]
-fn the_place_of_a_fault_is_told() {
+fn fault_reports_its_place() {
     let outcome = Case::default().run(b"g0 x1\n g0  y1..5 \nm2\n");
     let Err(crate::Error::Fault(fault)) = outcome.end else { panic!("accepted") };
     assert_eq!(fault.block.unwrap().to_string(), "main.ngc:2");

@@ -55,7 +55,7 @@ fn centre(program: &str) -> (f64, f64) {
 }
 
 #[test]
-fn what_is_finite_in_the_end_is_an_arc() {
+fn arc_with_finite_centre_is_accepted() {
     let near = |found: (f64, f64), wanted: (f64, f64)| {
         let size = wanted.0.abs().max(wanted.1.abs());
         let apart =
@@ -73,7 +73,7 @@ fn what_is_finite_in_the_end_is_an_arc() {
 }
 
 #[test]
-fn what_has_no_radius_or_is_not_finite_is_no_arc() {
+fn arc_without_radius_or_finite_centre_is_refused() {
     for line in [
         "g2 x1 i1.7e308 j1.7e308",
         "g0 x1.7e308; g2 i1.7e308",

@@ -171,7 +171,7 @@ fn kind(result: &Result<Flow, Refusal>) -> bool {
 proptest! {
     /// The short ways of moves have the outcome of the whole order of execution.
     #[test]
-    fn short_ways(blocks in prop::collection::vec(moving_block(), 1..12), plane in plane(), incremental: bool, units: bool) {
+    fn fast_paths(blocks in prop::collection::vec(moving_block(), 1..12), plane in plane(), incremental: bool, units: bool) {
         let mut modal = standing([1.0, 0.0, 0.0], plane, if units { "g21" } else { "g20" });
         let mut numbered = Numbered::new();
         if incremental {

@@ -356,7 +356,7 @@ fn accepted_and_undefined() {
 }
 
 #[test]
-fn a_refusal_from_outside_undoes_the_cycle() {
+fn refusal_by_the_sink_rolls_back_the_cycle() {
     struct Refuses(u32);
     impl crate::Sink for Refuses {
         fn set(&mut self, _line: u32, _changed: &gaugeblock_vocabulary::Settings) {}

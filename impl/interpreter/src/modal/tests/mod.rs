@@ -243,7 +243,7 @@ fn a_sink_can_stop_after_a_block() {
 }
 
 #[test]
-fn a_configuration_that_is_none_is_refused() {
+fn invalid_configuration_is_refused() {
     let refused = |machine: &Machine, id: &str, option: &str| {
         let options = Options([(id.into(), option.into())].into());
         assert!(modal(machine, &options, &mut Numbered::new()).is_err(), "{id} {option}");

@@ -33,7 +33,7 @@ fn end(effect: &str) -> Option<[f64; 3]> {
 proptest! {
     /// The probe touches at Z-1 of the recorder's world, or never.
     #[test]
-    fn a_probe_tells_where_it_was(x in eighths(), z in eighths(), code in 2..6_u8, incremental: bool) {
+    fn probe_stores_its_contact(x in eighths(), z in eighths(), code in 2..6_u8, incremental: bool) {
         let mode = if incremental { "g91" } else { "g90" };
         let program = format!("f9; g0 x1.5; {mode}; g38.{code} x{x} z{z}");
         let run = run(&machine(), &[], &program);

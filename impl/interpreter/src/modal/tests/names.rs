@@ -14,7 +14,7 @@ fn named(options: &[(&str, &str)], program: &str, name: &str) -> String {
 }
 
 #[test]
-fn names_tell_the_modes() {
+fn names_report_the_modes() {
     for (program, name, value) in [
         ("m5", "_motion_mode", 800.0),
         ("g0", "_motion_mode", 0.0),
@@ -112,7 +112,7 @@ fn position_parameters() {
 }
 
 #[test]
-fn only_changes_are_told() {
+fn only_changes_are_reported() {
     let told = |program: &str| run(&machine(), &[], program).sink.reported;
     assert_eq!(told("g17 g21 g90 g94 g40 g49 g54; m5; m9; m48; s0"), 0);
     assert_eq!(told("f5; g1 x1 f5; x2 f5; g0 x3"), 1);

@@ -69,7 +69,7 @@ fn stored_parameters_are_taken_over() {
 }
 
 #[test]
-fn what_is_volatile_begins_as_if_it_were_not_stored() {
+fn volatile_parameters_are_not_stored() {
     let numbers = [
         1, 5, 30, 31, 5000, 5001, 5061, 5070, 5160, 5161, 5390, 5391, 5399, 5400, 5420, 5429, 5598,
         5599, 5602,

@@ -7,7 +7,7 @@ use super::{check, check_on, machine};
 
 /// One row for each entry of the list in 11.6.19: set, saved, changed, restored.
 #[test]
-fn everything_of_the_list_comes_back() {
+fn listed_settings_are_restored() {
     for (set, change, after) in [
         ("g20", "g21", "units = inch"),
         ("g21", "g20", "units = mm"),
@@ -58,7 +58,7 @@ fn everything_of_the_list_comes_back() {
 }
 
 #[test]
-fn what_the_list_does_not_name_stays() {
+fn unlisted_settings_are_not_restored() {
     check("m70; g0 x1; m72", After("motion = traverse, position = (x1)"));
     check("m70; g52 x1; m72", After("g92_offset = (x1)"));
     check("m70; g10 l2 p1 x1; m72", After("g5x_offset = (x1)"));
@@ -141,7 +141,7 @@ fn ends_and_aborts_restore_nothing() {
 
 /// What a call has saved is gone with it; what the main program has saved is there for the next one, or not.
 #[test]
-fn what_is_saved_outlives_the_program_where_the_options_say_so() {
+fn saved_state_outlives_the_program_by_option() {
     let forgotten: super::Chosen = &[("saved-state.after-run", "forgotten")];
     let program = "f1; m70; f2; call; f3 m70; abort; m72";
     check(program, After("feed_rate = 1"));
