@@ -8,7 +8,7 @@ use crate::ids::quirk;
 use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::{EvaluationRules, Words};
-use crate::rs274::execute::motion::motion_of;
+use crate::rs274::execute::programmed_motion::motion_of;
 use crate::rs274::parameters::{self, Name};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;

@@ -38,6 +38,7 @@ mod threading;
 mod tool_length;
 mod tools;
 mod units_planes;
+mod values;
 mod words;
 
 pub(crate) use memory::{ControlMemory, Memory, SourceMemory};

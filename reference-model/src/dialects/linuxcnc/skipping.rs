@@ -4,8 +4,8 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::Shows;
-use super::control::{count_too_large, known_number, leave, value_behind, with_zeros};
 use super::passed_over::{PassedOver, passed_over};
+use super::values::{count_too_large, known_number, leave, value_behind, with_zeros};
 use crate::ids::{Quirk, quirk, rule};
 use crate::math;
 use crate::rs274::control::{

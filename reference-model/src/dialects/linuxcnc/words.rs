@@ -7,7 +7,7 @@ use crate::ids::quirk;
 use crate::rs274::check::words::WordRules;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::motion::motion_of;
+use crate::rs274::execute::programmed_motion::motion_of;
 use crate::rs274::execute::whole;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;

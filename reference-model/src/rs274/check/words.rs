@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Axis, FaultKind};
 
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::motion::{is_arc, motion_of};
+use crate::rs274::execute::programmed_motion::{is_arc, motion_of};
 use crate::rs274::execute::{letter, whole};
 use crate::rs274::modes::{ARC, Code, g_code, g_text, m_code, motion_code};
 use crate::rs274::order::{has_axis_words, is_of_axis, moves_by_axis_words};

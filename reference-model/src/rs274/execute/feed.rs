@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
 
-use super::motion::{is_feed, is_spline, motion_of};
 use super::probe::is_probing;
+use super::programmed_motion::{is_arc, is_feed, is_spline, motion_of};
 use super::word;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
@@ -84,4 +84,38 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     state.dialect().use_feed_rate(rate, state);
     Ok(())
+}
+
+/// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
+/// was ignored (feed.inverse-time-stray-rate).
+/// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
+/// (feed.rate-after-mode-change).
+/// Rule arcs.needs-feed-rate. All this holds for arcs too.
+pub(super) fn check_feed_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        if word(words, 'f').is_none() {
+            state.coverage.refused(rule::feed::INVERSE_TIME_STRAY_RATE);
+            let message = "under inverse time a feed move needs F in its block";
+            return Err(refuse(
+                rule::feed::INVERSE_TIME_NEEDS_RATE,
+                FaultKind::MissingWord,
+                message,
+            ));
+        }
+        state.coverage.accepted(rule::feed::INVERSE_TIME_NEEDS_RATE);
+    }
+    if state.modes.feed_rate == 0.0 && state.dialect().needs_feed_rate(words, state) {
+        if state.modes.feed_awaited {
+            state.coverage.refused(rule::feed::RATE_AFTER_MODE_CHANGE);
+        }
+        if motion_of(words, state).is_some_and(is_arc) {
+            state.coverage.refused(rule::arcs::NEEDS_FEED_RATE);
+        }
+        let message = "a feed move, and no feed rate";
+        return Err(refuse(rule::feed::MOVE_WITHOUT_RATE, FaultKind::ZeroFeed, message));
+    }
+    state.coverage.accepted(rule::feed::MOVE_WITHOUT_RATE);
+    state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
+    state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
+    state.dialect().check_spindle_of_feed(words, state)
 }

@@ -19,6 +19,7 @@ pub mod path;
 pub(crate) mod positions;
 pub mod probe;
 pub mod program_end;
+pub(crate) mod programmed_motion;
 pub(crate) mod restore;
 pub mod saved_state;
 pub mod spindle;

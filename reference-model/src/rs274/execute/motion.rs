@@ -5,58 +5,17 @@ use gaugeblock_vocabulary::{
 };
 
 use super::arc;
+use super::feed::check_feed_rate;
+use super::programmed_motion::{by_offsets_alone, is_arc, is_feed, is_spline, motion_of};
 use super::target::{end_point, machine_end_point};
-use super::{cycles, probe, splines, threading, word};
+use super::{cycles, probe, splines, threading};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
-use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
+use crate::rs274::order::{has_axis_words, moves_by_axis_words};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::{Curve, State};
 use crate::rs274::task::Record;
-
-/// What a block asks the machine to do.
-///
-/// Rule motion.mode-change. A motion code replaces the motion mode.
-/// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
-pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
-    let programmed =
-        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
-    if words.g.contains(&53) {
-        return Some(Motion::Nurbs);
-    }
-    let cancelled = words.g.contains(&800);
-    programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
-        let implied =
-            moves_by_axis_words(words) || by_offsets_alone(words, state) || words.g.contains(&530);
-        implied.then_some(state.modes.motion)
-    })
-}
-
-/// Whether offsets of a centre alone repeat the arc that is in force.
-///
-/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none,
-/// so that this is a choice.
-fn by_offsets_alone(words: &Words, state: &State) -> bool {
-    is_arc(state.modes.motion)
-        && moves_without_code(words)
-        && state.choices.is(choice::arcs::OffsetsAlone::Arc)
-}
-
-/// Whether a motion is an arc.
-pub(crate) fn is_arc(motion: Motion) -> bool {
-    matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
-}
-
-/// Whether a motion is a spline.
-pub(crate) fn is_spline(motion: Motion) -> bool {
-    matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
-}
-
-/// Whether a motion is executed at the feed rate.
-pub(super) fn is_feed(motion: Motion) -> bool {
-    motion == Motion::Feed || is_arc(motion)
-}
 
 /// Moves, or sets the motion mode.
 ///
@@ -282,7 +241,7 @@ fn move_to(
         return Err(StepError::Unsupported("a move under cutter compensation".to_owned()));
     }
     if is_feed(motion) {
-        feed_possible(words, state)?;
+        check_feed_rate(words, state)?;
     }
     if is_arc(motion) {
         return arc::perform(motion, words, state, record);
@@ -294,40 +253,6 @@ fn move_to(
     };
     state.dialect().move_straight(motion, end, words, state, record);
     Ok(())
-}
-
-/// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
-/// was ignored (feed.inverse-time-stray-rate).
-/// Rule feed.move-without-rate. Otherwise a feed rate must have been set, and again after a switch of the feed mode
-/// (feed.rate-after-mode-change).
-/// Rule arcs.needs-feed-rate. All this holds for arcs too.
-pub(super) fn feed_possible(words: &Words, state: &mut State) -> Result<(), StepError> {
-    if state.modes.feed_mode == FeedMode::InverseTime {
-        if word(words, 'f').is_none() {
-            state.coverage.refused(rule::feed::INVERSE_TIME_STRAY_RATE);
-            let message = "under inverse time a feed move needs F in its block";
-            return Err(refuse(
-                rule::feed::INVERSE_TIME_NEEDS_RATE,
-                FaultKind::MissingWord,
-                message,
-            ));
-        }
-        state.coverage.accepted(rule::feed::INVERSE_TIME_NEEDS_RATE);
-    }
-    if state.modes.feed_rate == 0.0 && state.dialect().needs_feed_rate(words, state) {
-        if state.modes.feed_awaited {
-            state.coverage.refused(rule::feed::RATE_AFTER_MODE_CHANGE);
-        }
-        if motion_of(words, state).is_some_and(is_arc) {
-            state.coverage.refused(rule::arcs::NEEDS_FEED_RATE);
-        }
-        let message = "a feed move, and no feed rate";
-        return Err(refuse(rule::feed::MOVE_WITHOUT_RATE, FaultKind::ZeroFeed, message));
-    }
-    state.coverage.accepted(rule::feed::MOVE_WITHOUT_RATE);
-    state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
-    state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
-    state.dialect().check_spindle_of_feed(words, state)
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

@@ -51,7 +51,7 @@ pub(super) fn perform(
     if in_data_block {
         return Err(StepError::Unspecified("another spline in an open data block".to_owned()));
     }
-    super::motion::feed_possible(words, state)?;
+    super::feed::check_feed_rate(words, state)?;
     let end = end_point(words, state)?;
     state.dialect().set_spline_mode(motion, state);
     state.curve.continues = motion == Motion::CubicSpline;
@@ -179,7 +179,7 @@ pub(super) fn nurbs(
     }
     let at_opening = state.choices.is(choice::splines::NurbsFeed::AtOpening);
     if at_opening != closes {
-        super::motion::feed_possible(words, state)?;
+        super::feed::check_feed_rate(words, state)?;
     }
     let mut nurbs = match state.curve.open.take() {
         Some(nurbs) => nurbs,

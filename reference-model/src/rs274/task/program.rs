@@ -338,14 +338,15 @@ fn may_take_time(phase: Phase) -> bool {
 
 /// Whether the motion of a block is a canned cycle.
 pub(super) fn is_cycle(words: &Words, state: &State) -> bool {
-    execute::motion::motion_of(words, state).is_some_and(execute::cycles::is_cycle)
+    execute::programmed_motion::motion_of(words, state).is_some_and(execute::cycles::is_cycle)
 }
 
 /// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.
 fn waits_for_machine(phase: Phase, words: &Words, state: &State) -> bool {
     let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
     let probes = phase == Phase::Motion
-        && execute::motion::motion_of(words, state).is_some_and(execute::probe::is_probing);
+        && execute::programmed_motion::motion_of(words, state)
+            .is_some_and(execute::probe::is_probing);
     let changes_tool = phase == Phase::ChangeTool && words.m.contains(&6);
     reads_input || probes || changes_tool
 }

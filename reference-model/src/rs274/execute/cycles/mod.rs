@@ -129,7 +129,7 @@ pub(super) fn perform(
     let repeats = repeats(words, state)?;
     let (series, cycle) = heights::find(motion, kind, words, state)?;
     let mut places = places(words, state, &cycle, repeats)?;
-    super::motion::feed_possible(words, state)?;
+    super::feed::check_feed_rate(words, state)?;
     strokes::possible(&cycle, state)?;
     state.modes.motion = motion;
     state.series = Some(series);

@@ -1,0 +1,52 @@
+//! Which motion a block asks for.
+
+use gaugeblock_vocabulary::Motion;
+
+use crate::ids::choice;
+use crate::rs274::evaluate::Words;
+use crate::rs274::modes::motion_mode;
+use crate::rs274::order::{moves_by_axis_words, moves_without_code};
+use crate::rs274::state::State;
+
+/// What a block asks the machine to do.
+///
+/// Rule motion.mode-change. A motion code replaces the motion mode.
+/// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
+pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
+    let programmed =
+        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
+    if words.g.contains(&53) {
+        return Some(Motion::Nurbs);
+    }
+    let cancelled = words.g.contains(&800);
+    programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
+        let implied =
+            moves_by_axis_words(words) || by_offsets_alone(words, state) || words.g.contains(&530);
+        implied.then_some(state.modes.motion)
+    })
+}
+
+/// Whether offsets of a centre alone repeat the arc that is in force.
+///
+/// Rule arcs.offsets-alone. The motion in force is executed again where there are axis words; a full circle has none,
+/// so that this is a choice.
+pub(super) fn by_offsets_alone(words: &Words, state: &State) -> bool {
+    is_arc(state.modes.motion)
+        && moves_without_code(words)
+        && state.choices.is(choice::arcs::OffsetsAlone::Arc)
+}
+
+/// Whether a motion is an arc.
+pub(crate) fn is_arc(motion: Motion) -> bool {
+    matches!(motion, Motion::ArcClockwise | Motion::ArcCounterclockwise)
+}
+
+/// Whether a motion is a spline.
+pub(crate) fn is_spline(motion: Motion) -> bool {
+    matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline | Motion::Nurbs)
+}
+
+/// Whether a motion is executed at the feed rate.
+pub(super) fn is_feed(motion: Motion) -> bool {
+    motion == Motion::Feed || is_arc(motion)
+}
