@@ -11,7 +11,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Expression, Parameter};
 
-/// The value behind an endsub or a return; nothing looks at what is behind that.
+/// The value after an endsub or a return; what follows the value is not read.
 pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
     let word = match syntax::parse(text, state) {
         Ok(block) => block.o_word,

@@ -20,11 +20,11 @@ pub struct EnvironmentState {
     pub(super) awaiting_motion: BTreeMap<Pin, f64>,
     /// Orientations that have begun and not ended, by spindle.
     pub(super) orienting: BTreeMap<usize, Orientation>,
-    /// Whether the operator asks for something now: what else happens at this moment happens afterwards.
+    /// Whether the operator sends a request now: what else happens at this moment happens afterwards.
     pub(super) is_asked: bool,
     /// The last orientation of each spindle, ended or not.
     pub(super) last_orientations: BTreeMap<usize, Orientation>,
-    /// What the last probing move left behind.
+    /// Where the last probing move ended, and whether the probe touched there.
     pub(super) probed: Option<Probed>,
     /// What a program sees of HAL.
     pub(super) synchronised: Synchronised,
@@ -51,7 +51,7 @@ pub(crate) struct Orientation {
 }
 
 impl Orientation {
-    /// When the spindle stands at its angle, if it ever does.
+    /// When the spindle is at its angle, if it ever is.
     pub(crate) fn done(self) -> Option<f64> {
         match self.answer {
             OrientAnswer::After(seconds) => Some(self.begun + seconds.max(0.0)),
@@ -70,17 +70,17 @@ pub(super) struct Probed {
 /// The stub of a machine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stub {
-    /// The point as it was told last.
+    /// The point of the last command.
     pub(super) stands: Stands,
     /// Whether a spline of three points has led it where X and Y have no numbers.
     pub(super) lost: bool,
     /// Whether another spline has led it to X0 Y0: to numbers that are as small as what memory happens to hold.
     pub(super) led: bool,
-    /// Whether the block that is executed asks for it.
+    /// Whether the block that is executed queries the point.
     pub(super) asked: bool,
 }
 
-/// A point as the stub was told it: where neither unit nor offset has changed, it is the same to the last bit.
+/// A point as the stub received it: where neither unit nor offset has changed, it is the same to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stands {
     /// Program coordinates, as far as the stub knows of offsets.

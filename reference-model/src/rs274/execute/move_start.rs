@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::Switch;
 use crate::ids::rule;
 use crate::rs274::state::State;
 
-/// Whether anything asks for a hold, be it that no control lets it: a move that nothing asks to hold begins.
+/// Whether anything requests a hold, also where its control is disabled: without a request each move begins.
 pub(crate) fn may_be_held(state: &State) -> bool {
     let panel = &state.panel;
     panel.feed_hold

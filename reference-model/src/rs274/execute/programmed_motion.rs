@@ -1,4 +1,4 @@
-//! Which motion a block asks for.
+//! Which motion a block programs.
 
 use gaugeblock_vocabulary::Motion;
 
@@ -8,7 +8,7 @@ use crate::rs274::modes::motion_mode;
 use crate::rs274::order::{moves_by_axis_words, moves_without_code};
 use crate::rs274::state::State;
 
-/// What a block asks the machine to do.
+/// The motion that a block programs.
 ///
 /// Rule motion.mode-change. A motion code replaces the motion mode.
 /// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.

@@ -1,19 +1,19 @@
-//! Time goes by: spindles come to their angle, brakes are applied or released.
+//! Time passes: spindles reach their angle, brakes are applied or released.
 
 use gaugeblock_vocabulary::{Pin, SpindleTurn};
 
 use crate::ids::rule;
 use crate::rs274::state::State;
 
-/// Lets time go by; what ends outside meanwhile has ended.
+/// Lets time pass; what ends outside meanwhile has ended.
 pub(crate) fn pass(seconds: f64, state: &mut State) {
     state.environment.advance(seconds);
     settle(state);
 }
 
-/// What has come about outside: spindles stand at their angle, brakes are applied or released.
+/// Updates the pins of spindles that have reached their angle, and the brakes.
 ///
-/// Rule orient.complete. When its encoder says that a spindle stands at its angle, the request is cleared and the
+/// Rule orient.complete. When its encoder says that a spindle is at its angle, the request is cleared and the
 /// spindle is locked and braked. A spindle that turns is neither.
 fn settle(state: &mut State) {
     if state.pins_are_current() {
@@ -35,7 +35,7 @@ fn settle(state: &mut State) {
     }
 }
 
-/// Whether a spindle was told to turn.
+/// Whether a spindle is commanded to turn.
 pub(super) fn turns(place: usize, state: &State) -> bool {
     let turn = state.modes.spindles[place].turn;
     matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
@@ -56,7 +56,7 @@ fn brake_at(time: f64, place: usize, state: &mut State) {
     state.environment.set_at(time, Pin::SpindleBrake(spindle), if applied { 1.0 } else { 0.0 });
 }
 
-/// Rule orient.cleared. M3, M4 and M5 take back the request and unlock the spindle.
+/// Rule orient.cleared. M3, M4 and M5 clear the request and unlock the spindle.
 pub(crate) fn clear_orientation(place: usize, state: &mut State) {
     let Some(spindle) = index(place) else { return };
     state.environment.end_orientation(place);

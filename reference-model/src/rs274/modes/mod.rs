@@ -98,7 +98,7 @@ pub struct Modes {
     pub(crate) memory: ModalMemory,
 }
 
-/// A spindle as it was told to turn.
+/// The commanded turn and speed of a spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spindle {
     /// S: revolutions per minute, or surface speed (feet or metres per minute) under constant surface speed.

@@ -44,7 +44,7 @@ impl Rounding {
         (distance + distance * part, angle + 360.0 * part)
     }
 
-    /// A coordinate that is 0, or as small a number as nobody knows.
+    /// A coordinate that is 0, or some very small number.
     pub(crate) fn of_nothing(self) -> f64 {
         match self {
             Self::AsComputed | Self::ToDecimals => 0.0,

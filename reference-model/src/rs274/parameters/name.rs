@@ -12,14 +12,14 @@ pub enum Name {
 }
 
 impl Name {
-    /// Whether it names a parameter that belongs to one call: it is no number and begins without an underscore.
+    /// Whether it names a parameter that belongs to one call: a name that begins without an underscore.
     pub fn is_local_name(&self) -> bool {
         matches!(self, Self::Named(name) if !is_global(name))
     }
 }
 
 impl fmt::Display for Name {
-    /// As it stands behind `#`, a name without its marks.
+    /// As it is written after `#`, a name without its marks.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Numbered(number) => number.fmt(f),

@@ -25,11 +25,11 @@ pub struct Parameters {
     pub(super) numbered: Shared<BTreeMap<u32, f64>>,
     /// Global named parameters that the program has set.
     pub(super) named: Shared<BTreeMap<String, f64>>,
-    /// Names that were local parameters somewhere: tells a deleted one from one that never was.
+    /// Names that were local parameters somewhere: they separate a deleted parameter from one that never existed.
     pub(super) local_names: Shared<BTreeSet<String>>,
     /// Settings of the block that is being executed, which take effect at its end.
     pub(super) announced: Vec<(Name, f64)>,
-    /// Parameters that were given a value since somebody asked last, the same one or another.
+    /// Parameters that were given a value since the last query, the same one or another.
     pub(super) written: BTreeSet<Name>,
     /// `#<_value>`: what the last return gave; zero when nothing.
     pub returned: f64,
@@ -54,7 +54,7 @@ impl Parameters {
         self.numbered.insert(number, value);
     }
 
-    /// The parameters that were given a value since this was asked last.
+    /// The parameters that were given a value since the last query.
     pub fn take_written(&mut self) -> Vec<Name> {
         if self.written.is_empty() {
             // Most blocks set none.

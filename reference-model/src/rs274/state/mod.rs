@@ -147,7 +147,7 @@ impl State {
     /// Depth of calls; 0 in the main program.
     ///
     /// # Panics
-    /// More calls than a number can tell: a fault of the model.
+    /// More calls than a `u32` holds: a fault of the model.
     pub fn call_level(&self) -> u32 {
         u32::try_from(self.frames.len() - 1).expect("control: calls are bounded")
     }

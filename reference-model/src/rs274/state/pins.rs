@@ -7,7 +7,7 @@ use crate::rs274::modes::Spindle;
 /// What the pins were brought up to date for, while no spindle was turning to an angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PinSnapshot {
-    /// The spindles as they were told to turn.
+    /// The commanded turn and speed of each spindle.
     pub(crate) spindles: Vec<Spindle>,
     /// Speed override of each spindle.
     pub(crate) overrides: Vec<f64>,

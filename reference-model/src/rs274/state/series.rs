@@ -19,9 +19,9 @@ pub struct Series {
     pub(crate) peck: Option<f64>,
     /// Where the normal axis was before the first of them.
     pub(crate) initial: f64,
-    /// What the initial level is told in: that of the first block.
+    /// What the initial level depends on: values of the first block.
     pub(crate) first: SeriesFrame,
-    /// What the other numbers are told in: that of the last block.
+    /// What the other numbers depend on: values of the last block.
     pub(crate) last: SeriesFrame,
 }
 

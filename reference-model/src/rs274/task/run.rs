@@ -10,7 +10,7 @@ use crate::rs274::control::{Control, Place};
 use crate::rs274::order::Phase;
 use crate::rs274::state::State;
 
-/// A run, and the operator beside it.
+/// A run, with its operator.
 pub(super) struct ModelRun<'a> {
     /// What is run.
     pub(super) scenario: &'a Scenario,
@@ -26,11 +26,11 @@ pub(super) struct ModelRun<'a> {
     pub(super) entries: Place,
     /// Whether what is executed was entered by hand.
     pub(super) by_hand: bool,
-    /// Whether this run only reads ahead of another one: nothing waits, and nobody asks for anything.
+    /// Whether this run only reads ahead of another one: nothing waits, and no operator acts.
     pub(super) ahead: bool,
-    /// Whether the operator has asked for a pause that the program has not come to stand at.
+    /// Whether the operator has requested a pause at which the program has not stopped yet.
     pub(super) pause_asked: bool,
-    /// The state when the block that is executed began, where somebody may abort it.
+    /// The state when the block that is executed began, where the operator may abort it.
     pub(super) at_block: Option<Box<State>>,
     /// Whether the block that is executed waits for what the machine answers.
     pub(super) waits_for_machine: bool,

@@ -25,7 +25,7 @@ pub(super) struct Watch {
     pub(super) place: usize,
     /// Those before this one have been waited for, or need not be.
     pub(super) from: usize,
-    /// What came of each wait, by the place of its move or dwell.
+    /// The result of each wait, by the place of its move or dwell.
     pub(super) waited: BTreeMap<usize, Waited>,
     /// Whether the program is to pause before the next move.
     pub(super) pause_asked: bool,
@@ -33,7 +33,7 @@ pub(super) struct Watch {
     pub(super) operator_is_due: bool,
     /// Where the controlled point is, program coordinates, active length unit.
     pub(super) position: Position,
-    /// Where the phase came to wait; what it computes after that has not happened.
+    /// Where the phase waits; what it computes after that has not happened.
     pub(super) stop: Option<Stop>,
 }
 
@@ -79,7 +79,7 @@ pub(super) enum Begins {
 }
 
 impl Watch {
-    /// Whether the phase has come to wait.
+    /// Whether the phase waits.
     pub(super) fn has_stopped(&self) -> bool {
         self.stop.is_some()
     }
