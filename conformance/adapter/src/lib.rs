@@ -18,7 +18,7 @@ use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 /// A run whose servo samples are asked for.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<'a> {
+pub struct MotionRequest<'a> {
     /// The program and what it depends on.
     pub scenario: &'a Scenario,
     /// What the axes can do.
@@ -26,12 +26,12 @@ pub struct Motion<'a> {
     /// What a person and the inputs do.
     pub script: &'a MotionScript,
     /// The planner is given a segment in so many servo cycles; as many as it takes where nothing is said.
-    pub every: Option<u32>,
+    pub feed_interval: Option<u32>,
 }
 
 /// Why there are no samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotMoved {
+pub enum NoSamples {
     /// It shows none, or not of such a run.
     Unsupported(String),
     /// It failed.
@@ -47,13 +47,13 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     fn capabilities(&self) -> &Capabilities;
 
     /// What it shows of this scenario; less than of others where, say, its stored data have another unit.
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
         let _same_for_all = scenario;
         self.capabilities().clone()
     }
 
     /// Whether it shows less of some scenarios than of others.
-    fn shows_less_of_some(&self) -> bool {
+    fn observables_vary(&self) -> bool {
         false
     }
 
@@ -61,7 +61,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// The reason why not: then none of its scenarios is supported.
-    fn honours(&self, options: &Options) -> Result<(), String> {
+    fn accepts_options(&self, options: &Options) -> Result<(), String> {
         let _whatever_they_are = options;
         Ok(())
     }
@@ -73,14 +73,14 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
 
     /// Why there is nothing to judge of the scenario yet, where somebody runs it elsewhere and brings what came of it.
-    fn awaited(&self, scenario: &Scenario) -> Option<String> {
+    fn pending(&self, scenario: &Scenario) -> Option<String> {
         let _runs_here = scenario;
         None
     }
 
     /// Digest of the suite, and the edition, that it has been asked by, where it was asked before: it can be held to
     /// nothing else.
-    fn belongs_to(&self) -> Option<(&str, &str)> {
+    fn exported_from(&self) -> Option<(&str, &str)> {
         None
     }
 
@@ -111,12 +111,12 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
     /// Whether it runs within this process, so that to ask it costs no more than what it does.
-    fn is_within(&self) -> bool {
+    fn is_in_process(&self) -> bool {
         false
     }
 
     /// Whether it runs in a process of its own, so that what is expected of it is best found out while it does.
-    fn runs_beside(&self) -> bool {
+    fn is_out_of_process(&self) -> bool {
         false
     }
 
@@ -137,7 +137,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// Told what this thread most likely lets it run next, before that is asked for: a controller in a process of its
     /// own can begin with it while what it did before is judged. What comes of it is known to whoever runs it then,
     /// and to nobody else.
-    fn ahead(&self, scenario: &Scenario) {
+    fn prefetch(&self, scenario: &Scenario) {
         let _when_it_is_run = scenario;
     }
 
@@ -166,13 +166,13 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// It shows no samples at all or not of such a run, or it fails.
-    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+    fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
         let _whatever_it_is = motion;
-        Err(NotMoved::Unsupported("it shows no servo samples".to_owned()))
+        Err(NoSamples::Unsupported("it shows no servo samples".to_owned()))
     }
 
     /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
-    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+    fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let _always_anew = scenario;
         None
     }
@@ -184,14 +184,14 @@ pub enum ControllerError {
     /// It is not installed.
     Missing {
         /// What was looked for, and where.
-        sought: String,
+        searched: String,
     },
     /// It is there, but not the version that the adapter understands.
     WrongVersion {
         /// What it says of itself.
         found: String,
         /// What is needed.
-        wanted: &'static str,
+        required: &'static str,
     },
     /// It is there, but does not run.
     Broken(HarnessError),
@@ -200,8 +200,8 @@ pub enum ControllerError {
 impl fmt::Display for ControllerError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Missing { sought } => write!(f, "controller not found: {sought}"),
-            Self::WrongVersion { found, wanted } => {
+            Self::Missing { searched: sought } => write!(f, "controller not found: {sought}"),
+            Self::WrongVersion { found, required: wanted } => {
                 write!(f, "controller of version {found}, but {wanted} is needed")
             }
             Self::Broken(error) => write!(f, "controller does not run: {error}"),

@@ -20,7 +20,7 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
-use gaugeblock_adapter::protocol::{Answer, Operation, Reply, Request, Ways};
+use gaugeblock_adapter::protocol::{Answer, Operation, Reply, Request, RunModes};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Production;
@@ -51,7 +51,7 @@ fn main() -> Result<()> {
     let command = format!("{} serve --controller production", env!("CARGO_BIN_EXE_gaugeblock"));
     let behind =
         Exec::start(&command, Limits::default()).map_err(|e| Error::other(e.to_string()))?;
-    let behind = behind.assuming(suite.defaults());
+    let behind = behind.assume_options(suite.defaults());
 
     let options = suite.options(edition);
     let cases = suite.rules.iter().filter(|rule| rule.language == Language::Rs274);
@@ -221,7 +221,8 @@ fn print(what: &str, [within, behind, bare]: [f64; 3]) {
 /// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
 fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
     let defaults = suite.defaults();
-    let operation = Operation::Run { scenario: Box::new(scenario.clone()), ways: Ways::default() };
+    let operation =
+        Operation::Run { scenario: Box::new(scenario.clone()), ways: RunModes::default() };
     let mut request = serde_json::to_value(&Request { id: 1, operation })?;
     let default = serde_json::to_value(Scenario::default())?;
     if let Some(told) = request["scenario"].as_object_mut() {

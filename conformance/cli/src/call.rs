@@ -12,7 +12,7 @@ use crate::command::{
     plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{self, write_error, write_error_in_colours};
 
 /// The exit statuses, for the help.
@@ -127,7 +127,7 @@ pub fn main() -> ExitCode {
 }
 
 /// Runs the command and returns the exit status.
-fn execute(call: &Call) -> Result<u8, Refused> {
+fn execute(call: &Call) -> Result<u8, CliError> {
     match &call.command {
         Command::Certify(arguments) => {
             suite(call).and_then(|suite| certify::certify(arguments, &suite))
@@ -171,6 +171,6 @@ fn execute(call: &Call) -> Result<u8, Refused> {
     }
 }
 
-fn suite(call: &Call) -> Result<Suite, Refused> {
+fn suite(call: &Call) -> Result<Suite, CliError> {
     read_suite(call.suite.as_deref())
 }

@@ -2,7 +2,7 @@
 
 /// Why a command ends without a result: message, hint and exit status.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Refused {
+pub(crate) struct CliError {
     /// 2: the call or its input is wrong. 3: the command could not finish.
     pub(crate) status: u8,
     /// What is wrong, with its place.
@@ -11,7 +11,7 @@ pub(crate) struct Refused {
     pub(crate) hint: Option<String>,
 }
 
-impl Refused {
+impl CliError {
     /// The call or its input is wrong.
     pub(crate) fn wrong(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self { status: 2, message: message.into(), hint: Some(hint.into()) }

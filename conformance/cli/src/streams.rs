@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use gaugeblock_report::inert;
 
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 /// The first error of standard output. Writing continues; the command reports the error when it ends.
 static TROUBLE: OnceLock<String> = OnceLock::new();
@@ -37,11 +37,11 @@ pub(crate) fn write_error_in_colours(text: &str) {
 
 /// An error if standard output is incomplete, as on a full disk. A closed pipe is not an error: its reader has what
 /// it wanted.
-pub(crate) fn written() -> Result<(), Refused> {
+pub(crate) fn written() -> Result<(), CliError> {
     keep(io::stdout().flush());
     match TROUBLE.get() {
         None => Ok(()),
-        Some(why) => Err(Refused::unfinished(
+        Some(why) => Err(CliError::unfinished(
             format!("standard output: {why}"),
             "the output is incomplete: free space on the disk, or write elsewhere",
         )),

@@ -121,17 +121,17 @@ mod tests {
     #[test]
     fn a_length_that_is_carried_is_coarser_in_millimetres() {
         let carried = BTreeMap::from([("feed_rate".to_owned(), 0.5)]);
-        let shows =
+        let observables =
             Capabilities { resolution: 0.25, carried, ..Capabilities::everything("a", "1") };
-        let both = shows.and(&Capabilities::everything("b", "1"));
+        let both = observables.and(&Capabilities::everything("b", "1"));
         for (field, units, expected) in [
             ("feed_rate", LengthUnit::Millimetre, 0.5),
             ("feed_rate", LengthUnit::Inch, 0.25),
             ("position", LengthUnit::Millimetre, 0.25),
         ] {
             let among = Settings { units: Some(units), ..Settings::default() }.entries();
-            for shows in [&shows, &both] {
-                let found = shows.resolution_of(field, &among);
+            for observables in [&observables, &both] {
+                let found = observables.resolution_of(field, &among);
                 assert!((found - expected).abs() < 1e-12, "{field} in {units:?}: {found}");
             }
         }

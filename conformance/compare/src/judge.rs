@@ -19,14 +19,14 @@ pub enum Finding {
 }
 
 /// Holds an assertion against a run, on what the controller shows.
-pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Finding {
-    let judge = Judge { run, shows };
+pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) -> Finding {
+    let judge = Judge { run, observables };
     match &assertion.claim {
         Claim::Accepted => ok(is_accepted(&run.end), || end_text(&run.end)),
         Claim::Refused(place) => judge.refused(place.as_ref()),
         Claim::Kind(kind) => {
             let End::Fault(fault) = &run.end else { return Finding::Fails(end_text(&run.end)) };
-            match fault.kind.filter(|_| shows.faults_have_kinds) {
+            match fault.kind.filter(|_| observables.faults_have_kinds) {
                 Some(found) => ok(found == *kind, || format!("kind {found}")),
                 None => Finding::Masked("kind".to_owned()),
             }
@@ -35,7 +35,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, shows: &Capabilities) -> Fin
         Claim::After(place, fields) => judge.after(place, fields),
         Claim::AtEnd(fields) => judge.at_end(fields),
         Claim::AtEffect(name, count, fields) => judge.at_effect(name, *count, fields),
-        Claim::EffectsAt(_, _) if !shows.blocks => Finding::Masked("blocks".to_owned()),
+        Claim::EffectsAt(_, _) if !observables.blocks => Finding::Masked("blocks".to_owned()),
         Claim::EffectsAt(place, effects) => match judge.step(place) {
             Some(step) => {
                 let begin = judge.begin(step);
@@ -60,7 +60,7 @@ fn ok(holds: bool, found: impl FnOnce() -> String) -> Finding {
 
 struct Judge<'a> {
     run: &'a Observed,
-    shows: &'a Capabilities,
+    observables: &'a Capabilities,
 }
 
 impl Judge<'_> {
@@ -68,7 +68,7 @@ impl Judge<'_> {
         let End::Fault(fault) = &self.run.end else {
             return Finding::Fails(end_text(&self.run.end));
         };
-        let block = fault.block.as_ref().filter(|_| self.shows.faults_have_blocks);
+        let block = fault.block.as_ref().filter(|_| self.observables.faults_have_blocks);
         match (place, block) {
             (None, _) => Finding::Holds,
             (Some(_), None) => Finding::Masked("the block of a fault".to_owned()),
@@ -100,7 +100,7 @@ impl Judge<'_> {
     }
 
     fn after(&self, place: &Place, fields: &[Expected]) -> Finding {
-        if !self.shows.blocks {
+        if !self.observables.blocks {
             return Finding::Masked("blocks".to_owned());
         }
         let Some(step) = self.step(place) else {
@@ -108,13 +108,13 @@ impl Judge<'_> {
         };
         let mut entries = step.settings.entries();
         entries.extend(step.state.iter().flat_map(State::entries));
-        self.fields(fields, &entries, |field| self.shows.fields.contains(field))
+        self.fields(fields, &entries, |field| self.observables.fields.contains(field))
     }
 
     /// Where no state is recorded after the last block, an o-word, M98 or M99, only what effects show is judged, and
     /// numbered parameters.
     fn at_end(&self, fields: &[Expected]) -> Finding {
-        let stated = if self.shows.blocks {
+        let stated = if self.observables.blocks {
             self.run.steps.last().is_some_and(|step| step.state.is_some())
         } else {
             is_accepted(&self.run.end)
@@ -124,10 +124,10 @@ impl Judge<'_> {
         entries.retain(|entry| entry.field != "parameter");
         let (parameters, others): (Vec<_>, Vec<_>) =
             fields.iter().cloned().partition(|field| field.field == "parameter");
-        let told = stated || self.shows.blocks;
+        let told = stated || self.observables.blocks;
         let finding = self.fields(&others, &entries, |field| {
-            told && self.shows.fields_at_effects.contains(field)
-                || stated && self.shows.fields.contains(field)
+            told && self.observables.fields_at_effects.contains(field)
+                || stated && self.observables.fields.contains(field)
         });
         if matches!(finding, Finding::Fails(_)) || parameters.is_empty() {
             return finding;
@@ -141,16 +141,16 @@ impl Judge<'_> {
     fn parameters(&self, fields: &[Expected]) -> Finding {
         for field in fields {
             let name = field.index.as_deref().unwrap_or_default();
-            let shown = self.run.parameters.as_ref().filter(|_| self.shows.final_parameters);
+            let shown = self.run.parameters.as_ref().filter(|_| self.observables.final_parameters);
             let (Some(shown), Ok(number)) = (shown, name.parse::<u32>()) else {
                 return Finding::Masked(format!("#{name} at the end"));
             };
-            if self.shows.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
+            if self.observables.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
                 return Finding::Masked(format!("#{name} at the end"));
             }
             let found = shown.0.get(&number).copied().unwrap_or_default();
             let expected = field.value.parse().unwrap_or(f64::NAN);
-            if !tolerance::numbers(expected, found, self.shows.resolution) {
+            if !tolerance::numbers(expected, found, self.observables.resolution) {
                 return Finding::Fails(format!("#{number} = {}", rounded(&Value::Number(found))));
             }
         }
@@ -158,14 +158,14 @@ impl Judge<'_> {
     }
 
     fn at_effect(&self, name: &str, count: u32, fields: &[Expected]) -> Finding {
-        if !self.shows.effects.contains(name) {
+        if !self.observables.effects.contains(name) {
             return Finding::Masked(name.to_owned());
         }
         let mut named = self.run.effects.iter().filter(|observed| observed.effect.name() == name);
         let place = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
         match named.nth(place) {
             Some(observed) => self.fields(fields, &observed.settings.entries(), |field| {
-                self.shows.fields_at_effects.contains(field)
+                self.observables.fields_at_effects.contains(field)
             }),
             None => Finding::Fails(format!("no {name} number {count}")),
         }
@@ -188,7 +188,7 @@ impl Judge<'_> {
                 None => masked = Some(Finding::Masked(field.field.clone())),
                 Some(found) => {
                     let expected = expected_value(field);
-                    let resolution = self.shows.resolution_of(&field.field, entries);
+                    let resolution = self.observables.resolution_of(&field.field, entries);
                     if !expected
                         .is_some_and(|e| tolerance::fields(&field.field, &e, &found, resolution))
                     {
@@ -209,14 +209,16 @@ impl Judge<'_> {
         begin: Option<Position>,
         with_messages: bool,
     ) -> Finding {
-        if let Some(hidden) = expected.iter().find(|e| !self.shows.effects.contains(e.name())) {
+        if let Some(hidden) = expected.iter().find(|e| !self.observables.effects.contains(e.name()))
+        {
             return Finding::Masked(hidden.name().to_owned());
         }
         let counts = |effect: &Effect| {
             let is_message = matches!(effect, Effect::Message { .. });
             let is_end =
                 matches!(effect, Effect::ProgramEnd {} | Effect::ChangeControllerMode { .. });
-            self.shows.effects.contains(effect.name()) && (with_messages || !(is_message || is_end))
+            self.observables.effects.contains(effect.name())
+                && (with_messages || !(is_message || is_end))
         };
         let found: Vec<&Effect> =
             found.iter().map(|observed| &observed.effect).filter(|effect| counts(effect)).collect();
@@ -228,7 +230,7 @@ impl Judge<'_> {
         let starts =
             |expected: &[&Effect]| expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b));
         let moving = || without_moves_in_place(expected, begin);
-        if !self.shows.moves_in_place && !same(&all) && same(&moving()) {
+        if !self.observables.moves_in_place && !same(&all) && same(&moving()) {
             return Finding::Masked("moves in place".to_owned());
         }
         let same = same(&all);
@@ -243,19 +245,19 @@ impl Judge<'_> {
 
     /// Whether what is more than expected may be what a refused block did, since blocks are not told.
     fn may_go_on(&self, goes_on: bool) -> bool {
-        goes_on && !self.shows.blocks && matches!(self.run.end, End::Fault(_))
+        goes_on && !self.observables.blocks && matches!(self.run.end, End::Fault(_))
     }
 
     fn same_effect(&self, a: &Effect, b: &Effect) -> bool {
-        tolerance::effects(a, b, self.shows.resolution)
+        tolerance::effects(a, b, self.observables.resolution)
     }
 
     fn count(&self, name: &str, count: usize) -> Finding {
-        if !self.shows.effects.contains(name) {
+        if !self.observables.effects.contains(name) {
             return Finding::Masked(name.to_owned());
         }
         let found = self.run.effects.iter().filter(|o| o.effect.name() == name).count();
-        if found < count && name.starts_with("straight_") && !self.shows.moves_in_place {
+        if found < count && name.starts_with("straight_") && !self.observables.moves_in_place {
             return Finding::Masked("moves in place".to_owned());
         }
         if self.may_go_on(found > count) {
@@ -265,7 +267,7 @@ impl Judge<'_> {
     }
 
     fn messages(&self, texts: &[String]) -> Finding {
-        if !self.shows.effects.contains("message") {
+        if !self.observables.effects.contains("message") {
             return Finding::Masked("message".to_owned());
         }
         let found = self.run.messages();
@@ -291,7 +293,7 @@ impl Judge<'_> {
     }
 
     fn output(&self, expected: &str) -> Finding {
-        if !self.shows.effects.contains("message") {
+        if !self.observables.effects.contains("message") {
             return Finding::Masked("message".to_owned());
         }
         let found: String = self.said(Channel::Output).collect();
@@ -299,7 +301,7 @@ impl Judge<'_> {
     }
 
     fn warnings(&self, expected: &[String]) -> Finding {
-        if !self.shows.effects.contains("message") {
+        if !self.observables.effects.contains("message") {
             return Finding::Masked("message".to_owned());
         }
         let found = self.said(Channel::Display).map(|text| text.trim_start_matches("warning: "));
@@ -308,13 +310,13 @@ impl Judge<'_> {
     }
 
     fn pin(&self, pin: Pin, expected: &[f64]) -> Finding {
-        if !self.shows.pins.contains(pin.name()) {
+        if !self.observables.pins.contains(pin.name()) {
             return Finding::Masked(pin.name().to_owned());
         }
         let found = self.run.pins.get(&pin).into_iter().flatten().map(|at| at.value);
         let found: Vec<f64> = found.collect();
-        let is_same = tolerance::sequences(expected, &found, self.shows.resolution);
-        if !is_same && pins::may_be_seen(expected, &found, self.shows) {
+        let is_same = tolerance::sequences(expected, &found, self.observables.resolution);
+        if !is_same && pins::may_be_seen(expected, &found, self.observables) {
             // Whether they last is known where the outcomes are compared.
             return Finding::Masked("brief values of pins".to_owned());
         }

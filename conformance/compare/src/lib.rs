@@ -58,8 +58,8 @@ pub struct Comparison {
 /// Compares what a controller did with what the specification says, on what the controller shows.
 ///
 /// Linear in the length of both runs.
-pub fn compare(expected: &Observed, found: &Observed, shows: &Capabilities) -> Comparison {
-    let mut walk = Walk { shows, comparison: Comparison::default() };
+pub fn compare(expected: &Observed, found: &Observed, observables: &Capabilities) -> Comparison {
+    let mut walk = Walk { observables, comparison: Comparison::default() };
     let effects = walk.effects(expected, found);
     let states = walk.states(expected, found);
     let earlier = match (effects, states) {
@@ -81,7 +81,7 @@ pub fn compare(expected: &Observed, found: &Observed, shows: &Capabilities) -> C
 }
 
 struct Walk<'a> {
-    shows: &'a Capabilities,
+    observables: &'a Capabilities,
     comparison: Comparison,
 }
 
@@ -89,15 +89,15 @@ impl Walk<'_> {
     /// The first effect that differs, and its step.
     fn effects(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
         for observed in &expected.effects {
-            if !self.shows.effects.contains(observed.effect.name()) {
+            if !self.observables.effects.contains(observed.effect.name()) {
                 self.comparison.masked.insert(observed.effect.name().to_owned());
-            } else if observed.in_place && !self.shows.moves_in_place {
+            } else if observed.in_place && !self.observables.moves_in_place {
                 self.comparison.masked.insert("moves in place".to_owned());
             }
         }
         let shown = |observed: &&ObservedEffect| {
-            self.shows.effects.contains(observed.effect.name())
-                && (self.shows.moves_in_place || !observed.in_place)
+            self.observables.effects.contains(observed.effect.name())
+                && (self.observables.moves_in_place || !observed.in_place)
         };
         let left: Vec<_> = expected.effects.iter().filter(shown).collect();
         let right: Vec<_> = found.effects.iter().filter(shown).collect();
@@ -121,7 +121,7 @@ impl Walk<'_> {
                     return None;
                 }
                 (None, Some(b)) => {
-                    let step = found.steps.get(b.step).filter(|_| self.shows.blocks);
+                    let step = found.steps.get(b.step).filter(|_| self.observables.blocks);
                     let block = step.map(|step| step.block.clone());
                     return Some((
                         usize::MAX,
@@ -137,7 +137,7 @@ impl Walk<'_> {
     /// What a refused block has done is open; without blocks it is whatever comes after the rest.
     fn may_be_of_refused_block(&self, expected: &Observed, found: &Observed) -> bool {
         let refused = |run: &Observed| matches!(run.end, End::Fault(_));
-        !self.shows.blocks && refused(expected) && refused(found)
+        !self.observables.blocks && refused(expected) && refused(found)
     }
 
     fn effect(
@@ -146,18 +146,18 @@ impl Walk<'_> {
         a: &ObservedEffect,
         b: &ObservedEffect,
     ) -> Option<Divergence> {
-        let same = tolerance::effects(&a.effect, &b.effect, self.shows.resolution);
+        let same = tolerance::effects(&a.effect, &b.effect, self.observables.resolution);
         self.comparison.compared.add(Basis::Effects, 1 + a.effect.arguments().len());
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
-        let shown = &self.shows.fields_at_effects;
+        let shown = &self.observables.fields_at_effects;
         self.fields(block, &a.settings.entries(), &b.settings.entries(), shown)
     }
 
     /// The first state that differs, and its step.
     fn states(&mut self, expected: &Observed, found: &Observed) -> Option<(usize, Divergence)> {
-        if !self.shows.blocks {
+        if !self.observables.blocks {
             return self.state_at_end(expected, found);
         }
         let (left, right) = (recorded(expected), recorded(found));
@@ -207,7 +207,7 @@ impl Walk<'_> {
     }
 
     fn step(&mut self, a: &ObservedStep, b: &ObservedStep) -> Option<Divergence> {
-        let shown = &self.shows.fields;
+        let shown = &self.observables.fields;
         self.fields(&a.block, &state::entries(a), &state::entries(b), shown)
     }
 
@@ -224,7 +224,7 @@ impl Walk<'_> {
             let other = found.get(place).filter(fits).or_else(|| found.iter().find(fits));
             let is_shown = shown.contains(entry.field);
             let (true, Some(other)) = (is_shown, other) else {
-                if is_shown && self.shows.tells_all_fields {
+                if is_shown && self.observables.tells_all_fields {
                     let (expected, found) = (rounded(&entry.value), "nothing".to_owned());
                     let (block, field) = (Some(block.clone()), entry.name());
                     return Some(Divergence { block, field, expected, found });
@@ -235,7 +235,7 @@ impl Walk<'_> {
             let is_setting = Settings::FIELDS.contains(&entry.field);
             let basis = if is_setting { Basis::Settings } else { Basis::State };
             self.comparison.compared.add(basis, 1);
-            let resolution = self.shows.resolution_of(entry.field, found);
+            let resolution = self.observables.resolution_of(entry.field, found);
             if !tolerance::fields(entry.field, &entry.value, &other.value, resolution) {
                 return Some(Divergence {
                     block: Some(block.clone()),
@@ -251,7 +251,9 @@ impl Walk<'_> {
     fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
         self.comparison.compared.add(Basis::Acceptance, 1);
         let same = match (expected, found) {
-            (End::Fault(a), End::Fault(b)) => !self.shows.faults_have_blocks || same_fault(a, b),
+            (End::Fault(a), End::Fault(b)) => {
+                !self.observables.faults_have_blocks || same_fault(a, b)
+            }
             (a, b) => a.name() == b.name(),
         };
         (!same).then(|| Divergence {
@@ -266,8 +268,8 @@ impl Walk<'_> {
     fn last(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         let block = expected.steps.last()?.block.clone();
         let none = BTreeSet::new();
-        let is_told = self.shows.blocks || is_accepted(&expected.end);
-        let shown = if is_told { &self.shows.fields_at_effects } else { &none };
+        let is_told = self.observables.blocks || is_accepted(&expected.end);
+        let shown = if is_told { &self.observables.fields_at_effects } else { &none };
         let entries = |settings: &Settings| settings.entries();
         let settings = self.fields(
             &block,
@@ -286,7 +288,7 @@ impl Walk<'_> {
         }
         let pins: BTreeSet<Pin> = expected.pins.keys().chain(found.pins.keys()).copied().collect();
         for pin in pins {
-            if !self.shows.pins.contains(pin.name()) {
+            if !self.observables.pins.contains(pin.name()) {
                 self.comparison.masked.insert(pin.name().to_owned());
                 continue;
             }
@@ -295,7 +297,7 @@ impl Walk<'_> {
             self.comparison.compared.add(Basis::Pins, a.len().max(1));
             let (all, seen) = (a.iter().map(|at| at.value), b.iter().map(|at| at.value));
             let (all, seen): (Vec<f64>, Vec<f64>) = (all.collect(), seen.collect());
-            if !pins::are_seen(&a, &seen, self.shows) {
+            if !pins::are_seen(&a, &seen, self.observables) {
                 return Some(Divergence {
                     block: None,
                     field: format!("pin {pin}"),
@@ -310,14 +312,14 @@ impl Walk<'_> {
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         // A language without numbered parameters has none to show.
         let left = expected.parameters.as_ref()?;
-        let shown = found.parameters.as_ref().filter(|_| self.shows.final_parameters);
+        let shown = found.parameters.as_ref().filter(|_| self.observables.final_parameters);
         let Some(right) = shown else {
             self.comparison.masked.insert("parameters at the end".to_owned());
             return None;
         };
         let numbers: BTreeSet<u32> = left.0.keys().chain(right.0.keys()).copied().collect();
         for number in numbers {
-            if self.shows.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
+            if self.observables.hidden_parameters.iter().any(|hidden| hidden.contains(&number)) {
                 self.comparison.masked.insert("some parameters at the end".to_owned());
                 continue;
             }
@@ -326,7 +328,7 @@ impl Walk<'_> {
             };
             let (a, b) = (value(left), value(right));
             self.comparison.compared.add(Basis::Parameters, 1);
-            if !tolerance::numbers(a, b, self.shows.resolution) {
+            if !tolerance::numbers(a, b, self.observables.resolution) {
                 return Some(Divergence {
                     block: None,
                     field: format!("#{number} at the end"),

@@ -6,15 +6,15 @@ use crate::observe::PinValue;
 
 /// Whether these values of a pin are seen so. Those that last for less than the controller shows for sure need not be
 /// seen, and a value that then follows an equal one, or perhaps the one before the run, is no change.
-pub fn are_seen(expected: &[PinValue], seen: &[f64], shows: &Capabilities) -> bool {
-    let sight = Sight { resolution: shows.resolution, period: shows.pin_period };
+pub fn are_seen(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> bool {
+    let sight = Sight { resolution: observables.resolution, period: observables.pin_period };
     sight.covers(expected, seen, None, false)
 }
 
 /// Whether what was seen may be all that there is to be seen of values whose times are not known.
-pub fn may_be_seen(expected: &[f64], seen: &[f64], shows: &Capabilities) -> bool {
+pub fn may_be_seen(expected: &[f64], seen: &[f64], observables: &Capabilities) -> bool {
     let brief = expected.iter().map(|value| PinValue { value: *value, lasts: 0.0 });
-    are_seen(&brief.collect::<Vec<_>>(), seen, shows)
+    are_seen(&brief.collect::<Vec<_>>(), seen, observables)
 }
 
 struct Sight {
@@ -46,7 +46,7 @@ impl Sight {
 mod tests {
     use super::*;
 
-    fn shows(pin_period: f64) -> Capabilities {
+    fn observables(pin_period: f64) -> Capabilities {
         Capabilities { pin_period, ..Capabilities::everything("a controller", "1") }
     }
 
@@ -58,28 +58,28 @@ mod tests {
     fn what_is_brief_may_go_unseen() {
         let pulse = values(&[(1.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, f64::INFINITY)]);
         for seen in [&[1.0, 0.0, 1.0, 0.0][..], &[1.0, 0.0], &[]] {
-            assert!(are_seen(&pulse, seen, &shows(0.01)), "{seen:?}");
+            assert!(are_seen(&pulse, seen, &observables(0.01)), "{seen:?}");
         }
         for seen in [&[1.0][..], &[1.0, 0.0, 1.0], &[2.0, 0.0], &[1.0, 0.0, 1.0, 0.0, 1.0]] {
-            assert!(!are_seen(&pulse, seen, &shows(0.01)), "{seen:?}");
+            assert!(!are_seen(&pulse, seen, &observables(0.01)), "{seen:?}");
         }
     }
 
     #[test]
     fn what_lasts_is_seen() {
         let steps = values(&[(1.0, 0.5), (0.0, 0.0), (2.0, f64::INFINITY)]);
-        assert!(are_seen(&steps, &[1.0, 2.0], &shows(0.01)));
-        assert!(!are_seen(&steps, &[2.0], &shows(0.01)));
-        assert!(!are_seen(&steps, &[1.0], &shows(0.01)));
+        assert!(are_seen(&steps, &[1.0, 2.0], &observables(0.01)));
+        assert!(!are_seen(&steps, &[2.0], &observables(0.01)));
+        assert!(!are_seen(&steps, &[1.0], &observables(0.01)));
     }
 
     #[test]
     fn a_controller_that_shows_all_shows_brief_values_too() {
         let pulse = values(&[(1.0, 0.0), (0.0, f64::INFINITY)]);
-        assert!(are_seen(&pulse, &[1.0, 0.0], &shows(0.0)));
-        assert!(!are_seen(&pulse, &[], &shows(0.0)));
-        assert!(may_be_seen(&[1.0, 0.0], &[], &shows(0.01)));
-        assert!(!may_be_seen(&[1.0, 0.0], &[2.0], &shows(0.01)));
-        assert!(!may_be_seen(&[1.0, 0.0], &[], &shows(0.0)));
+        assert!(are_seen(&pulse, &[1.0, 0.0], &observables(0.0)));
+        assert!(!are_seen(&pulse, &[], &observables(0.0)));
+        assert!(may_be_seen(&[1.0, 0.0], &[], &observables(0.01)));
+        assert!(!may_be_seen(&[1.0, 0.0], &[2.0], &observables(0.01)));
+        assert!(!may_be_seen(&[1.0, 0.0], &[], &observables(0.0)));
     }
 }

@@ -32,12 +32,12 @@ pub struct FieldDifference {
 pub fn state(
     expected: &Observed,
     found: &Observed,
-    shows: &Capabilities,
+    observables: &Capabilities,
 ) -> Option<StateDifference> {
     let (left, right) = (recorded(expected), recorded(found));
     let pairs = left.iter().zip(&right).take_while(|((_, a), (_, b))| a.block == b.block);
     pairs.into_iter().find_map(|((_, a), (_, b))| {
-        let fields = fields(&entries(a), &entries(b), shows);
+        let fields = fields(&entries(a), &entries(b), observables);
         (!fields.is_empty()).then(|| StateDifference { block: a.block.to_string(), fields })
     })
 }
@@ -50,12 +50,12 @@ pub(super) fn entries(step: &ObservedStep) -> Vec<Entry> {
     entries
 }
 
-fn fields(expected: &[Entry], found: &[Entry], shows: &Capabilities) -> Vec<FieldDifference> {
-    let shown = expected.iter().filter(|entry| shows.fields.contains(entry.field));
+fn fields(expected: &[Entry], found: &[Entry], observables: &Capabilities) -> Vec<FieldDifference> {
+    let shown = expected.iter().filter(|entry| observables.fields.contains(entry.field));
     let differing = shown.filter_map(|entry| {
         let fits = |other: &&Entry| other.field == entry.field && other.index == entry.index;
         let other = found.iter().find(fits)?;
-        let resolution = shows.resolution_of(entry.field, found);
+        let resolution = observables.resolution_of(entry.field, found);
         let same = tolerance::fields(entry.field, &entry.value, &other.value, resolution);
         (!same).then(|| FieldDifference {
             field: entry.name(),

@@ -1,16 +1,16 @@
 //! Controllers that run in this process: production, the reference model, and variants of them.
 //!
 //! [`Production`] runs the interpreters of production and, for servo samples, drives its planner ([`drive`]).
-//! [`Reference`] is the specification itself. `Faulty` is production with a planted fault. [`Narrowed`] holds a
+//! [`Reference`] is the specification itself. `Faulty` is production with a planted fault. [`Restricted`] holds a
 //! controller to what another one exposes too.
 
 pub mod drive;
 #[cfg(feature = "faulty")]
 pub mod faulty;
-mod narrowed;
 mod production;
 mod reference;
+mod restricted;
 
-pub use narrowed::Narrowed;
 pub use production::Production;
 pub use reference::Reference;
+pub use restricted::Restricted;

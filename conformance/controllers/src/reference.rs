@@ -29,7 +29,7 @@ impl Adapter for Reference {
         Ok(gaugeblock_reference::run(scenario).0)
     }
 
-    fn is_within(&self) -> bool {
+    fn is_in_process(&self) -> bool {
         true
     }
 

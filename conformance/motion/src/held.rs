@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::laws::{Judgement, Law, Verdict, judge_under};
-use gaugeblock_suite::{MotionCase, Saying, Setup};
+use gaugeblock_suite::{MotionAssertion, MotionCase, Setup};
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use gaugeblock_vocabulary::{End, Options, Position, Scenario};
 
@@ -57,16 +57,18 @@ pub fn held(
     let mut holds = false;
     for (text, saying) in case.says.iter().zip(case.sayings()) {
         let found = match saying {
-            Saying::Holds => {
+            MotionAssertion::Holds => {
                 holds = true;
                 of_page(&judgement, rule)
             }
-            Saying::Breaks { law, at } => breaks(&judgement, &law, at, broken.remove(law.as_str())),
-            Saying::NotAsked { law } => {
+            MotionAssertion::Breaks { law, at } => {
+                breaks(&judgement, &law, at, broken.remove(law.as_str()))
+            }
+            MotionAssertion::NotAsked { law } => {
                 let fits = |verdict: &Verdict| *verdict == Verdict::NotApplicable;
                 is(&judgement, &law, fits)
             }
-            Saying::NotJudged { law } => {
+            MotionAssertion::NotJudged { law } => {
                 is(&judgement, &law, |verdict| matches!(verdict, Verdict::NotJudged(_)))
             }
         };

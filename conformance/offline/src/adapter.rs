@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{
@@ -77,12 +77,12 @@ impl Offline {
         for asked in &manifest.programs {
             let entry = Entry { asked: asked.clone(), answer: told(folder, asked) };
             if let Ok(Told::Ran(sheet, blocks)) = &entry.answer {
-                let shows = shows(&nothing(&control), sheet, blocks.as_ref());
-                capabilities.fields.extend(shows.fields);
-                capabilities.effects.extend(shows.effects);
-                capabilities.final_parameters |= shows.final_parameters;
-                capabilities.blocks |= shows.blocks;
-                capabilities.faults_have_blocks |= shows.faults_have_blocks;
+                let observables = observables(&nothing(&control), sheet, blocks.as_ref());
+                capabilities.fields.extend(observables.fields);
+                capabilities.effects.extend(observables.effects);
+                capabilities.final_parameters |= observables.final_parameters;
+                capabilities.blocks |= observables.blocks;
+                capabilities.faults_have_blocks |= observables.faults_have_blocks;
             }
             entries.insert(asked.scenario.clone(), entry);
         }
@@ -117,19 +117,19 @@ impl Adapter for Offline {
         &self.capabilities
     }
 
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
         let plain = Capabilities { blocks: false, ..self.capabilities.clone() };
         match self.entry(scenario).map(|entry| &entry.answer) {
-            Some(Ok(Told::Ran(sheet, blocks))) => shows(&plain, sheet, blocks.as_ref()),
+            Some(Ok(Told::Ran(sheet, blocks))) => observables(&plain, sheet, blocks.as_ref()),
             _ => plain,
         }
     }
 
-    fn shows_less_of_some(&self) -> bool {
+    fn observables_vary(&self) -> bool {
         true
     }
 
-    fn awaited(&self, scenario: &Scenario) -> Option<String> {
+    fn pending(&self, scenario: &Scenario) -> Option<String> {
         let entry = self.entry(scenario)?;
         matches!(entry.answer, Ok(Told::Nothing))
             .then(|| format!("{}/{SHEET} is not filled in", entry.asked.folder))
@@ -174,9 +174,9 @@ impl Adapter for Offline {
         }
     }
 
-    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
-        let unsupported = |why: &str| Err(NotMoved::Unsupported(why.to_owned()));
-        let failed = |error: HarnessError| Err(NotMoved::Failed(error));
+    fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
+        let unsupported = |why: &str| Err(NoSamples::Unsupported(why.to_owned()));
+        let failed = |error: HarnessError| Err(NoSamples::Failed(error));
         let unreadable = |what: &str, why: &str| {
             failed(HarnessError::Unreadable { what: what.to_owned(), line: why.to_owned() })
         };
@@ -209,7 +209,7 @@ impl Adapter for Offline {
         Some(&self.manifest.edition)
     }
 
-    fn belongs_to(&self) -> Option<(&str, &str)> {
+    fn exported_from(&self) -> Option<(&str, &str)> {
         Some((&self.manifest.suite, &self.manifest.edition))
     }
 }
@@ -263,7 +263,7 @@ fn nothing(control: &Control) -> Capabilities {
 }
 
 /// What a sheet shows: what is filled in.
-fn shows(plain: &Capabilities, sheet: &Sheet, blocks: Option<&Blocks>) -> Capabilities {
+fn observables(plain: &Capabilities, sheet: &Sheet, blocks: Option<&Blocks>) -> Capabilities {
     let position = sheet.position.is_some() || blocks.is_some();
     let mut fields = sheet.modes.clone();
     fields.extend(position.then(|| "position".to_owned()));

@@ -1,6 +1,6 @@
 //! A sheet filled in from what a controller did.
 
-use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_compare::observe::{Observed, value_of};
 use gaugeblock_suite::assertion::is_accepted;
@@ -27,10 +27,15 @@ pub fn answer(
     };
     if let Some(limits) = limits {
         let script = MotionScript::default();
-        return match controller.moves(&Motion { scenario, limits, script: &script, every: None }) {
+        return match controller.record_motion(&MotionRequest {
+            scenario,
+            limits,
+            script: &script,
+            feed_interval: None,
+        }) {
             Ok(samples) => Ok(vec![(SAMPLES, samples.to_csv())]),
-            Err(NotMoved::Unsupported(why)) => Ok(impossible(&why)),
-            Err(NotMoved::Failed(why)) => Err(why),
+            Err(NoSamples::Unsupported(why)) => Ok(impossible(&why)),
+            Err(NoSamples::Failed(why)) => Err(why),
         };
     }
     if let Err(why) = controller.supports(scenario) {
@@ -40,8 +45,8 @@ pub fn answer(
     if let End::Unsupported { what, .. } = &outcome.end {
         return Ok(impossible(what));
     }
-    let shows = controller.shows(scenario);
-    let mut values = values(asked, &outcome, &shows);
+    let observables = controller.observables(scenario);
+    let mut values = values(asked, &outcome, &observables);
     let mut files = Vec::new();
     if by_block {
         values.modes.clear();
@@ -51,33 +56,34 @@ pub fn answer(
     Ok(files)
 }
 
-fn values(asked: &Asked, outcome: &Outcome, shows: &Capabilities) -> Values {
+fn values(asked: &Asked, outcome: &Outcome, observables: &Capabilities) -> Values {
     let observed = Observed::of(outcome);
     let mut values = Values { ended: ended(&outcome.end).to_owned(), ..Values::default() };
     if let End::Fault(fault) = &outcome.end {
         values.alarm = fault.message.trim().to_owned();
-        values.block = fault.block.clone().filter(|_| shows.faults_have_blocks);
+        values.block = fault.block.clone().filter(|_| observables.faults_have_blocks);
     }
     let last = observed.steps.iter().rev().find(|step| step.state.is_some());
     if let Some(step) = last.filter(|_| is_accepted(&outcome.end)) {
         if let Some(State::Rs274(state)) = &step.state {
-            values.position = state.position.filter(|_| shows.fields.contains("position"));
+            values.position = state.position.filter(|_| observables.fields.contains("position"));
         }
         let mut entries = step.settings.entries();
         entries.extend(step.state.iter().flat_map(State::entries));
-        let shown = MODES.iter().filter(|(mode, _)| shows.fields.contains(*mode));
+        let shown = MODES.iter().filter(|(mode, _)| observables.fields.contains(*mode));
         let known = shown.filter_map(|(mode, _)| {
             Some(((*mode).to_owned(), value_of(&entries, mode, None)?.to_string()))
         });
         values.modes = known.collect();
     }
-    let is_hidden = |number| shows.hidden_parameters.iter().any(|range| range.contains(&number));
-    if let Some(parameters) = outcome.parameters.as_ref().filter(|_| shows.final_parameters) {
+    let is_hidden =
+        |number| observables.hidden_parameters.iter().any(|range| range.contains(&number));
+    if let Some(parameters) = outcome.parameters.as_ref().filter(|_| observables.final_parameters) {
         let asked = asked.variables.iter().filter(|number| !is_hidden(**number));
         let value = |number: &u32| parameters.0.get(number).copied().unwrap_or_default();
         values.variables = asked.map(|number| (*number, value(number))).collect();
     }
-    if asked.messages && shows.effects.contains("message") {
+    if asked.messages && observables.effects.contains("message") {
         let message = |effect: &Effect| {
             let Effect::Message { channel, text } = effect else { return None };
             Some((*channel, text.clone()))

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_runner::certify::{Run, Verdict};
-use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_runner::expectations::ExpectationMismatch;
 
 use super::Header;
 use super::merge::Stored;
@@ -30,7 +30,7 @@ impl Stored {
 
     /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which
     /// nothing is known any more; and a sentence for each divergence that is mended, or that is not judged any more.
-    pub fn hold(&self, run: &Run<'_>) -> (Vec<Trouble>, Vec<String>) {
+    pub fn hold(&self, run: &Run<'_>) -> (Vec<ExpectationMismatch>, Vec<String>) {
         let before: BTreeMap<(&str, &str), &StoredVerdict> = self
             .cases
             .iter()
@@ -43,19 +43,19 @@ impl Stored {
             let known = before.and_then(|before| before.departure());
             match (result.verdict.departure(), known) {
                 (Some(departure), None) => {
-                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
                 }
                 (Some(departure), Some(before)) if departure.line() == before.found => {}
                 (Some(departure), Some(before)) => {
                     let (listed, found) = (before.found.clone(), departure.line());
-                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
                 (None, before) if result.verdict == Verdict::Pass => told.extend(
                     before.map(|before| format!("mended: {rule} / {case}: was {}", before.found)),
                 ),
                 (None, _) if before.is_some_and(|before| before.is_pass()) => {
                     let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
-                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
                 (None, before) => told.extend(before.map(|before| {
                     format!("not judged any more: {rule} / {case}: was {}", before.found)

@@ -1,7 +1,7 @@
 //! A card for each divergence on the page: what was demanded, what happened, and where the two part.
 
 use gaugeblock_compare::StateDifference;
-use gaugeblock_runner::certify::{CaseResult, Departure};
+use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
 use serde::Serialize;
 
 use super::Report;
@@ -55,7 +55,7 @@ pub(super) struct Kind<'a> {
 /// What differs, alike departures together, the worst first.
 pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut left = MOST;
-    let mut card = |(result, departure): (&'a CaseResult<'_>, &'a Departure)| {
+    let mut card = |(result, departure): (&'a CaseResult<'_>, &'a RuleDivergence)| {
         let mut card = card(&report.header.controller, result, departure);
         let traces = departure.traces.as_ref();
         let size = traces.map_or(0, |traces| traces.expected.len() + traces.found.len());
@@ -77,7 +77,11 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     groups.collect()
 }
 
-fn card<'a>(controller: &str, result: &'a CaseResult<'_>, departure: &'a Departure) -> Card<'a> {
+fn card<'a>(
+    controller: &str,
+    result: &'a CaseResult<'_>,
+    departure: &'a RuleDivergence,
+) -> Card<'a> {
     let sources = result.rule.sources.iter().map(ToString::to_string);
     let assertion = departure.assertion.as_ref();
     let word = result.verdict.word();

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_compare::Divergence;
-use gaugeblock_runner::certify::{CaseResult, Departure, Traces};
+use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Traces};
 use gaugeblock_runner::fuzz::signature::Signature;
 
 use super::Report;
@@ -20,7 +20,7 @@ pub struct Group<'a, 'r> {
     /// How many rules they belong to.
     pub rules: usize,
     /// The cases and what they do otherwise, the smallest program first.
-    pub cases: Vec<(&'r CaseResult<'a>, &'r Departure)>,
+    pub cases: Vec<(&'r CaseResult<'a>, &'r RuleDivergence)>,
 }
 
 /// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that
@@ -50,7 +50,7 @@ pub fn groups<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
 }
 
 /// The smallest program that shows a departure.
-pub fn program<'r>(result: &CaseResult<'r>, departure: &'r Departure) -> &'r str {
+pub fn program<'r>(result: &CaseResult<'r>, departure: &'r RuleDivergence) -> &'r str {
     departure.shrunk.as_deref().unwrap_or(result.program)
 }
 
@@ -76,7 +76,7 @@ pub struct Explained {
 }
 
 /// What explains a departure, or who does likewise.
-pub fn explained(controller: &str, departure: &Departure) -> Option<Explained> {
+pub fn explained(controller: &str, departure: &RuleDivergence) -> Option<Explained> {
     if departure.explanation.is_empty() {
         return None;
     }
@@ -93,7 +93,7 @@ pub fn explained(controller: &str, departure: &Departure) -> Option<Explained> {
 }
 
 /// What differs, without what is accidental.
-fn what(departure: &Departure) -> String {
+fn what(departure: &RuleDivergence) -> String {
     // What a block does that should have been refused, or what is missing behind one that should not, comes of that
     // alone.
     if let Some(told) = departure.traces.as_ref().and_then(refusal) {
@@ -177,9 +177,13 @@ pub(super) fn without_guard(assertion: &str) -> &str {
 mod tests {
     use super::*;
 
-    fn departure(divergence: &str, explanation: &[&str]) -> Departure {
+    fn departure(divergence: &str, explanation: &[&str]) -> RuleDivergence {
         let explanation = explanation.iter().map(|name| (*name).to_owned()).collect();
-        Departure { divergence: Some(divergence.to_owned()), explanation, ..Departure::default() }
+        RuleDivergence {
+            divergence: Some(divergence.to_owned()),
+            explanation,
+            ..RuleDivergence::default()
+        }
     }
 
     #[test]
@@ -199,7 +203,7 @@ mod tests {
             assert_eq!(what(&departure(divergence, &[])), expected);
         }
         let assertion = Some(("when a.b=c: after 4 g5x_offset = (x1)".to_owned(), "x".to_owned()));
-        let asserted = Departure { assertion, ..Departure::default() };
+        let asserted = RuleDivergence { assertion, ..RuleDivergence::default() };
         assert_eq!(what(&asserted), "asserted: after g5x_offset =");
     }
 
@@ -215,7 +219,8 @@ mod tests {
         ] {
             let (expected, found) = (expected.to_owned(), found.to_owned());
             let traces = Some(Traces { expected, found });
-            let departure = Departure { traces, ..departure("effect: expected 1, found 2", &[]) };
+            let departure =
+                RuleDivergence { traces, ..departure("effect: expected 1, found 2", &[]) };
             assert_eq!(what(&departure), told);
         }
     }

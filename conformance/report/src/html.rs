@@ -297,7 +297,7 @@ fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
 
 fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {
     let traits = report.run.fingerprint.as_ref()?;
-    let shown = |of: &'a gaugeblock_runner::fingerprint::Trait| Shown {
+    let shown = |of: &'a gaugeblock_runner::fingerprint::FingerprintEntry| Shown {
         choice: &of.choice,
         held_to: &of.held_to,
         declared: of.declared,

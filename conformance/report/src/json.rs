@@ -1,8 +1,8 @@
 //! The report as one JSON document.
 
 use gaugeblock_compare::Tally;
-use gaugeblock_runner::expectations::Trouble;
-use gaugeblock_runner::fingerprint::Trait;
+use gaugeblock_runner::expectations::ExpectationMismatch;
+use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Source;
 use gaugeblock_vocabulary::Options;
@@ -58,11 +58,11 @@ pub struct Document {
     /// Rules that do not exist in the edition.
     pub void: Vec<VoidRule>,
     /// What the controller shows of each choice and quirk, where it was asked for.
-    pub fingerprint: Option<Vec<Trait>>,
+    pub fingerprint: Option<Vec<FingerprintEntry>>,
     /// Each case.
     pub cases: Vec<StoredCase>,
     /// Where it disagrees with what is known of it, if it was held against that.
-    pub expectations: Option<Vec<Trouble>>,
+    pub expectations: Option<Vec<ExpectationMismatch>>,
 }
 
 /// A profile: claimed or not, passed or not, and how many of its rules came to what.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_runner::certify::{Unjudged, Verdict};
+use gaugeblock_runner::certify::{NotJudgedReason, Verdict};
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 
 use super::{Report, inert, inert_line};
@@ -20,7 +20,7 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
     for result in &report.run.cases {
         let word = result.verdict.word();
         let status = match &result.verdict {
-            Verdict::Pass | Verdict::ChargedElsewhere(_) => TestCaseStatus::success(),
+            Verdict::Pass | Verdict::AttributedElsewhere(_) => TestCaseStatus::success(),
             Verdict::Diverges(departure) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
                 status.set_type(word).set_message(inert(&departure.line()).into_owned());
@@ -32,7 +32,7 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
                 status.set_type(word).set_message(inert(why).into_owned());
                 status
             }
-            Verdict::Inconclusive(why) | Verdict::NotJudged(Unjudged { why, .. }) => {
+            Verdict::Inconclusive(why) | Verdict::NotJudged(NotJudgedReason { why, .. }) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
                 status.set_type(word).set_message(inert(why).into_owned());
                 status

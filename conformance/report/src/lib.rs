@@ -26,7 +26,7 @@ pub(crate) use rule::verdicts;
 pub use rule::{Counts, RuleResult, RuleVerdict};
 
 use gaugeblock_runner::certify::{CaseResult, Run, Verdict};
-use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_runner::expectations::ExpectationMismatch;
 
 /// A run with what it is held against.
 #[derive(Clone, Debug)]
@@ -40,7 +40,7 @@ pub struct Report<'a> {
     /// Each profile that the edition has rules of.
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
-    pub troubles: Option<Vec<Trouble>>,
+    pub troubles: Option<Vec<ExpectationMismatch>>,
 }
 
 impl<'a> Report<'a> {

@@ -5,7 +5,7 @@
 //! mention, no HTML of its making. The page has a limit, and says what it leaves out.
 
 use gaugeblock_runner::certify::CaseResult;
-use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_vocabulary::Language;
 
 use super::causes::without_guard;
@@ -77,19 +77,21 @@ fn changes(report: &Report<'_>) -> String {
         let (rule, case) = trouble.place();
         let place = code(&format!("{rule} / {case}"));
         match trouble {
-            Trouble::New { found, .. } => format!("**new** {place}: {}", code(found)),
-            Trouble::Changed { listed, found, .. } => {
+            ExpectationMismatch::New { found, .. } => format!("**new** {place}: {}", code(found)),
+            ExpectationMismatch::Changed { listed, found, .. } => {
                 format!("**changed** {place}: was {}, now {}", code(listed), code(found))
             }
-            Trouble::Stale { why, .. } => format!("**stale** {place}: {}", code(why)),
+            ExpectationMismatch::Stale { why, .. } => format!("**stale** {place}: {}", code(why)),
         }
     });
     let mended = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
     let told: Vec<_> = told.chain(mended.map(|it| format!("**mended** {}", code(it)))).collect();
-    let count = |of: fn(&Trouble) -> bool| troubles.iter().filter(|trouble| of(trouble)).count();
-    let new = count(|trouble| matches!(trouble, Trouble::New { .. }));
-    let changed = count(|trouble| matches!(trouble, Trouble::Changed { .. }));
-    let stale = count(|trouble| matches!(trouble, Trouble::Stale { .. }));
+    let count = |of: fn(&ExpectationMismatch) -> bool| {
+        troubles.iter().filter(|trouble| of(trouble)).count()
+    };
+    let new = count(|trouble| matches!(trouble, ExpectationMismatch::New { .. }));
+    let changed = count(|trouble| matches!(trouble, ExpectationMismatch::Changed { .. }));
+    let stale = count(|trouble| matches!(trouble, ExpectationMismatch::Stale { .. }));
     let mended = told.len() - troubles.len();
     let stale = if stale == 0 { String::new() } else { format!(", {stale} stale") };
     let title = "Against what is known";

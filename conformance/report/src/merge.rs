@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_adapter::Adapter;
-use gaugeblock_runner::certify::{CaseResult, Plan, Twice};
-use gaugeblock_runner::fingerprint::Trait;
+use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling};
+use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
@@ -68,10 +68,10 @@ pub struct Header {
 impl Header {
     /// What a run is of.
     pub fn of(plan: Plan<'_>, controller: &dyn Adapter, shard: Shard) -> Self {
-        let shows = controller.capabilities();
+        let observables = controller.capabilities();
         Self {
-            controller: shows.name.clone(),
-            version: shows.version.clone(),
+            controller: observables.name.clone(),
+            version: observables.version.clone(),
             edition: plan.edition.id.clone(),
             options: controller.options(),
             suite: plan.suite.digest.clone(),
@@ -79,7 +79,7 @@ impl Header {
             only: plan.only.to_vec(),
             laws: controller.has_laws_of_motion(),
             shard,
-            twice: Twice::default().0,
+            twice: RepeatSampling::default().0,
         }
     }
 }
@@ -95,7 +95,7 @@ pub struct Stored {
     /// Its cases.
     pub cases: Vec<StoredCase>,
     /// What the controller shows of each choice and quirk.
-    pub fingerprint: Option<Vec<Trait>>,
+    pub fingerprint: Option<Vec<FingerprintEntry>>,
     profiles: Vec<Claimed>,
 }
 

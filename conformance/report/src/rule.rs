@@ -87,7 +87,7 @@ impl Counts {
         let count = match verdict {
             Verdict::Pass => &mut self.pass,
             Verdict::Diverges(_) => &mut self.diverges,
-            Verdict::ChargedElsewhere(_) => &mut self.charged_elsewhere,
+            Verdict::AttributedElsewhere(_) => &mut self.charged_elsewhere,
             Verdict::Known(..) => &mut self.known,
             Verdict::Waived(..) => &mut self.waived,
             Verdict::Unsupported(_) => &mut self.unsupported,

@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_motion::Sketch;
-use gaugeblock_runner::certify::{CaseResult, Cause, Departure, Traces, Unjudged, Verdict};
+use gaugeblock_runner::certify::{
+    CaseResult, Cause, NotJudgedReason, RuleDivergence, Traces, Verdict,
+};
 use gaugeblock_suite::Suite;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,10 +53,10 @@ pub enum StoredVerdict {
     /// As the documents say.
     Pass,
     /// Otherwise.
-    Diverges(StoredDeparture),
+    Diverges(StoredDivergence),
     /// Otherwise, by a quirk that other rules are about.
     #[serde(rename = "charged elsewhere")]
-    ChargedElsewhere(StoredDeparture),
+    AttributedElsewhere(StoredDivergence),
     /// Otherwise, exactly as is known.
     Known(Excused),
     /// Otherwise, and somebody answers for it.
@@ -91,12 +93,12 @@ pub struct Excused {
     pub reason: String,
     /// What it does.
     #[serde(flatten)]
-    pub departure: StoredDeparture,
+    pub departure: StoredDivergence,
 }
 
 /// What a controller does otherwise.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct StoredDeparture {
+pub struct StoredDivergence {
     /// In one line, as expectations name it.
     pub found: String,
     /// The first assertion that does not hold, with what was found.
@@ -120,7 +122,7 @@ pub struct StoredDeparture {
 
 impl StoredVerdict {
     fn of(result: &CaseResult<'_>) -> Self {
-        let departure = |departure: &Departure| StoredDeparture {
+        let departure = |departure: &RuleDivergence| StoredDivergence {
             found: departure.line(),
             assertion: departure.assertion.clone(),
             divergence: departure.divergence.clone(),
@@ -130,7 +132,7 @@ impl StoredVerdict {
             state: departure.state.clone(),
             shrunk: departure.shrunk.clone(),
         };
-        let excused = |known: &Departure, reason: &String| Excused {
+        let excused = |known: &RuleDivergence, reason: &String| Excused {
             reason: reason.clone(),
             departure: departure(known),
         };
@@ -138,12 +140,12 @@ impl StoredVerdict {
         match &result.verdict {
             Verdict::Pass => Self::Pass,
             Verdict::Diverges(found) => Self::Diverges(departure(found)),
-            Verdict::ChargedElsewhere(found) => Self::ChargedElsewhere(departure(found)),
+            Verdict::AttributedElsewhere(found) => Self::AttributedElsewhere(departure(found)),
             Verdict::Known(found, why) => Self::Known(excused(found, why)),
             Verdict::Waived(found, why) => Self::Waived(excused(found, why)),
             Verdict::Unsupported(why) => Self::Unsupported(reason(why)),
             Verdict::Inconclusive(why) => Self::Inconclusive(reason(why)),
-            Verdict::NotJudged(Unjudged { cause, why }) => match cause {
+            Verdict::NotJudged(NotJudgedReason { cause, why }) => match cause {
                 Cause::Nondeterministic => Self::Nondeterministic(reason(why)),
                 Cause::Crash => Self::Crash(reason(why)),
                 Cause::Timeout => Self::Timeout(reason(why)),
@@ -155,13 +157,13 @@ impl StoredVerdict {
 
     /// Whether it says that the controller does what the documents say.
     pub fn is_pass(&self) -> bool {
-        matches!(self, Self::Pass | Self::ChargedElsewhere(_))
+        matches!(self, Self::Pass | Self::AttributedElsewhere(_))
     }
 
     /// What the controller does otherwise, whoever knows of it.
-    pub fn departure(&self) -> Option<&StoredDeparture> {
+    pub fn departure(&self) -> Option<&StoredDivergence> {
         match self {
-            Self::Diverges(departure) | Self::ChargedElsewhere(departure) => Some(departure),
+            Self::Diverges(departure) | Self::AttributedElsewhere(departure) => Some(departure),
             Self::Known(excused) | Self::Waived(excused) => Some(&excused.departure),
             Self::Pass
             | Self::Unsupported(_)
@@ -176,7 +178,7 @@ impl StoredVerdict {
 
     /// The verdict of the run alone: what it was held against then is not held against it now.
     fn verdict(&self) -> Verdict {
-        let departure = |stored: &StoredDeparture| Departure {
+        let departure = |stored: &StoredDivergence| RuleDivergence {
             assertion: stored.assertion.clone(),
             divergence: stored.divergence.clone(),
             explanation: stored.explanation.clone(),
@@ -184,12 +186,13 @@ impl StoredVerdict {
             state: stored.state.clone(),
             shrunk: stored.shrunk.clone(),
         };
-        let unjudged =
-            |cause, why: &Reason| Verdict::NotJudged(Unjudged { cause, why: why.reason.clone() });
+        let unjudged = |cause, why: &Reason| {
+            Verdict::NotJudged(NotJudgedReason { cause, why: why.reason.clone() })
+        };
         match self {
             Self::Pass => Verdict::Pass,
             Self::Diverges(found) => Verdict::Diverges(departure(found)),
-            Self::ChargedElsewhere(found) => Verdict::ChargedElsewhere(departure(found)),
+            Self::AttributedElsewhere(found) => Verdict::AttributedElsewhere(departure(found)),
             Self::Known(Excused { departure: found, .. })
             | Self::Waived(Excused { departure: found, .. }) => Verdict::Diverges(departure(found)),
             Self::Unsupported(why) => Verdict::Unsupported(why.reason.clone()),

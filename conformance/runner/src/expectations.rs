@@ -43,7 +43,7 @@ pub struct Expectations {
 /// How a run and the expectations disagree.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "trouble", rename_all = "snake_case")]
-pub enum Trouble {
+pub enum ExpectationMismatch {
     /// A divergence that is not listed.
     New {
         /// The rule.
@@ -75,7 +75,7 @@ pub enum Trouble {
     },
 }
 
-impl Trouble {
+impl ExpectationMismatch {
     /// Its rule and case.
     pub fn place(&self) -> (&str, &str) {
         match self {
@@ -86,7 +86,7 @@ impl Trouble {
     }
 }
 
-impl std::fmt::Display for Trouble {
+impl std::fmt::Display for ExpectationMismatch {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::New { rule, case, found } => write!(f, "not listed: {rule} / {case}: {found}"),
@@ -144,7 +144,7 @@ impl Expectations {
     /// Where a run and these expectations disagree; nothing when the run shows exactly what is listed.
     ///
     /// A listed case that the run did not select is stale only when `whole` says that everything was selected.
-    pub fn hold<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<Trouble> {
+    pub fn hold<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<ExpectationMismatch> {
         let mut listed: BTreeMap<(&str, &str), &Known> = self
             .known
             .iter()
@@ -163,34 +163,34 @@ impl Expectations {
             let own = result.verdict.own_departure();
             match (&result.verdict, own, known) {
                 (_, Some(departure), None) => {
-                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
                 }
                 (_, Some(departure), Some(known)) if departure.line() != known.found => {
                     let (listed, found) = (known.found.clone(), departure.line());
-                    troubles.push(Trouble::Changed { rule, case, listed, found });
+                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
-                (Verdict::ChargedElsewhere(departure), _, None)
+                (Verdict::AttributedElsewhere(departure), _, None)
                     if !departure
                         .explanation
                         .iter()
                         .all(|part| explained.contains(part.as_str())) =>
                 {
-                    troubles.push(Trouble::New { rule, case, found: departure.line() });
+                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
                 }
                 (_, Some(_), Some(_)) | (_, None, None) => {}
-                (Verdict::Pass | Verdict::ChargedElsewhere(_), None, Some(_)) => {
+                (Verdict::Pass | Verdict::AttributedElsewhere(_), None, Some(_)) => {
                     let why = "the case passes: take the entry out".to_owned();
-                    troubles.push(Trouble::Stale { rule, case, why });
+                    troubles.push(ExpectationMismatch::Stale { rule, case, why });
                 }
                 (verdict, None, Some(_)) => {
                     let why = verdict.why().unwrap_or_default();
                     let why = format!("the case is not judged: {}: {why}", verdict.word());
-                    troubles.push(Trouble::Stale { rule, case, why });
+                    troubles.push(ExpectationMismatch::Stale { rule, case, why });
                 }
             }
         }
         for known in listed.into_values().filter(|_| whole) {
-            troubles.push(Trouble::Stale {
+            troubles.push(ExpectationMismatch::Stale {
                 rule: known.rule.clone(),
                 case: known.case.clone(),
                 why: "the suite has no such case in this edition".to_owned(),

@@ -8,13 +8,13 @@ use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 /// An option of a choice or quirk that is not the one in force.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Other<'a> {
+pub(crate) struct AlternativeOption<'a> {
     /// The choice or quirk.
     pub(crate) choice: &'a Choice,
     option: &'a str,
 }
 
-impl Other<'_> {
+impl AlternativeOption<'_> {
     /// What it is called in a report: a quirk by its id, a choice with the option that was seen.
     pub(crate) fn name(&self) -> String {
         match self.choice.kind {
@@ -26,7 +26,7 @@ impl Other<'_> {
 
 /// A run that departs from what an edition says.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Departed<'a> {
+pub(crate) struct DivergenceContext<'a> {
     /// The suite.
     pub(crate) suite: &'a Suite,
     /// The rule.
@@ -41,22 +41,22 @@ pub(crate) struct Departed<'a> {
     pub(crate) controller: &'a dyn Adapter,
 }
 
-impl<'a> Departed<'a> {
+impl<'a> DivergenceContext<'a> {
     /// The other options under which the model does what the controller did; none where nothing is found.
     ///
     /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the
     /// controller is known for, then one that the rule names together with another one. Nothing is explained where
     /// the outcomes are equal and an assertion fails.
-    pub(crate) fn explanation(self) -> Vec<Other<'a>> {
+    pub(crate) fn explanation(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
-        let shows = self.controller.shows(self.scenario);
-        let explains = |tried: &[Other<'_>]| {
+        let observables = self.controller.observables(self.scenario);
+        let explains = |tried: &[AlternativeOption<'_>]| {
             let mut scenario = self.scenario.clone();
             for other in tried {
                 scenario.options.0.insert(other.choice.id.clone(), other.option.to_owned());
             }
             let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
-            compare(&expected, &found, &shows).divergence.is_none()
+            compare(&expected, &found, &observables).divergence.is_none()
         };
         let all = self.candidates();
         if let Some(one) = all.iter().find(|one| explains(&[**one])) {
@@ -75,12 +75,12 @@ impl<'a> Departed<'a> {
     }
 
     /// Whether the rule is about this.
-    pub(crate) fn is_named(&self, other: &Other<'_>) -> bool {
+    pub(crate) fn is_named(&self, other: &AlternativeOption<'_>) -> bool {
         self.rule.options.contains(&other.choice.id)
     }
 
     /// Each other option of what the rule names, then of each quirk.
-    fn candidates(&self) -> Vec<Other<'a>> {
+    fn candidates(&self) -> Vec<AlternativeOption<'a>> {
         let is_named = |choice: &&Choice| self.rule.options.contains(&choice.id);
         let choices = self.suite.choices.iter().filter(|c| c.language == self.rule.language);
         let named = choices.clone().filter(is_named);
@@ -90,7 +90,7 @@ impl<'a> Departed<'a> {
     }
 
     /// What the controller is known for beyond the edition, those that the rule names last.
-    fn known(&self) -> Vec<Other<'a>> {
+    fn known(&self) -> Vec<AlternativeOption<'a>> {
         let observed = self.controller.observed_edition().and_then(|id| self.suite.edition(id));
         let Some(observed) = observed else { return Vec::new() };
         let options = self.suite.options(observed);
@@ -108,13 +108,16 @@ impl<'a> Departed<'a> {
         let Some(observed) = observed.and_then(|id| self.suite.edition(id)) else { return false };
         let scenario = scenario_of(self.case, &self.suite.options(observed), observed);
         let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
-        let shows = self.controller.shows(self.scenario);
-        compare(&expected, &Observed::of(self.found), &shows).divergence.is_none()
+        let observables = self.controller.observables(self.scenario);
+        compare(&expected, &Observed::of(self.found), &observables).divergence.is_none()
     }
 }
 
 /// Leaves out one after the other what is not needed, the last ones first.
-fn fewest<'a>(mut all: Vec<Other<'a>>, explains: impl Fn(&[Other<'_>]) -> bool) -> Vec<Other<'a>> {
+fn fewest<'a>(
+    mut all: Vec<AlternativeOption<'a>>,
+    explains: impl Fn(&[AlternativeOption<'_>]) -> bool,
+) -> Vec<AlternativeOption<'a>> {
     for place in (0..all.len()).rev() {
         let mut fewer = all.clone();
         fewer.remove(place);
@@ -125,9 +128,12 @@ fn fewest<'a>(mut all: Vec<Other<'a>>, explains: impl Fn(&[Other<'_>]) -> bool) 
     all
 }
 
-fn others<'a>(choice: &'a Choice, in_force: &Options) -> impl Iterator<Item = Other<'a>> {
+fn others<'a>(
+    choice: &'a Choice,
+    in_force: &Options,
+) -> impl Iterator<Item = AlternativeOption<'a>> {
     let in_force = in_force.get(&choice.id).map(str::to_owned);
     let options = choice.options.iter().map(|option| option.name.as_str());
     let others = options.filter(move |name| in_force.as_deref() != Some(*name));
-    others.map(move |option| Other { choice, option })
+    others.map(move |option| AlternativeOption { choice, option })
 }

@@ -40,7 +40,7 @@ impl std::fmt::Display for Shown {
 
 /// A choice or quirk: what a controller is held to, and what it shows.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct Trait {
+pub struct FingerprintEntry {
     /// The choice or quirk.
     pub choice: String,
     /// The option that it is held to.
@@ -51,7 +51,7 @@ pub struct Trait {
     pub shown: Shown,
 }
 
-impl Trait {
+impl FingerprintEntry {
     /// Whether it shows for sure what it is held to.
     pub fn agrees(&self) -> bool {
         matches!(&self.shown, Shown::Option(option) if *option == self.held_to)
@@ -74,10 +74,10 @@ pub fn traits(
     options: &Options,
     environment: Option<&str>,
     controller: &dyn Adapter,
-) -> Vec<Trait> {
+) -> Vec<FingerprintEntry> {
     let declared = controller.options();
     let shown = fingerprint(suite, options, environment, controller).into_iter();
-    let beside = shown.map(|(choice, shown)| Trait {
+    let beside = shown.map(|(choice, shown)| FingerprintEntry {
         choice: choice.id.clone(),
         held_to: options.get(&choice.id).unwrap_or_default().to_owned(),
         declared: declared.get(&choice.id).is_some(),
@@ -143,7 +143,7 @@ pub fn shown(
     if let Err(why) = controller.supports(&scenario) {
         return Shown::NotRun(why);
     }
-    let on_a_new_one = if anew { controller.run_anew(&scenario) } else { None };
+    let on_a_new_one = if anew { controller.run_fresh(&scenario) } else { None };
     let outcome = match on_a_new_one.unwrap_or_else(|| controller.run(&scenario)) {
         Ok(outcome) => outcome,
         Err(error) => return Shown::NotRun(error.to_string()),
@@ -153,17 +153,18 @@ pub fn shown(
         return Shown::NotRun(what.clone());
     }
     let run = Observed::of(&outcome);
-    let shows = controller.shows(&scenario);
+    let observables = controller.observables(&scenario);
     let mut holding = Vec::new();
     let mut reasons = Vec::new();
     for option in &choice.options {
-        let failing =
-            option.parsed().iter().find_map(|assertion| match judge(assertion, &run, &shows) {
+        let failing = option.parsed().iter().find_map(|assertion| {
+            match judge(assertion, &run, &observables) {
                 Finding::Fails(found) => {
                     Some(format!("{}: {} | found {found}", option.name, assertion.text))
                 }
                 Finding::Holds | Finding::Masked(_) => None,
-            });
+            }
+        });
         match failing {
             None => holding.push(option.name.clone()),
             Some(reason) => reasons.push(reason),

@@ -4,7 +4,7 @@
 //! A seed and a number give one motion program ([`motion_program`]); programs can be judged in any order. The laws take
 //! the programmed path from production's outcome: other tests compare how model and production read programs.
 
-use gaugeblock_controllers::drive::{Circumstances, Planned, Stopped, plan_under};
+use gaugeblock_controllers::drive::{Planned, RunConditions, Stopped, plan_under};
 use gaugeblock_fuzz::generate::Entropy;
 use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_fuzz::motion::{MotionProgram, Step, draw, shrink};
@@ -147,7 +147,7 @@ fn planned(program: &MotionProgram, runs: Runs<'_>) -> Result<(Outcome, Planned)
         let why = format!("the program does not come to its end: {why}");
         return Err(Stopped { block: None, why, endless: false });
     }
-    let circumstances = Circumstances {
+    let circumstances = RunConditions {
         start: program.position(),
         every: program.every,
         script: program.script.clone(),

@@ -7,7 +7,7 @@ use gaugeblock_suite::Suite;
 use serde::{Deserialize, Serialize};
 
 use crate::certify::Run;
-use crate::expectations::Trouble;
+use crate::expectations::ExpectationMismatch;
 
 /// A day of the calendar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -165,9 +165,9 @@ impl Waivers {
     pub fn hold(
         &self,
         run: &Run<'_>,
-        troubles: Option<Vec<Trouble>>,
+        troubles: Option<Vec<ExpectationMismatch>>,
         today: Day,
-    ) -> (Vec<Trouble>, Vec<Waived>) {
+    ) -> (Vec<ExpectationMismatch>, Vec<Waived>) {
         let troubles = troubles.unwrap_or_else(|| divergences(run));
         let departs = |rule: &str, case: &str| {
             let mut of_place = run.cases.iter().filter(|it| it.rule.id == rule && it.name == case);
@@ -187,7 +187,7 @@ impl Waivers {
                     if *expires < today {
                         let why =
                             format!("waived by {owner} until {expires}, which is over: {reason}");
-                        left.push(Trouble::Stale { rule, case, why });
+                        left.push(ExpectationMismatch::Stale { rule, case, why });
                     } else {
                         let why = format!("by {owner} until {expires}: {reason}");
                         held.push(Waived { rule, case, why });
@@ -204,16 +204,16 @@ impl Waivers {
         for (waiver, _) in unused.filter(|(waiver, _)| was_asked(waiver)) {
             let case = waiver.case.clone().unwrap_or_else(|| "every case".to_owned());
             let why = format!("waived by {}, and there is nothing to waive", waiver.owner);
-            left.push(Trouble::Stale { rule: waiver.rule.clone(), case, why });
+            left.push(ExpectationMismatch::Stale { rule: waiver.rule.clone(), case, why });
         }
         (left, held)
     }
 }
 
 /// Every divergence of a run, as one that is not listed.
-fn divergences(run: &Run<'_>) -> Vec<Trouble> {
+fn divergences(run: &Run<'_>) -> Vec<ExpectationMismatch> {
     let departed = run.cases.iter().filter_map(|result| {
-        Some(Trouble::New {
+        Some(ExpectationMismatch::New {
             rule: result.rule.id.clone(),
             case: result.name.to_owned(),
             found: result.verdict.departure()?.line(),

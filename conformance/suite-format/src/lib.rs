@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
-pub use motion::{MotionCase, Piece, PlantedFault, Saying};
+pub use motion::{MotionAssertion, MotionCase, Piece, PlantedFault};
 pub use page::{
     Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
     Rule, RuleOutcome, Setup, Source,

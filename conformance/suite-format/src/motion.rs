@@ -138,7 +138,7 @@ fn one() -> usize {
 
 /// What a case says of the laws.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Saying {
+pub enum MotionAssertion {
     /// No law is broken, and the one whose page it is holds.
     Holds,
     /// A law is broken, first at a sample where one is named.
@@ -160,7 +160,7 @@ pub enum Saying {
     },
 }
 
-impl FromStr for Saying {
+impl FromStr for MotionAssertion {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -190,7 +190,7 @@ impl MotionCase {
     }
 
     /// What it says, which was checked when the page was read.
-    pub fn sayings(&self) -> Vec<Saying> {
+    pub fn sayings(&self) -> Vec<MotionAssertion> {
         self.says.iter().filter_map(|text| text.parse().ok()).collect()
     }
 
@@ -255,7 +255,7 @@ pub(super) fn check_sayings(says: &[String]) -> Result<(), String> {
     if says.is_empty() {
         return Err("it says nothing".to_owned());
     }
-    says.iter().try_for_each(|text| text.parse::<Saying>().map(|_| ()))
+    says.iter().try_for_each(|text| text.parse::<MotionAssertion>().map(|_| ()))
 }
 
 /// Completes the cases of a page by those that they are like, and checks them.

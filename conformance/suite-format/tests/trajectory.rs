@@ -8,7 +8,7 @@ use std::path::Path;
 use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::laws::Law;
 use gaugeblock_suite::files::of_folder;
-use gaugeblock_suite::{MotionCase, Rule, Saying, Suite};
+use gaugeblock_suite::{MotionAssertion, MotionCase, Rule, Suite};
 
 fn suite() -> Suite {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
@@ -22,7 +22,7 @@ fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
 }
 
 fn breaks(case: &MotionCase, law: &str) -> bool {
-    let of_law = |saying: &Saying| matches!(saying, Saying::Breaks { law: id, .. } if id == law);
+    let of_law = |saying: &MotionAssertion| matches!(saying, MotionAssertion::Breaks { law: id, .. } if id == law);
     case.is_recorded() && case.sayings().iter().any(of_law)
 }
 
@@ -37,7 +37,7 @@ fn each_law_has_a_page_with_good_and_bad_samples_and_a_program() {
         let (recorded, planned): (Vec<_>, Vec<_>) =
             rule.motion.iter().partition(|case| case.is_recorded());
         assert!(!planned.is_empty(), "{id} has no program for a planner");
-        let good = recorded.iter().filter(|case| case.sayings().contains(&Saying::Holds));
+        let good = recorded.iter().filter(|case| case.sayings().contains(&MotionAssertion::Holds));
         assert!(good.count() > 0, "{id} has no samples that keep it");
         assert!(recorded.iter().any(|case| breaks(case, id)), "{id} has no samples that break it");
         assert_eq!(rule.profile, "motion");
@@ -50,8 +50,9 @@ fn a_law_that_is_named_is_one() {
     let cases = suite.rules.iter().flat_map(|rule| &rule.motion);
     for (case, saying) in cases.flat_map(|case| case.sayings().into_iter().map(move |s| (case, s)))
     {
-        let (Saying::Breaks { law, .. } | Saying::NotAsked { law } | Saying::NotJudged { law }) =
-            saying
+        let (MotionAssertion::Breaks { law, .. }
+        | MotionAssertion::NotAsked { law }
+        | MotionAssertion::NotJudged { law }) = saying
         else {
             continue;
         };

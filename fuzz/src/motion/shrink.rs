@@ -75,7 +75,7 @@ fn fewer_events(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
     }
 }
 
-/// Circumstances and numbers that anybody would begin with.
+/// Conditions and numbers to start from.
 fn plainer(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
     let smaller = MotionProgram { every: None, ..best.clone() };
     attempt(best, smaller);

@@ -131,9 +131,9 @@ pub fn agree_with(controller: &dyn Adapter, scenario: &Scenario) -> Agreement {
         return Agreement::Open;
     }
     let (expected, found) =
-        if controller.is_within() { (expected, found) } else { comparable(expected, found) };
-    let shows = reference.shows(scenario).and(&controller.shows(scenario));
-    let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
+        if controller.is_in_process() { (expected, found) } else { comparable(expected, found) };
+    let observables = reference.observables(scenario).and(&controller.observables(scenario));
+    let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &observables);
     match comparison.divergence {
         None => Agreement::Same,
         Some(_) if is_fragile(scenario) => Agreement::Open,

@@ -10,20 +10,20 @@ use rustix::io::ioctl_fionbio;
 
 use crate::HarnessError;
 use crate::clock::now;
-use crate::protocol::Patience;
+use crate::protocol::SpinWait;
 
 /// Most of the error output that is kept: its end.
-const KEPT: usize = 4096;
+const STDERR_TAIL_BYTES: usize = 4096;
 
 /// Bytes that are read at once.
-const PART: usize = 64 << 10;
+const READ_BYTES: usize = 64 << 10;
 
 /// How often we look whether anybody is there.
-const PACE: Duration = Duration::from_millis(50);
+const LIVENESS_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Why no line came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NoLine {
+pub(super) enum ReadLineError {
     /// The stream ended.
     Ended,
     /// Not in time; whether all that was to be said could be written.
@@ -34,11 +34,11 @@ pub(super) enum NoLine {
 
 /// What came while it was waited for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Came {
+enum WaitResult {
     /// Nothing.
-    Nothing,
+    TimedOut,
     /// Something.
-    Something {
+    Ready {
         /// Whether the output has something to read, or has ended.
         output: bool,
     },
@@ -53,16 +53,16 @@ pub(super) struct Lines {
     /// What was read and not taken.
     read: Vec<u8>,
     /// How many bytes of it are known to hold no end of a line.
-    seen: usize,
+    scanned: usize,
     /// Length of the last line that was taken.
-    taken: usize,
+    last_line_length: usize,
     /// The end of the error output.
-    said: Vec<u8>,
+    stderr: Vec<u8>,
     /// Whether the output has ended.
     ended: bool,
-    patience: Patience,
+    spin_wait: SpinWait,
     /// Room for what is read at once.
-    part: Box<[u8]>,
+    buffer: Box<[u8]>,
 }
 
 impl fmt::Debug for Lines {
@@ -89,23 +89,23 @@ impl Lines {
             output,
             errors,
             read: Vec::new(),
-            seen: 0,
-            taken: 0,
-            said: Vec::new(),
+            scanned: 0,
+            last_line_length: 0,
+            stderr: Vec::new(),
             ended: false,
-            patience: Patience::default(),
-            part: vec![0; PART].into_boxed_slice(),
+            spin_wait: SpinWait::default(),
+            buffer: vec![0; READ_BYTES].into_boxed_slice(),
         })
     }
 
     /// What has come that nobody asked for.
-    pub(super) fn unasked(&mut self) -> Option<&[u8]> {
+    pub(super) fn unrequested(&mut self) -> Option<&[u8]> {
         self.receive(1);
-        self.left()
+        self.surplus()
     }
 
     /// What came together with the last line, behind it.
-    pub(super) fn left(&self) -> Option<&[u8]> {
+    pub(super) fn surplus(&self) -> Option<&[u8]> {
         (!self.read.is_empty()).then_some(self.read.as_slice())
     }
 
@@ -115,7 +115,7 @@ impl Lines {
     }
 
     /// Writes a line as far as there is room for it: what is still to be written.
-    pub(super) fn say(&mut self, line: &[u8]) -> Vec<u8> {
+    pub(super) fn write_line(&mut self, line: &[u8]) -> Vec<u8> {
         let mut unsent = line;
         // Where nobody reads that is seen by whoever waits for the answer.
         let _is_open = self.send(&mut unsent);
@@ -124,13 +124,13 @@ impl Lines {
 
     /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody
     /// else may hold the streams open.
-    pub(super) fn ask(
+    pub(super) fn exchange(
         &mut self,
         line: &[u8],
         most: usize,
         deadline: Instant,
         mut is_gone: impl FnMut() -> bool,
-    ) -> Result<Vec<u8>, NoLine> {
+    ) -> Result<Vec<u8>, ReadLineError> {
         let mut unsent = line;
         let (mut waited, mut gone) = (false, false);
         let mut is_open = self.send(&mut unsent);
@@ -144,35 +144,35 @@ impl Lines {
                 return Ok(line);
             }
             if self.read.len() > most {
-                return Err(NoLine::TooLong);
+                return Err(ReadLineError::TooLong);
             }
             if self.ended || !is_open {
-                return Err(NoLine::Ended);
+                return Err(ReadLineError::Ended);
             }
             let left = deadline.saturating_duration_since(now());
             if left.is_zero() {
-                return Err(NoLine::Late(unsent.is_empty()));
+                return Err(ReadLineError::Late(unsent.is_empty()));
             }
             // What it wrote before it went has arrived by then.
             if gone {
-                return Err(NoLine::Ended);
+                return Err(ReadLineError::Ended);
             }
             if waited && is_gone() {
                 (gone, is_ready) = (true, true);
                 continue;
             }
             let came = self.wait(left, !unsent.is_empty());
-            waited = came == Came::Nothing;
-            is_ready = matches!(came, Came::Something { output: true });
+            waited = came == WaitResult::TimedOut;
+            is_ready = matches!(came, WaitResult::Ready { output: true });
             is_open = self.send(&mut unsent);
             is_ready |= !is_open;
         }
     }
 
     /// Waits until something comes, or can be written, and hears the error output.
-    fn wait(&mut self, left: Duration, has_unsent: bool) -> Came {
-        if !has_unsent && self.patience.look(&self.output) {
-            return Came::Something { output: true };
+    fn wait(&mut self, left: Duration, has_unsent: bool) -> WaitResult {
+        if !has_unsent && self.spin_wait.look(&self.output) {
+            return WaitResult::Ready { output: true };
         }
         let none = PollFlags::empty();
         let errors = self.errors.as_ref().unwrap_or(&self.output);
@@ -183,28 +183,29 @@ impl Lines {
             PollFd::new(&self.input, PollFlags::OUT),
         ];
         let streams = &mut streams[..if has_unsent { 3 } else { 2 }];
-        let pace = Timespec { tv_sec: 0, tv_nsec: left.min(PACE).subsec_nanos().into() };
+        let pace =
+            Timespec { tv_sec: 0, tv_nsec: left.min(LIVENESS_INTERVAL).subsec_nanos().into() };
         let came = match poll(streams, Some(&pace)) {
-            Ok(0) => return Came::Nothing,
-            Ok(_) => Came::Something { output: !streams[0].revents().is_empty() },
+            Ok(0) => return WaitResult::TimedOut,
+            Ok(_) => WaitResult::Ready { output: !streams[0].revents().is_empty() },
             // We only look sooner.
-            Err(_) => Came::Something { output: true },
+            Err(_) => WaitResult::Ready { output: true },
         };
         if !streams[1].revents().is_empty() {
-            self.hear();
+            self.read_stderr();
         }
         came
     }
 
     /// Length of the last line that came.
-    pub(super) fn taken(&self) -> usize {
-        self.taken
+    pub(super) fn last_line_length(&self) -> usize {
+        self.last_line_length
     }
 
     /// The last lines of the error output, for a person.
-    pub(super) fn errors(&mut self) -> String {
-        self.hear();
-        let text = String::from_utf8_lossy(&self.said);
+    pub(super) fn stderr_tail(&mut self) -> String {
+        self.read_stderr();
+        let text = String::from_utf8_lossy(&self.stderr);
         let lines: Vec<_> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
         lines[lines.len().saturating_sub(3)..].join(" | ")
     }
@@ -223,14 +224,14 @@ impl Lines {
     /// Reads what there is, and a little more than may be.
     fn receive(&mut self, most: usize) {
         while !self.ended {
-            let left = most.saturating_add(1).saturating_sub(self.read.len()).min(PART);
+            let left = most.saturating_add(1).saturating_sub(self.read.len()).min(READ_BYTES);
             if left == 0 {
                 return;
             }
-            match self.output.read(&mut self.part[..left]) {
+            match self.output.read(&mut self.buffer[..left]) {
                 Ok(0) => self.ended = true,
                 Ok(count) => {
-                    self.read.extend_from_slice(&self.part[..count]);
+                    self.read.extend_from_slice(&self.buffer[..count]);
                     if count < left {
                         return;
                     }
@@ -245,15 +246,15 @@ impl Lines {
     }
 
     /// Keeps the end of the error output.
-    fn hear(&mut self) {
-        let mut part = [0; KEPT];
+    fn read_stderr(&mut self) {
+        let mut part = [0; STDERR_TAIL_BYTES];
         while let Some(errors) = &mut self.errors {
             match errors.read(&mut part) {
                 Ok(0) => self.errors = None,
                 Ok(count) => {
-                    self.said.extend_from_slice(&part[..count]);
-                    let surplus = self.said.len().saturating_sub(KEPT);
-                    self.said.drain(..surplus);
+                    self.stderr.extend_from_slice(&part[..count]);
+                    let surplus = self.stderr.len().saturating_sub(STDERR_TAIL_BYTES);
+                    self.stderr.drain(..surplus);
                     if count < part.len() {
                         return;
                     }
@@ -267,17 +268,17 @@ impl Lines {
     /// The first whole line, without its end.
     fn take_line(&mut self) -> Option<Vec<u8>> {
         // To step over bytes in memory never fails.
-        let stepped = (&self.read[self.seen..]).skip_until(b'\n').unwrap_or_default();
-        let end = (self.seen + stepped).checked_sub(1).filter(|end| self.read[*end] == b'\n');
+        let stepped = (&self.read[self.scanned..]).skip_until(b'\n').unwrap_or_default();
+        let end = (self.scanned + stepped).checked_sub(1).filter(|end| self.read[*end] == b'\n');
         let Some(end) = end else {
-            self.seen = self.read.len();
+            self.scanned = self.read.len();
             return None;
         };
         let rest = self.read.split_off(end + 1);
         let mut line = std::mem::replace(&mut self.read, rest);
         line.truncate(end);
-        self.seen = 0;
-        self.taken = end;
+        self.scanned = 0;
+        self.last_line_length = end;
         Some(line)
     }
 }

@@ -6,18 +6,18 @@
 //! next scenario gets a new one. What it declares before it runs anything bounds what is asked of it and what is
 //! judged.
 
-mod ahead;
-mod begun;
+mod connection;
+mod exchange_folder;
 mod limits;
 mod lines;
-mod peer;
+mod observables_cache;
+mod pending_run;
+mod prefetch;
 mod process;
-mod running;
+mod run;
+mod scenario_encoder;
+mod self_check;
 mod session;
-mod shown;
-mod side;
-mod told;
-mod trial;
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -27,29 +27,29 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-use crate::protocol::{Declaration, Offer, needed};
-use crate::{Adapter, ControllerError, Expected, HarnessError, Motion, NotMoved};
+use crate::protocol::{Declaration, Extension, needed};
+use crate::{Adapter, ControllerError, Expected, HarnessError, MotionRequest, NoSamples};
+use connection::Endpoint;
 pub use limits::Limits;
-use peer::Door;
-use running::Stopped;
+use observables_cache::ObservablesCache;
+use run::Stopped;
 use session::Session;
-use shown::Shown;
 
 /// A controller behind the protocol.
 #[derive(Debug)]
 pub struct Exec {
-    door: Door,
+    endpoint: Endpoint,
     limits: Limits,
     /// Options that need not be told.
-    assumed: Options,
+    assumed_options: Options,
     declaration: Declaration,
     capabilities: Capabilities,
     /// Sessions in which nothing runs, or a run that nobody waits for yet.
-    idle: Mutex<Vec<Session>>,
+    idle_sessions: Mutex<Vec<Session>>,
     /// What was observed of the scenario that each thread ran last, where that is asked for.
-    shown: Shown,
+    observables_cache: ObservablesCache,
     /// Sessions that were of no use any more after a program had ended.
-    spoilt: AtomicUsize,
+    lost_sessions: AtomicUsize,
 }
 
 impl Exec {
@@ -58,7 +58,7 @@ impl Exec {
     /// # Errors
     /// It cannot be started, does not answer, or declares what is no declaration.
     pub fn start(command: &str, limits: Limits) -> Result<Self, ControllerError> {
-        Self::behind(Door::Command(command.to_owned()), limits)
+        Self::from_endpoint(Endpoint::Command(command.to_owned()), limits)
     }
 
     /// Connects to an adapter that listens at `HOST:PORT`, and asks what it is.
@@ -66,12 +66,12 @@ impl Exec {
     /// # Errors
     /// Nobody listens there, it does not answer, or it declares what is no declaration.
     pub fn connect(address: &str, limits: Limits) -> Result<Self, ControllerError> {
-        Self::behind(Door::Address(address.to_owned()), limits)
+        Self::from_endpoint(Endpoint::Address(address.to_owned()), limits)
     }
 
-    fn behind(door: Door, limits: Limits) -> Result<Self, ControllerError> {
+    fn from_endpoint(door: Endpoint, limits: Limits) -> Result<Self, ControllerError> {
         let (session, declaration) =
-            Session::begin(&door, limits).map_err(ControllerError::Broken)?;
+            Session::open(&door, limits).map_err(ControllerError::Broken)?;
         let capabilities = declaration.capabilities().map_err(|error| {
             ControllerError::Broken(HarnessError::Unreadable {
                 what: "hello".to_owned(),
@@ -79,15 +79,25 @@ impl Exec {
             })
         })?;
         let idle = Mutex::new(vec![session]);
-        let (assumed, shown, spoilt) = (Options::default(), Shown::default(), AtomicUsize::new(0));
-        Ok(Self { door, limits, assumed, declaration, capabilities, idle, shown, spoilt })
+        let (assumed, shown, spoilt) =
+            (Options::default(), ObservablesCache::default(), AtomicUsize::new(0));
+        Ok(Self {
+            endpoint: door,
+            limits,
+            assumed_options: assumed,
+            declaration,
+            capabilities,
+            idle_sessions: idle,
+            observables_cache: shown,
+            lost_sessions: spoilt,
+        })
     }
 
     /// Takes these options for the defaults of their choices: a scenario is told without them.
     #[must_use]
-    pub fn assuming(self, assumed: Options) -> Self {
-        self.sessions().iter_mut().for_each(|session| session.assume(&assumed));
-        Self { assumed, ..self }
+    pub fn assume_options(self, assumed: Options) -> Self {
+        self.sessions().iter_mut().for_each(|session| session.assume_options(&assumed));
+        Self { assumed_options: assumed, ..self }
     }
 
     /// What it declared.
@@ -96,23 +106,23 @@ impl Exec {
     }
 
     /// Lets a session that was reset do something.
-    fn within<T>(
+    fn with_new_session<T>(
         &self,
         work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
     ) -> Result<T, HarnessError> {
-        self.with(self.session()?, work)
+        self.with_session(self.session()?, work)
     }
 
     /// Lets a session do something, and keeps it where it can go on.
-    fn with<T>(
+    fn with_session<T>(
         &self,
         mut session: Session,
         work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
     ) -> Result<T, HarnessError> {
-        session.has_a_next = true;
+        session.expects_another_run = true;
         let done = work(&mut session);
-        if done.as_ref().map_or_else(|stopped| stopped.goes_on, |_| true) {
-            session.reset_ahead();
+        if done.as_ref().map_or_else(|stopped| stopped.session_usable, |_| true) {
+            session.send_reset();
             self.sessions().push(session);
         } else {
             session.has_failed = true;
@@ -133,12 +143,12 @@ impl Exec {
 
     /// A session in which nothing runs, that was used and was reset.
     fn idle_session(&self) -> Option<Session> {
-        let mut session = self.taken(|session| session.begun.is_none())?;
+        let mut session = self.take_session(|session| session.prefetched.is_none())?;
         if session.reset().is_ok() {
             return Some(session);
         }
         if session.has_run() {
-            self.spoilt.fetch_add(1, Ordering::Relaxed);
+            self.lost_sessions.fetch_add(1, Ordering::Relaxed);
         }
         None
     }
@@ -147,10 +157,10 @@ impl Exec {
     fn new_session(&self) -> Result<Session, HarnessError> {
         if self.declaration.sessions.is_some() {
             // There may be no room for one more beside it.
-            drop(self.dispensable());
+            drop(self.take_least_useful());
         }
-        let (mut session, declaration) = Session::begin(&self.door, self.limits)?;
-        session.assume(&self.assumed);
+        let (mut session, declaration) = Session::open(&self.endpoint, self.limits)?;
+        session.assume_options(&self.assumed_options);
         if declaration != self.declaration {
             return Err(HarnessError::Unreadable {
                 what: "it declares something else than before".to_owned(),
@@ -161,14 +171,14 @@ impl Exec {
     }
 
     /// The session that was used last of those that are kept and are such.
-    fn taken(&self, is_such: impl Fn(&Session) -> bool) -> Option<Session> {
+    fn take_session(&self, is_such: impl Fn(&Session) -> bool) -> Option<Session> {
         let mut sessions = self.sessions();
         let place = sessions.iter().rposition(is_such)?;
         Some(sessions.remove(place))
     }
 
     fn sessions(&self) -> std::sync::MutexGuard<'_, Vec<Session>> {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner)
+        self.idle_sessions.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -177,12 +187,12 @@ impl Adapter for Exec {
         &self.capabilities
     }
 
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
-        self.shown_of(scenario)
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
+        self.observables_of(scenario)
     }
 
-    fn shows_less_of_some(&self) -> bool {
-        self.declaration.offers.contains(&Offer::Shows)
+    fn observables_vary(&self) -> bool {
+        self.declaration.offers.contains(&Extension::Shows)
     }
 
     fn options(&self) -> Options {
@@ -218,7 +228,7 @@ impl Adapter for Exec {
     }
 
     fn notes(&self) -> Vec<String> {
-        match self.spoilt.load(Ordering::Relaxed) {
+        match self.lost_sessions.load(Ordering::Relaxed) {
             0 => Vec::new(),
             spoilt => vec![format!(
                 "{spoilt} sessions spoke without being asked, died or could not be reset after a program had ended; new ones went on"
@@ -227,14 +237,14 @@ impl Adapter for Exec {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        self.run_in_turn(scenario, None)
+        self.run_or_resume(scenario, None)
     }
 
-    fn ahead(&self, scenario: &Scenario) {
-        self.begin_ahead(scenario);
+    fn prefetch(&self, scenario: &Scenario) {
+        self.begin_prefetch(scenario);
     }
 
-    fn runs_beside(&self) -> bool {
+    fn is_out_of_process(&self) -> bool {
         true
     }
 
@@ -243,23 +253,23 @@ impl Adapter for Exec {
         scenario: &Scenario,
         expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
-        self.run_in_turn(scenario, Some(expected))
+        self.run_or_resume(scenario, Some(expected))
     }
 
-    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
-        if !self.declaration.offers.contains(&Offer::Motion) {
-            return Err(NotMoved::Unsupported("it shows no servo samples".to_owned()));
+    fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
+        if !self.declaration.offers.contains(&Extension::Motion) {
+            return Err(NoSamples::Unsupported("it shows no servo samples".to_owned()));
         }
-        self.supports(motion.scenario).map_err(NotMoved::Unsupported)?;
-        self.within(|session| session.moves(motion))
-            .unwrap_or_else(|error| Err(NotMoved::Failed(error)))
+        self.supports(motion.scenario).map_err(NoSamples::Unsupported)?;
+        self.with_new_session(|session| session.record_motion(motion))
+            .unwrap_or_else(|error| Err(NoSamples::Failed(error)))
     }
 
-    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+    fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let anew = || {
             let mut session = self.new_session()?;
             session.reset()?;
-            self.learn_what_is_shown(&mut session, scenario)?;
+            self.query_observables(&mut session, scenario)?;
             session.run(scenario, None).map_err(|stopped| stopped.error)
         };
         Some(anew())
@@ -268,24 +278,27 @@ impl Adapter for Exec {
 
 impl Exec {
     /// What it shows of a scenario: never more than it has declared.
-    fn shown_of(&self, scenario: &Scenario) -> Capabilities {
-        if self.declaration.offers.contains(&Offer::Shows) && self.shown.of(scenario).is_none() {
+    fn observables_of(&self, scenario: &Scenario) -> Capabilities {
+        if self.declaration.offers.contains(&Extension::Shows)
+            && self.observables_cache.get(scenario).is_none()
+        {
             // Where it cannot tell, its whole declaration counts.
-            let _told = self.within(|session| Ok(self.learn_what_is_shown(session, scenario)?));
+            let _told =
+                self.with_new_session(|session| Ok(self.query_observables(session, scenario)?));
         }
-        self.shown.of(scenario).unwrap_or_else(|| self.capabilities().clone())
+        self.observables_cache.get(scenario).unwrap_or_else(|| self.capabilities().clone())
     }
 
     /// Asks what is observed of a scenario, where that is offered, and keeps the answer.
-    fn learn_what_is_shown(
+    fn query_observables(
         &self,
         session: &mut Session,
         scenario: &Scenario,
     ) -> Result<(), HarnessError> {
-        if session.offers(Offer::Shows) {
+        if session.has_extension(Extension::Shows) {
             let own = self.capabilities();
-            let told = session.shown(scenario, own)?;
-            self.shown.keep(scenario, own.and(&told));
+            let told = session.query_observables(scenario, own)?;
+            self.observables_cache.insert(scenario, own.and(&told));
         }
         Ok(())
     }

@@ -6,99 +6,103 @@ use std::time::Instant;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 use serde::Serialize;
 
-use super::begun::Begun;
+use super::connection::{Connection, Endpoint, GRACE};
+use super::exchange_folder::ExchangeFolder;
 use super::limits::Limits;
-use super::lines::{Lines, NoLine};
-use super::peer::{Door, GRACE, Peer};
-use super::side::Folder;
-use super::told::Teller;
+use super::lines::{Lines, ReadLineError};
+use super::pending_run::PrefetchedRun;
+use super::scenario_encoder::ScenarioEncoder;
 use crate::HarnessError;
 use crate::clock::now;
 use crate::protocol::{
-    Alike, Answer, Declaration, Offer, Operation, Reply, Standing, VERSION, with_meant,
+    Answer, AnswerReader, ControllerState, Declaration, Extension, Operation, Reply, VERSION,
+    with_suggestion,
 };
 
 /// Most of a line that is shown to a person.
-pub(super) const SHOWN: usize = 200;
+pub(super) const LINE_EXCERPT_BYTES: usize = 200;
 
 /// A controller that was started, or connected to, and has told what it is.
 #[derive(Debug)]
 pub(super) struct Session {
     pub(super) lines: Lines,
-    pub(super) peer: Peer,
+    pub(super) peer: Connection,
     pub(super) limits: Limits,
-    pub(super) teller: Teller,
+    pub(super) encoder: ScenarioEncoder,
     /// What it may lay answers into, where it runs on this machine.
-    pub(super) folder: Option<Folder>,
-    offers: BTreeSet<Offer>,
+    pub(super) folder: Option<ExchangeFolder>,
+    extensions: BTreeSet<Extension>,
     /// Whether it says that parameters are told at the end.
-    tells_parameters: bool,
+    reports_parameters: bool,
     /// Id of the last request.
     pub(super) last: u64,
     pub(super) has_run: bool,
     /// What is still to be said of a reset that was asked for and not answered yet, if there is one.
-    ahead: Option<Vec<u8>>,
+    pending_reset: Option<Vec<u8>>,
     /// Whether the next run most likely follows, so that it may be set back as soon as it has answered.
-    pub(super) has_a_next: bool,
+    pub(super) expects_another_run: bool,
     /// Whether it has failed: it is not waited for any more.
     pub(super) has_failed: bool,
     /// A run that nobody waits for yet, if there is one.
-    pub(super) begun: Option<Begun>,
+    pub(super) prefetched: Option<PrefetchedRun>,
     /// What was in force after the first reset, where it can tell.
-    fresh: Option<Box<Standing>>,
-    alike: Alike,
+    reset_state: Option<Box<ControllerState>>,
+    answers: AnswerReader,
 }
 
 impl Session {
     /// Opens a door and says hello.
-    pub(super) fn begin(door: &Door, limits: Limits) -> Result<(Self, Declaration), HarnessError> {
+    pub(super) fn open(
+        door: &Endpoint,
+        limits: Limits,
+    ) -> Result<(Self, Declaration), HarnessError> {
         let folder = match door {
-            Door::Command(_) => Some(
-                Folder::make()
+            Endpoint::Command(_) => Some(
+                ExchangeFolder::make()
                     .map_err(|error| HarnessError::NotRun(format!("a folder: {error}")))?,
             ),
-            Door::Address(_) => None,
+            Endpoint::Address(_) => None,
         };
         let (peer, lines) = door.open(limits)?;
         let mut session = Self {
             lines,
             peer,
             limits: Limits { time: limits.start, ..limits },
-            teller: Teller::default(),
+            encoder: ScenarioEncoder::default(),
             folder,
-            offers: BTreeSet::new(),
-            tells_parameters: false,
+            extensions: BTreeSet::new(),
+            reports_parameters: false,
             last: 0,
             has_run: false,
-            ahead: None,
-            has_a_next: false,
+            pending_reset: None,
+            expects_another_run: false,
             has_failed: false,
-            begun: None,
-            fresh: None,
-            alike: Alike::default(),
+            prefetched: None,
+            reset_state: None,
+            answers: AnswerReader::default(),
         };
         let referee = format!("gaugeblock {}", env!("CARGO_PKG_VERSION"));
         let folder = session.folder.as_ref();
         let folder = folder.and_then(|folder| folder.path().to_str()).map(str::to_owned);
         let hello = Operation::Hello { protocol: VERSION, referee, folder };
-        let reply = session.ask(&hello)?;
+        let reply = session.request(&hello)?;
         session.limits = limits;
         if let Reply::Hello(declaration) = reply {
-            session.offers.clone_from(&declaration.offers);
-            session.tells_parameters = declaration.observables.final_parameters;
+            session.extensions.clone_from(&declaration.offers);
+            session.reports_parameters = declaration.observables.final_parameters;
             return Ok((session, *declaration));
         }
-        Err(session.amiss(hello.name(), &reply))
+        Err(session.unexpected_reply(hello.name(), &reply))
     }
 
     /// Whether it can do something that not each adapter can.
-    pub(super) fn offers(&self, offer: Offer) -> bool {
-        self.offers.contains(&offer)
+    pub(super) fn has_extension(&self, offer: Extension) -> bool {
+        self.extensions.contains(&offer)
     }
 
     /// Scenarios are told without these options.
-    pub(super) fn assume(&mut self, assumed: &Options) {
-        self.teller = Teller::new(assumed.clone());
+    pub(super) fn assume_options(&mut self, assumed: &Options) {
+        self.encoder = ScenarioEncoder::new(assumed.clone());
     }
 
     /// Whether a scenario has been run.
@@ -107,42 +111,44 @@ impl Session {
     }
 
     /// Makes no more use of other offers than these.
-    pub(super) fn keep_to(&mut self, offers: &[Offer]) {
-        self.offers.retain(|offer| offers.contains(offer));
+    pub(super) fn restrict_extensions(&mut self, offers: &[Extension]) {
+        self.extensions.retain(|offer| offers.contains(offer));
     }
 
     /// Whether parameters at the end can be had apart from the outcome.
-    pub(super) fn can_be_asked_for_parameters(&self) -> bool {
-        self.tells_parameters && self.offers(Offer::State)
+    pub(super) fn can_query_parameters(&self) -> bool {
+        self.reports_parameters && self.has_extension(Extension::State)
     }
 
     /// Whether the next run sets the controller back by itself, and nobody asks what is in force before.
-    fn is_set_back_by_running(&self) -> bool {
-        self.has_run && self.offers(Offer::Fresh) && !self.offers(Offer::State)
+    fn resets_on_run(&self) -> bool {
+        self.has_run
+            && self.has_extension(Extension::Fresh)
+            && !self.has_extension(Extension::State)
     }
 
     /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is
     /// done here.
-    pub(super) fn reset_ahead(&mut self) {
-        if self.is_set_back_by_running() {
+    pub(super) fn send_reset(&mut self) {
+        if self.resets_on_run() {
             return;
         }
         // Whoever has said more than it was asked for is found out by the reset itself.
-        if self.ahead.is_none() && self.lines.left().is_none() {
+        if self.pending_reset.is_none() && self.lines.surplus().is_none() {
             self.last += 1;
-            self.ahead = Some(self.lines.say(&reset(self.last)));
+            self.pending_reset = Some(self.lines.write_line(&reset(self.last)));
         }
     }
 
     /// Sets the controller back. What it tells to be in force then has to be what was in force after the first reset.
     pub(super) fn reset(&mut self) -> Result<(), HarnessError> {
-        if self.is_set_back_by_running() {
-            return self.is_there_and_silent();
+        if self.resets_on_run() {
+            return self.check_alive_and_silent();
         }
-        let unsent = match self.ahead.take() {
+        let unsent = match self.pending_reset.take() {
             Some(unsent) => unsent,
             None => {
-                self.begin_to_ask()?;
+                self.begin_request()?;
                 reset(self.last)
             }
         };
@@ -150,13 +156,13 @@ impl Session {
         let reply = self.exchange(&unsent, RESET, deadline, None);
         let reply = reply.map_err(|late| late.into_error(self.limits))?;
         if reply != (Reply::Done {}) {
-            return Err(self.amiss(RESET, &reply));
+            return Err(self.unexpected_reply(RESET, &reply));
         }
         // It may be long ago that it answered.
-        self.is_there_and_silent()?;
-        if self.offers(Offer::State) {
+        self.check_alive_and_silent()?;
+        if self.has_extension(Extension::State) {
             let standing = self.state()?;
-            let fresh = self.fresh.get_or_insert_with(|| standing.clone());
+            let fresh = self.reset_state.get_or_insert_with(|| standing.clone());
             if *fresh != standing {
                 let what = "after `reset` something else is in force than after the first one";
                 return Err(unreadable(what, told(fresh, &standing).as_bytes()));
@@ -166,42 +172,42 @@ impl Session {
     }
 
     /// What it tells to be in force.
-    pub(super) fn state(&mut self) -> Result<Box<Standing>, HarnessError> {
+    pub(super) fn state(&mut self) -> Result<Box<ControllerState>, HarnessError> {
         let state = Operation::State {};
-        let reply = self.ask(&state)?;
+        let reply = self.request(&state)?;
         if let Reply::State(standing) = reply {
             return Ok(standing);
         }
-        Err(self.amiss(state.name(), &reply))
+        Err(self.unexpected_reply(state.name(), &reply))
     }
 
-    pub(super) fn ask(&mut self, operation: &Operation) -> Result<Reply, HarnessError> {
+    pub(super) fn request(&mut self, operation: &Operation) -> Result<Reply, HarnessError> {
         let line = request(self.last + 1, operation)?;
-        self.ask_line(&line, operation.name())
+        self.request_line(&line, operation.name())
     }
 
-    pub(super) fn ask_line(&mut self, line: &[u8], name: &str) -> Result<Reply, HarnessError> {
-        self.begin_to_ask()?;
+    pub(super) fn request_line(&mut self, line: &[u8], name: &str) -> Result<Reply, HarnessError> {
+        self.begin_request()?;
         let deadline = now() + self.limits.time;
         self.exchange(line, name, deadline, None).map_err(|late| late.into_error(self.limits))
     }
 
     /// A new request is about to be made: its id is the next one.
-    pub(super) fn begin_to_ask(&mut self) -> Result<(), HarnessError> {
-        self.is_silent()?;
+    pub(super) fn begin_request(&mut self) -> Result<(), HarnessError> {
+        self.check_silent()?;
         self.last += 1;
         Ok(())
     }
 
     /// It has neither ended nor said anything that it was not asked for.
-    fn is_there_and_silent(&mut self) -> Result<(), HarnessError> {
-        self.is_silent()?;
-        if self.lines.has_ended() { Err(self.ended(RESET)) } else { Ok(()) }
+    fn check_alive_and_silent(&mut self) -> Result<(), HarnessError> {
+        self.check_silent()?;
+        if self.lines.has_ended() { Err(self.ended_error(RESET)) } else { Ok(()) }
     }
 
     /// It has said nothing that it was not asked for.
-    fn is_silent(&mut self) -> Result<(), HarnessError> {
-        let unasked = self.lines.unasked();
+    fn check_silent(&mut self) -> Result<(), HarnessError> {
+        let unasked = self.lines.unrequested();
         unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
     }
 
@@ -215,26 +221,27 @@ impl Session {
         expected: Option<&Outcome>,
     ) -> Result<Reply, NoReply> {
         let peer = &mut self.peer;
-        let answer = match self.lines.ask(line, self.limits.bytes, deadline, || peer.is_gone()) {
+        let answer = match self.lines.exchange(line, self.limits.bytes, deadline, || peer.is_gone())
+        {
             Ok(answer) => answer,
-            Err(NoLine::Ended) => return Err(NoReply::Other(self.ended(name))),
-            Err(NoLine::Late(all_said)) => return Err(NoReply::Late { all_said }),
-            Err(NoLine::TooLong) => {
+            Err(ReadLineError::Ended) => return Err(NoReply::Other(self.ended_error(name))),
+            Err(ReadLineError::Late(all_said)) => return Err(NoReply::Late { all_said }),
+            Err(ReadLineError::TooLong) => {
                 return Err(NoReply::Other(HarnessError::Flooded { bytes: self.limits.bytes }));
             }
         };
         let asked = self.last;
-        if name == RUN && self.is_answered_at_once() {
+        if name == RUN && self.has_single_answer() {
             // It is set back while its answer is read here.
-            self.reset_ahead();
+            self.send_reset();
         }
         let read = if name == RUN {
-            self.alike.read(&answer, expected.map(|outcome| (asked, outcome)))
+            self.answers.read(&answer, expected.map(|outcome| (asked, outcome)))
         } else {
             serde_json::from_slice::<Answer>(&answer)
         };
         let answer = read.map_err(|error| {
-            let error = with_meant(&error.to_string());
+            let error = with_suggestion(&error.to_string());
             NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
         })?;
         if answer.id != asked {
@@ -245,36 +252,37 @@ impl Session {
     }
 
     /// Whether nothing but a reset comes behind the first answer to a run.
-    fn is_answered_at_once(&self) -> bool {
-        let has_no_more =
-            |offer: &Offer| matches!(offer, Offer::Cancel | Offer::Fresh | Offer::Motion);
-        self.has_a_next && self.offers.iter().all(has_no_more)
+    fn has_single_answer(&self) -> bool {
+        let has_no_more = |offer: &Extension| {
+            matches!(offer, Extension::Cancel | Extension::Fresh | Extension::Motion)
+        };
+        self.expects_another_run && self.extensions.iter().all(has_no_more)
     }
 
     /// Its output ended before it answered.
-    fn ended(&mut self, name: &str) -> HarnessError {
-        let status = self.peer.ended();
-        let stderr = self.lines.errors();
+    fn ended_error(&mut self, name: &str) -> HarnessError {
+        let status = self.peer.describe_end();
+        let stderr = self.lines.stderr_tail();
         HarnessError::Crashed { status: format!("{status}, asked to `{name}`"), stderr }
     }
 
     /// An answer that does not belong to what was asked.
-    pub(super) fn amiss(&mut self, asked: &str, reply: &Reply) -> HarnessError {
+    pub(super) fn unexpected_reply(&mut self, asked: &str, reply: &Reply) -> HarnessError {
         if let Reply::Refused(why) = reply {
             return HarnessError::NotRun(format!("the adapter refuses `{asked}`: {}", shown(why)));
         }
         let what = format!("`{}` answered with `{}`", asked, reply.name());
-        HarnessError::Unreadable { what, line: self.lines.errors() }
+        HarnessError::Unreadable { what, line: self.lines.stderr_tail() }
     }
 }
 
 impl Drop for Session {
     fn drop(&mut self) {
-        if self.let_run_end().is_err_and(|stopped| !stopped.goes_on) {
+        if self.finish_prefetched().is_err_and(|stopped| !stopped.session_usable) {
             return;
         }
         // Whatever it answers, it had its chance to end by itself.
-        let ahead = self.ahead.take();
+        let ahead = self.pending_reset.take();
         let Ok(bye) = request(self.last + 1, &Operation::Bye {}) else { return };
         if self.peer.is_gone() {
             return;
@@ -283,11 +291,16 @@ impl Drop for Session {
         let mut answered = true;
         if ahead.is_some() {
             let time = if self.has_failed { GRACE } else { self.limits.time };
-            answered = self.lines.ask(&line, SHOWN, now() + time, || peer.is_gone()).is_ok();
+            answered = self
+                .lines
+                .exchange(&line, LINE_EXCERPT_BYTES, now() + time, || peer.is_gone())
+                .is_ok();
         }
         let line = if ahead.is_some() { &[] } else { line.as_slice() };
-        if answered && self.lines.ask(line, SHOWN, now() + GRACE, || false).is_ok() {
-            peer.let_end();
+        if answered
+            && self.lines.exchange(line, LINE_EXCERPT_BYTES, now() + GRACE, || false).is_ok()
+        {
+            peer.wait_for_end();
         }
     }
 }
@@ -350,8 +363,8 @@ pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
 }
 
 /// The first member in which what is in force differs.
-fn told(fresh: &Standing, now: &Standing) -> String {
-    let lines = |standing: &Standing| {
+fn told(fresh: &ControllerState, now: &ControllerState) -> String {
+    let lines = |standing: &ControllerState| {
         serde_json::to_string(standing).unwrap_or_default().replace(",\"", "\n\"")
     };
     let (fresh, now) = (lines(fresh), lines(now));
@@ -366,8 +379,8 @@ pub(super) fn unreadable(what: &str, line: &[u8]) -> HarnessError {
 /// As much of a controller's text as a person reads, in one line and without what a terminal would obey.
 pub(super) fn shown(text: &str) -> String {
     let plain = text.chars().map(|c| if c.is_control() { ' ' } else { c });
-    let mut shown: String = plain.clone().take(SHOWN).collect();
-    if plain.count() > SHOWN {
+    let mut shown: String = plain.clone().take(LINE_EXCERPT_BYTES).collect();
+    if plain.count() > LINE_EXCERPT_BYTES {
         shown.push('…');
     }
     shown

@@ -11,8 +11,8 @@ use gaugeblock_vocabulary::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::meant::meant;
-use super::{FEATURES, OFFERS, Offer};
+use super::suggestion::suggest;
+use super::{EXTENSIONS, Extension, FEATURES};
 
 /// The version that is frozen: what stands in it stays, and what comes is optional.
 pub const VERSION: u32 = 1;
@@ -55,7 +55,7 @@ pub struct Declaration {
     pub sessions: Option<u16>,
     /// Optional: what it can do beyond the operations that each adapter has to know.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
-    pub offers: BTreeSet<Offer>,
+    pub offers: BTreeSet<Extension>,
 }
 
 /// What a controller shows, by the names of the vocabulary (`gaugeblock adapter vocabulary` lists them).
@@ -112,18 +112,18 @@ pub enum Clock {
 
 impl Declaration {
     /// What a controller of this project declares.
-    pub fn of(shows: &Capabilities, languages: Vec<Language>) -> Self {
+    pub fn of(observables: &Capabilities, languages: Vec<Language>) -> Self {
         Self {
             protocol: VERSION,
-            name: shows.name.clone(),
-            version: shows.version.clone(),
+            name: observables.name.clone(),
+            version: observables.version.clone(),
             languages,
             units: vec![LengthUnit::Millimetre, LengthUnit::Inch],
             features: FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect(),
-            observables: Observables::of(shows),
-            resolution: shows.resolution,
-            clock: if shows.pin_period > 0.0 {
-                Clock::Wall(shows.pin_period)
+            observables: Observables::of(observables),
+            resolution: observables.resolution,
+            clock: if observables.pin_period > 0.0 {
+                Clock::Wall(observables.pin_period)
             } else {
                 Clock::Virtual
             },
@@ -171,20 +171,20 @@ impl Declaration {
 
 impl Observables {
     /// What a controller of this project shows.
-    pub fn of(shows: &Capabilities) -> Self {
+    pub fn of(observables: &Capabilities) -> Self {
         let range = |range: &RangeInclusive<u32>| (*range.start(), *range.end());
         Self {
-            fields: shows.fields.clone(),
-            fields_at_effects: shows.fields_at_effects.clone(),
-            effects: shows.effects.clone(),
-            moves_in_place: shows.moves_in_place,
-            fault_kinds: shows.faults_have_kinds,
-            final_parameters: shows.final_parameters,
-            hidden_parameters: shows.hidden_parameters.iter().map(range).collect(),
-            pins: shows.pins.clone(),
-            blocks: shows.blocks,
-            carried: shows.carried.clone(),
-            fault_blocks: shows.faults_have_blocks,
+            fields: observables.fields.clone(),
+            fields_at_effects: observables.fields_at_effects.clone(),
+            effects: observables.effects.clone(),
+            moves_in_place: observables.moves_in_place,
+            fault_kinds: observables.faults_have_kinds,
+            final_parameters: observables.final_parameters,
+            hidden_parameters: observables.hidden_parameters.iter().map(range).collect(),
+            pins: observables.pins.clone(),
+            blocks: observables.blocks,
+            carried: observables.carried.clone(),
+            fault_blocks: observables.faults_have_blocks,
         }
     }
 
@@ -193,35 +193,34 @@ impl Observables {
     /// # Errors
     /// A word that is not of the vocabulary, or a number that cannot be.
     pub fn capabilities(&self, of: Capabilities) -> Result<Capabilities, String> {
-        let shows = self;
         let known = Capabilities::everything("", "");
-        words("observables.fields", &shows.fields, &known.fields)?;
-        words("observables.fields_at_effects", &shows.fields_at_effects, &shows.fields)
+        words("observables.fields", &self.fields, &known.fields)?;
+        words("observables.fields_at_effects", &self.fields_at_effects, &self.fields)
             .map_err(|error| format!("{error} (only what stands in `fields` can)"))?;
-        words("observables.effects", &shows.effects, &known.effects)?;
-        words("observables.pins", &shows.pins, &known.pins)?;
-        let carried = shows.carried.keys().cloned().collect();
+        words("observables.effects", &self.effects, &known.effects)?;
+        words("observables.pins", &self.pins, &known.pins)?;
+        let carried = self.carried.keys().cloned().collect();
         words("observables.carried", &carried, &known.fields)?;
-        if !shows.carried.values().all(|error| *error >= 0.0) {
+        if !self.carried.values().all(|error| *error >= 0.0) {
             return Err("a resolution is below zero".to_owned());
         }
         Ok(Capabilities {
-            carried: shows.carried.clone(),
-            fields: shows.fields.clone(),
-            fields_at_effects: shows.fields_at_effects.clone(),
+            carried: self.carried.clone(),
+            fields: self.fields.clone(),
+            fields_at_effects: self.fields_at_effects.clone(),
             tells_all_fields: false,
-            effects: shows.effects.clone(),
-            moves_in_place: shows.moves_in_place,
-            blocks: shows.blocks,
-            faults_have_blocks: shows.fault_blocks,
-            faults_have_kinds: shows.fault_kinds,
-            final_parameters: shows.final_parameters,
-            hidden_parameters: shows
+            effects: self.effects.clone(),
+            moves_in_place: self.moves_in_place,
+            blocks: self.blocks,
+            faults_have_blocks: self.fault_blocks,
+            faults_have_kinds: self.fault_kinds,
+            final_parameters: self.final_parameters,
+            hidden_parameters: self
                 .hidden_parameters
                 .iter()
                 .map(|(first, last)| *first..=*last)
                 .collect(),
-            pins: shows.pins.clone(),
+            pins: self.pins.clone(),
             ..of
         })
     }
@@ -237,14 +236,14 @@ pub fn vocabulary() -> Vec<(&'static str, Vec<&'static str>)> {
         ("state of nct (fields)", NctState::FIELDS.to_vec()),
         ("effects", Effect::NAMES.to_vec()),
         ("pins", Pin::names().collect()),
-        ("offers", OFFERS.iter().map(|(_, name, _)| *name).collect()),
+        ("offers", EXTENSIONS.iter().map(|(_, name, _)| *name).collect()),
     ]
 }
 
 fn words(place: &str, said: &BTreeSet<String>, known: &BTreeSet<String>) -> Result<(), String> {
     match said.iter().find(|word| !known.contains(*word)) {
         Some(word) => {
-            let meant = meant(word, known.iter().map(String::as_str));
+            let meant = suggest(word, known.iter().map(String::as_str));
             let meant = meant.map(|meant| format!(": did you mean {meant:?}?")).unwrap_or_default();
             Err(format!("`{place}` has {word:?}, which is no word of the vocabulary{meant}"))
         }

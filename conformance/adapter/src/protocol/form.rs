@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 use serde::Deserialize;
 
-use super::{Declaration, Observables, Operation, Reply, Standing, Stream, Ways};
+use super::{ControllerState, Declaration, Observables, Operation, Reply, RunModes, Stream};
 
 /// A request, whatever it asks. What else stands in it is left for later versions.
 #[derive(Debug, Deserialize)]
@@ -43,7 +43,7 @@ impl TryFrom<Request> for super::Request {
             "reset" => Operation::Reset {},
             "run" => Operation::Run {
                 scenario: scenario.ok_or_else(|| lacks("scenario"))?,
-                ways: Ways { stream: form.stream, digest: form.digest, live: form.live },
+                ways: RunModes { stream: form.stream, digest: form.digest, live: form.live },
             },
             "move" => Operation::Move {
                 scenario: scenario.ok_or_else(|| lacks("scenario"))?,
@@ -76,7 +76,7 @@ pub(super) struct Answer {
     file: Option<String>,
     samples: Option<String>,
     shows: Option<Box<Observables>>,
-    state: Option<Box<Standing>>,
+    state: Option<Box<ControllerState>>,
     steps: Option<Vec<Step>>,
     at: Option<u32>,
     digest: Option<String>,

@@ -4,15 +4,15 @@
 //! these types. The referee's side is [`crate::exec`], and [`serve`] speaks the controller's side for a
 //! controller of this project.
 
-mod alike;
+mod answer_reader;
 mod declaration;
 pub mod digest;
+mod extensions;
 mod features;
 mod form;
-mod meant;
-mod offers;
-mod patience;
 mod serve;
+mod spin_wait;
+mod suggestion;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
@@ -20,13 +20,13 @@ use gaugeblock_vocabulary::{Indexed, Outcome, Scenario, Settings, State, Step};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
-pub(crate) use alike::Alike;
+pub(crate) use answer_reader::AnswerReader;
 pub use declaration::{Clock, Declaration, Observables, VERSION, vocabulary};
+pub use extensions::{EXTENSIONS, Extension};
 pub use features::{FEATURES, needed};
-pub(crate) use meant::with_meant;
-pub use offers::{OFFERS, Offer};
-pub use patience::Patience;
 pub use serve::{Caller, Served, serve};
+pub use spin_wait::SpinWait;
+pub(crate) use suggestion::with_suggestion;
 
 /// The page that tells the protocol to whoever writes an adapter.
 pub const PAGE: &str = include_str!("../../PROTOCOL.md");
@@ -43,7 +43,7 @@ pub struct Request {
     pub operation: Operation,
 }
 
-/// What can be asked. What belongs to an [`Offer`] is asked of nobody who does not declare it.
+/// What can be asked. What belongs to an [`Extension`] is asked of nobody who does not declare it.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub enum Operation {
@@ -53,7 +53,7 @@ pub enum Operation {
         protocol: u32,
         /// The referee and its version, for a log.
         referee: String,
-        /// For [`Offer::Files`]: a folder in which answers may be laid, where both are on one machine.
+        /// For [`Extension::Files`]: a folder in which answers may be laid, where both are on one machine.
         #[serde(skip_serializing_if = "Option::is_none")]
         folder: Option<String>,
     },
@@ -65,9 +65,9 @@ pub enum Operation {
         scenario: Box<Scenario>,
         /// How it may be told.
         #[serde(flatten)]
-        ways: Ways,
+        ways: RunModes,
     },
-    /// [`Offer::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or
+    /// [`Extension::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or
     /// `unsupported`.
     Move {
         /// All that the run depends on.
@@ -80,27 +80,27 @@ pub enum Operation {
         #[serde(skip_serializing_if = "Option::is_none")]
         every: Option<u32>,
     },
-    /// [`Offer::Shows`]: tell what is observed of this scenario when it is run. Answered by `shows`.
+    /// [`Extension::Shows`]: tell what is observed of this scenario when it is run. Answered by `shows`.
     Shows {
         /// What `run` will have.
         scenario: Box<Scenario>,
     },
-    /// [`Offer::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not
+    /// [`Extension::Cancel`]: end the run that is going on and be as after `reset`. Answered by `done`; the run is not
     /// answered any more.
     Cancel {},
-    /// [`Offer::State`]: tell what is in force now. Answered by `state`.
+    /// [`Extension::State`]: tell what is in force now. Answered by `state`.
     State {},
-    /// [`Offer::Stream`]: so many more batches may come. It has the id of the run and no answer of its own.
+    /// [`Extension::Stream`]: so many more batches may come. It has the id of the run and no answer of its own.
     Credit {
         /// How many more.
         batches: u32,
     },
-    /// [`Offer::LiveOperator`]: do this now. It has the id of the run and no answer of its own.
+    /// [`Extension::LiveOperator`]: do this now. It has the id of the run and no answer of its own.
     Operator {
         /// What, and where it belongs.
         event: OperatorEvent,
     },
-    /// [`Offer::Digest`]: tell the outcome of the last run, whose digest was answered. Answered by `outcome` or `file`.
+    /// [`Extension::Digest`]: tell the outcome of the last run, whose digest was answered. Answered by `outcome` or `file`.
     Outcome {},
     /// The session ends: answer with `done`, and exit.
     Bye {},
@@ -127,15 +127,15 @@ impl Operation {
 
 /// How a run may be told beside one whole outcome in one line.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
-pub struct Ways {
-    /// [`Offer::Stream`]: its steps may come in batches before the outcome, which then has the rest of them.
+pub struct RunModes {
+    /// [`Extension::Stream`]: its steps may come in batches before the outcome, which then has the rest of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stream: Option<Stream>,
-    /// [`Offer::Digest`]: a digest will do for an answer.
+    /// [`Extension::Digest`]: a digest will do for an answer.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     #[schemars(default)]
     pub digest: bool,
-    /// [`Offer::LiveOperator`]: the places of the operator's events, which are not in the scenario then.
+    /// [`Extension::LiveOperator`]: the places of the operator's events, which are not in the scenario then.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
     pub live: Vec<RunPoint>,
@@ -151,7 +151,7 @@ pub struct Stream {
 /// What is in force between runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Standing {
+pub struct ControllerState {
     /// Settings in force.
     pub settings: Settings,
     /// The state, where there is one to tell.
@@ -192,7 +192,7 @@ pub enum Reply {
     /// To `shows`: what is observed; more than the declaration says is not judged.
     Shows(Box<Observables>),
     /// To `state`: what is in force.
-    State(Box<Standing>),
+    State(Box<ControllerState>),
     /// To `run`, before the answer proper: a batch of its steps.
     Steps(Vec<Step>),
     /// To `run`, before the answer proper: the controller is at this place of those in `live`, counted from 0.

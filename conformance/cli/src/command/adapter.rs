@@ -8,7 +8,7 @@ use gaugeblock_adapter::templates::{C, PYTHON};
 use gaugeblock_suite::Suite;
 
 use super::{check, place};
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -72,8 +72,8 @@ enum What {
 
 pub(crate) fn adapter(
     command: &Adapter,
-    suite: impl FnOnce() -> Result<Suite, Refused>,
-) -> Result<u8, Refused> {
+    suite: impl FnOnce() -> Result<Suite, CliError>,
+) -> Result<u8, CliError> {
     match command {
         Adapter::New(arguments) => new(arguments),
         Adapter::Check(arguments) => check::check(arguments, &suite()?),
@@ -96,7 +96,7 @@ pub(crate) fn adapter(
     }
 }
 
-fn new(arguments: &New) -> Result<u8, Refused> {
+fn new(arguments: &New) -> Result<u8, CliError> {
     let template = match arguments.lang {
         Lang::Python => PYTHON,
         Lang::C => C,
@@ -104,7 +104,7 @@ fn new(arguments: &New) -> Result<u8, Refused> {
     match &arguments.file {
         None => write_out(template),
         Some(file) if file.exists() => {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!("{}: the file exists", file.display()),
                 "choose another file; existing files are never overwritten",
             ));
@@ -123,7 +123,7 @@ fn vocabulary() -> String {
             let means = match place {
                 "features" => means.map(|(_, means)| *means),
                 "offers" => {
-                    let offer = protocol::OFFERS.iter().find(|(_, name, _)| *name == word);
+                    let offer = protocol::EXTENSIONS.iter().find(|(_, name, _)| *name == word);
                     offer.map(|(.., means)| *means)
                 }
                 _ => None,

@@ -6,15 +6,15 @@ use clap::Args;
 use gaugeblock_report::Header;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_runner::certify::{BASELINE, EXPECTATIONS, Run};
-use gaugeblock_runner::expectations::{Expectations, Trouble};
+use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
 
 use super::stored;
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 #[derive(Debug, Args)]
-pub(crate) struct Against {
+pub(crate) struct ComparisonArguments {
     /// File of known divergences; any other divergence fails
     #[arg(long, value_name = "FILE")]
     expectations: Option<PathBuf>,
@@ -38,9 +38,9 @@ pub(crate) struct Known {
     waivers: Option<(Waivers, Day)>,
 }
 
-impl Against {
+impl ComparisonArguments {
     /// Reads the files, before anything runs.
-    pub(crate) fn read(&self) -> Result<Known, Refused> {
+    pub(crate) fn read(&self) -> Result<Known, CliError> {
         let baseline = self.baseline.as_deref().map(stored::stored).transpose()?;
         let today = self.today.unwrap_or_else(today);
         let waivers = self.waivers.as_deref().map(read_waivers).transpose()?;
@@ -55,22 +55,22 @@ impl Against {
 impl Known {
     /// Refuses files of another controller or edition, and waivers for unknown rules. Returns a note where the
     /// baseline belongs to another version.
-    pub(crate) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, Refused> {
+    pub(crate) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, CliError> {
         let waivers = self.waivers.as_ref();
         if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 unknown,
                 "`gaugeblock rules` lists the rules, and with --format json their cases",
             ));
         }
         if let Some(baseline) = &self.baseline {
             let hint = "choose the report.json of an earlier run of this controller and edition";
-            return baseline.fits(header).map_err(|why| Refused::wrong(why, hint));
+            return baseline.fits(header).map_err(|why| CliError::wrong(why, hint));
         }
         let Some(expectations) = &self.expectations else { return Ok(None) };
         let Header { controller, version, edition, .. } = header;
         if expectations.controller != *controller || expectations.edition != *edition {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!(
                     "the expectations are for {}/{}, this run is {controller}/{edition}",
                     expectations.controller, expectations.edition
@@ -79,7 +79,7 @@ impl Known {
             ));
         }
         if expectations.version != *version {
-            return Err(Refused::unfinished(
+            return Err(CliError::unfinished(
                 format!(
                     "the expectations are for version {}, the controller has version {version}",
                     expectations.version
@@ -96,7 +96,7 @@ impl Known {
         &self,
         run: &mut Run<'_>,
         whole: bool,
-    ) -> (Option<Vec<Trouble>>, Vec<String>) {
+    ) -> (Option<Vec<ExpectationMismatch>>, Vec<String>) {
         let (mut troubles, mut notes, mut who) = (None, Vec::new(), None);
         if let Some(expectations) = &self.expectations {
             (troubles, who) = (Some(expectations.hold(run, whole)), Some(EXPECTATIONS));
@@ -116,13 +116,13 @@ impl Known {
     }
 }
 
-fn read_waivers(path: &Path) -> Result<Waivers, Refused> {
+fn read_waivers(path: &Path) -> Result<Waivers, CliError> {
     let name = path.display();
     let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
     let text = std::fs::read_to_string(path)
-        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+        .map_err(|error| CliError::wrong(format!("{name}: {error}"), hint))?;
     Waivers::read(&text)
-        .map_err(|error| Refused::wrong(format!("{name}: {}", error.trim_end()), hint))
+        .map_err(|error| CliError::wrong(format!("{name}: {}", error.trim_end()), hint))
 }
 
 #[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
@@ -131,16 +131,16 @@ fn today() -> Day {
     Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }
 
-fn read(path: &Path) -> Result<Expectations, Refused> {
+fn read(path: &Path) -> Result<Expectations, CliError> {
     let name = path.display();
     let text = std::fs::read_to_string(path).map_err(|error| {
-        Refused::wrong(
+        CliError::wrong(
             format!("{name}: {error}"),
             "`gaugeblock certify --write-expectations FILE` writes such a file",
         )
     })?;
     Expectations::read(&text).map_err(|error| {
-        Refused::wrong(
+        CliError::wrong(
             format!("{name}: {}", error.trim_end()),
             "`gaugeblock certify --write-expectations FILE` writes such a file",
         )

@@ -11,17 +11,19 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
-use gaugeblock_runner::certify::{CaseResult, Course, Plan, Run, Twice, cases, certify_in};
+use gaugeblock_runner::certify::{
+    CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, run_plan,
+};
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::traits;
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Suite, options_of};
 
-use super::against::Against;
+use super::against::ComparisonArguments;
 use super::{controller, place};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{write_out, write_out_in_colours};
 
 const EXAMPLES: &str = "Examples:
@@ -69,7 +71,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
     #[command(flatten)]
-    against: Against,
+    against: ComparisonArguments,
     /// Write the divergences as a file for --expectations; read it before you use it
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
@@ -120,7 +122,7 @@ enum When {
     Never,
 }
 
-pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     if let Some(edition) = &arguments.edition {
         crate::documents::edition(suite, edition)?;
     }
@@ -153,13 +155,13 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
     let is_unknown =
         |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
     if let Some(only) = arguments.only.iter().find(is_unknown) {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!("invalid `--only {only}`: no rule has an id that begins with it"),
             "`gaugeblock rules` lists the ids",
         ));
     }
     if cases(plan, laws, Shard::WHOLE).is_empty() {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             "no case is selected",
             "`gaugeblock rules` lists the rules; remove --only, or choose another edition",
         ));
@@ -203,12 +205,12 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
 }
 
 /// Refuses an unknown profile.
-pub(crate) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), Refused> {
+pub(crate) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), CliError> {
     match profiles.iter().find(|id| suite.profile(id).is_none()) {
         None => Ok(()),
         Some(unknown) => {
             let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
-            Err(Refused::wrong(
+            Err(CliError::wrong(
                 format!("unknown profile `{unknown}`"),
                 format!("expected one of: {}", known.join(", ")),
             ))
@@ -229,7 +231,7 @@ fn run_with_journal<'a>(
     plan: Plan<'a>,
     controller: &dyn Adapter,
     header: &Header,
-) -> Result<Run<'a>, Refused> {
+) -> Result<Run<'a>, CliError> {
     let shard = header.shard;
     let (mut journal, done) = match &arguments.report {
         Some(folder) => {
@@ -249,12 +251,12 @@ fn run_with_journal<'a>(
             trouble.get_or_insert(why);
         }
     };
-    let twice = Twice(header.twice);
-    let course = Course { shard, done, twice, shrink: arguments.shrink, each: &mut each };
-    let run = certify_in(plan, controller, course);
+    let twice = RepeatSampling(header.twice);
+    let course = RunOptions { shard, done, twice, shrink: arguments.shrink, each: &mut each };
+    let run = run_plan(plan, controller, course);
     bar.finish_and_clear();
     match trouble {
-        Some(why) => Err(Refused::unfinished(format!("the journal: {why}"), "is the disk full?")),
+        Some(why) => Err(CliError::unfinished(format!("the journal: {why}"), "is the disk full?")),
         None => Ok(run),
     }
 }
@@ -265,14 +267,14 @@ fn begun<'a>(
     header: &Header,
     resume: bool,
     suite: &'a Suite,
-) -> Result<(Journal, Vec<CaseResult<'a>>), Refused> {
+) -> Result<(Journal, Vec<CaseResult<'a>>), CliError> {
     let mut done = Vec::new();
     let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
     let journal = journal.map_err(|why| {
-        Refused::wrong(why, "--resume continues an interrupted run; or choose another folder")
+        CliError::wrong(why, "--resume continues an interrupted run; or choose another folder")
     })?;
     let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
-    let done = done.map_err(|why| Refused::wrong(why, "the journal belongs to another suite"))?;
+    let done = done.map_err(|why| CliError::wrong(why, "the journal belongs to another suite"))?;
     Ok((journal, done))
 }
 
@@ -287,19 +289,23 @@ pub(crate) fn progress(cases: usize) -> indicatif::ProgressBar {
     }
 }
 
-fn write_expectations(file: &Path, run: &Run<'_>, shows: &Capabilities) -> Result<(), Refused> {
-    let text = Expectations::of(run, &shows.name, &shows.version).to_text().map_err(|error| {
-        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
-    })?;
+fn write_expectations(
+    file: &Path,
+    run: &Run<'_>,
+    observables: &Capabilities,
+) -> Result<(), CliError> {
+    let text = Expectations::of(run, &observables.name, &observables.version).to_text().map_err(
+        |error| CliError::unfinished(error, "this is a bug in gaugeblock; please report it"),
+    )?;
     place::write_whole(file, &text)
 }
 
-pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Refused> {
+pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), CliError> {
     let xml = junit::junit(report).map_err(|error| {
-        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+        CliError::unfinished(error, "this is a bug in gaugeblock; please report it")
     })?;
     let page = html::html(report).map_err(|error| {
-        Refused::unfinished(error, "this is a bug in gaugeblock; please report it")
+        CliError::unfinished(error, "this is a bug in gaugeblock; please report it")
     })?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
     place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;

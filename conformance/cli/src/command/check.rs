@@ -6,7 +6,7 @@ use gaugeblock_runner::check::{Came, checks};
 use gaugeblock_suite::Suite;
 
 use super::controller;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 #[derive(Debug, Args)]
@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
     command: String,
 }
 
-pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let named = &arguments.command;
     let named = match named.split_once(':') {
         Some(("exec" | "tcp", _)) => named.clone(),

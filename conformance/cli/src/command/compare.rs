@@ -15,7 +15,7 @@ use serde_json::json;
 use super::controller;
 use super::run::How;
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -48,12 +48,12 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-pub(crate) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let scenarios = arguments
         .files
         .iter()
         .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
-        .collect::<Result<Vec<_>, Refused>>()?;
+        .collect::<Result<Vec<_>, CliError>>()?;
     let mut found_by = controller::controller(&arguments.controller)?;
     found_by.check_observation();
     let mut expected_by = controller::controller(&arguments.against)?;
@@ -129,8 +129,8 @@ fn both(
         }
     };
     let (found, expected) = (run(found_by)?, run(expected_by)?);
-    let shows = found_by.shows(scenario).and(&expected_by.shows(scenario));
-    let comparison = compare_runs(&Observed::of(&expected), &Observed::of(&found), &shows);
+    let observables = found_by.observables(scenario).and(&expected_by.observables(scenario));
+    let comparison = compare_runs(&Observed::of(&expected), &Observed::of(&found), &observables);
     let effects_differ =
         comparison.divergence.as_ref().is_some_and(|divergence| divergence.field == "effect");
     Ok((comparison, effects_differ && is_same_path(&expected, &found)))

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::{Adapter, ControllerError};
-use gaugeblock_controllers::{Narrowed, Production, Reference};
+use gaugeblock_controllers::{Production, Reference, Restricted};
 use gaugeblock_linuxcnc::{LinuxCnc, Rs274};
 use gaugeblock_offline::Offline;
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 /// The names of controllers, for the long help.
 pub(crate) const NAMES: &str = "The controller:
@@ -34,7 +34,7 @@ const FORMS: [&str; 7] = [
 ];
 
 /// The controller of a name.
-pub(crate) fn controller(name: &str) -> Result<Box<dyn Adapter>, Refused> {
+pub(crate) fn controller(name: &str) -> Result<Box<dyn Adapter>, CliError> {
     controller_within(name, Limits::default(), Options::default())
 }
 
@@ -44,9 +44,9 @@ pub(crate) fn controller_within(
     name: &str,
     limits: Limits,
     defaults: Options,
-) -> Result<Box<dyn Adapter>, Refused> {
+) -> Result<Box<dyn Adapter>, CliError> {
     if let Some(behind) = behind(name, limits) {
-        return Ok(Box::new(behind?.assuming(defaults)));
+        return Ok(Box::new(behind?.assume_options(defaults)));
     }
     match name.split_once(':') {
         None if name == "reference" => Ok(Box::new(Reference::default())),
@@ -56,13 +56,13 @@ pub(crate) fn controller_within(
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
         Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
-        None if Path::new(name).is_file() => Err(Refused::wrong(
+        None if Path::new(name).is_file() => Err(CliError::wrong(
             format!("unknown controller `{name}`"),
             format!(
                 "to run this file as an adapter write \"exec:./{name}\" or \"exec:python3 {name}\""
             ),
         )),
-        _ => Err(Refused::wrong(format!("unknown controller `{name}`"), expected(name))),
+        _ => Err(CliError::wrong(format!("unknown controller `{name}`"), expected(name))),
     }
 }
 
@@ -79,17 +79,17 @@ fn expected(name: &str) -> String {
 }
 
 #[cfg(feature = "faulty")]
-fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
     use gaugeblock_controllers::faulty::{Faulty, named};
     let fault = named(fault).ok_or_else(|| {
-        Refused::wrong(
+        CliError::wrong(
             format!("unknown planted fault `{fault}`"),
             "`gaugeblock suite faults` lists them",
         )
     })?;
     match Faulty::new(fault) {
         Some(faulty) => Ok(Box::new(faulty)),
-        None => Err(Refused::wrong(
+        None => Err(CliError::wrong(
             "only one planted fault can be active",
             "compare it with another controller",
         )),
@@ -97,32 +97,32 @@ fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
 }
 
 #[cfg(not(feature = "faulty"))]
-fn faulty(fault: &str) -> Result<Box<dyn Adapter>, Refused> {
-    Err(Refused::wrong(
+fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
+    Err(CliError::wrong(
         format!("this build has no planted fault `{fault}`"),
         "build with planted faults: cargo build --release --features faulty",
     ))
 }
 
-fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, Refused> {
+fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, CliError> {
     match Rs274::find(path) {
         Ok(found) => Ok(Box::new(found)),
-        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+        Err(error @ ControllerError::Missing { .. }) => Err(CliError::unfinished(
             error.to_string(),
             "install it (Debian: apt-get install linuxcnc-uspace), or give the path of its binary: rs274:PATH",
         )),
-        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::unfinished(
             error.to_string(),
             "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
         Err(error @ ControllerError::Broken(_)) => {
-            Err(Refused::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
+            Err(CliError::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
         }
     }
 }
 
 /// A controller behind an adapter, where this names one.
-pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, Refused>> {
+pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, CliError>> {
     match name.split_once(':')? {
         ("exec", command) => Some(exec(command, limits)),
         ("tcp", address) => Some(tcp(address, limits)),
@@ -131,15 +131,15 @@ pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, Refused>
 }
 
 /// A controller behind a command.
-pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
+pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
     if command.trim().is_empty() {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             "missing command after `exec:`",
             "for example exec:./my-adapter or \"exec:python3 adapter.py\"",
         ));
     }
     Exec::start(command, limits).map_err(|error| {
-        Refused::unfinished(
+        CliError::unfinished(
             format!("exec:{command}: {error}"),
             "`gaugeblock adapter check` finds errors of an adapter; `gaugeblock adapter protocol` prints the protocol",
         )
@@ -147,16 +147,16 @@ pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, Refused> {
 }
 
 /// A controller whose adapter listens at an address.
-fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
+fn tcp(address: &str, limits: Limits) -> Result<Exec, CliError> {
     let port = address.rsplit_once(':').and_then(|(_, port)| port.parse::<u16>().ok());
     if port.is_none() {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!("invalid controller `tcp:{address}`: expected tcp:HOST:PORT"),
             "for example tcp:127.0.0.1:4100",
         ));
     }
     Exec::connect(address, limits).map_err(|error| {
-        Refused::unfinished(
+        CliError::unfinished(
             format!("tcp:{address}: {error}"),
             "start the adapter first, for example: gaugeblock serve --controller production --tcp HOST:PORT",
         )
@@ -164,23 +164,23 @@ fn tcp(address: &str, limits: Limits) -> Result<Exec, Refused> {
 }
 
 /// A control whose answer sheets are in a folder.
-fn offline(folder: &Path) -> Result<Offline, Refused> {
+fn offline(folder: &Path) -> Result<Offline, CliError> {
     Offline::open(folder).map_err(not_a_campaign)
 }
 
 /// LinuxCNC's whole controller.
-pub(crate) fn linuxcnc() -> Result<LinuxCnc, Refused> {
+pub(crate) fn linuxcnc() -> Result<LinuxCnc, CliError> {
     match LinuxCnc::find() {
         Ok(found) => Ok(found),
-        Err(error @ ControllerError::Missing { .. }) => Err(Refused::unfinished(
+        Err(error @ ControllerError::Missing { .. }) => Err(CliError::unfinished(
             error.to_string(),
             "install it (Debian: apt-get install linuxcnc-uspace)",
         )),
-        Err(error @ ControllerError::WrongVersion { .. }) => Err(Refused::unfinished(
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::unfinished(
             error.to_string(),
             "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
-        Err(error @ ControllerError::Broken(_)) => Err(Refused::unfinished(
+        Err(error @ ControllerError::Broken(_)) => Err(CliError::unfinished(
             error.to_string(),
             "it needs process, mount, network and IPC namespaces: run as root, or allow user namespaces",
         )),
@@ -191,8 +191,8 @@ pub(crate) fn linuxcnc() -> Result<LinuxCnc, Refused> {
 pub(crate) fn narrowed(
     controller: Box<dyn Adapter>,
     like: &str,
-) -> Result<Box<dyn Adapter>, Refused> {
-    Ok(Box::new(Narrowed::new(controller, self::controller(like)?)))
+) -> Result<Box<dyn Adapter>, CliError> {
+    Ok(Box::new(Restricted::new(controller, self::controller(like)?)))
 }
 
 /// Refuses what was asked by another suite or edition than the one that it would be held to.
@@ -200,17 +200,17 @@ pub(crate) fn belongs(
     controller: &dyn Adapter,
     suite: &Suite,
     edition: &Edition,
-) -> Result<(), Refused> {
-    let Some((digest, asked)) = controller.belongs_to() else { return Ok(()) };
+) -> Result<(), CliError> {
+    let Some((digest, asked)) = controller.exported_from() else { return Ok(()) };
     let name = &controller.capabilities().name;
     if asked != edition.id {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!("{name}: the answers were collected for edition {asked}, not {}", edition.id),
             "remove --edition, or export again for the other edition",
         ));
     }
     if digest != suite.digest {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!(
                 "{name}: the answers were exported from another suite (digest {digest}, this suite {})",
                 suite.digest
@@ -222,10 +222,10 @@ pub(crate) fn belongs(
 }
 
 /// Refuses an edition that a controller cannot be held to, before anything runs.
-pub(crate) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(), Refused> {
-    controller.honours(options).map_err(|why| {
+pub(crate) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(), CliError> {
+    controller.accepts_options(options).map_err(|why| {
         let name = &controller.capabilities().name;
-        Refused::wrong(
+        CliError::wrong(
             format!("{name} does not support this edition: {why}"),
             "an edition that ends in -observed describes one real controller; choose an edition of documents",
         )
@@ -233,7 +233,7 @@ pub(crate) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(),
 }
 
 /// Refuses options that a controller declares and that are none.
-pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Result<(), CliError> {
     let declared = controller.options();
     let unknown = declared.0.iter().find(|(id, option)| {
         let mut choices = suite.choices.iter().filter(|choice| choice.id == **id);
@@ -241,7 +241,7 @@ pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
     });
     match unknown {
         None => Ok(()),
-        Some((id, option)) => Err(Refused::unfinished(
+        Some((id, option)) => Err(CliError::unfinished(
             format!(
                 "{} declares an unknown option `{option}` for choice `{id}`",
                 controller.capabilities().name
@@ -253,7 +253,7 @@ pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
 
 /// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is
 /// no certificate.
-pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), Refused> {
+pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), CliError> {
     if edition.language == Language::Rs274 {
         return Ok(());
     }
@@ -261,7 +261,7 @@ pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
     scenario.program.language = edition.language;
     controller.supports(&scenario).map_err(|why| {
         let name = &controller.capabilities().name;
-        Refused::unfinished(
+        CliError::unfinished(
             format!("unsupported: {name} does not run edition {}: {why}", edition.id),
             "no program was run; `--controller reference` supports this language",
         )
@@ -274,13 +274,13 @@ pub(crate) fn own_edition(controller: &dyn Adapter) -> &str {
 }
 
 /// Refuses a controller whose departures are said to be those of an edition that the suite does not have.
-pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), Refused> {
+pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), CliError> {
     controller
         .observed_edition()
         .map_or(Ok(()), |id| crate::documents::edition(suite, id).map(|_| ()))
 }
 
 /// Refuses a folder that holds no campaign.
-pub(crate) fn not_a_campaign(why: String) -> Refused {
-    Refused::wrong(why, "`gaugeblock offline export` writes such a folder")
+pub(crate) fn not_a_campaign(why: String) -> CliError {
+    CliError::wrong(why, "`gaugeblock offline export` writes such a folder")
 }

@@ -7,7 +7,7 @@ use gaugeblock_suite::{Choice, ChoiceKind, Rule, Source, Suite};
 use serde_json::json;
 
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -29,7 +29,7 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let Arguments { subject, format } = arguments;
     let rule = suite.rules.iter().find(|rule| rule.id == *subject);
     let choice = suite.choices.iter().find(|choice| choice.id == *subject);
@@ -38,7 +38,7 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
         (None, None, Some(code)) => {
             let about = About::of(&code, suite);
             if about.is_empty() {
-                return Err(Refused::wrong(
+                return Err(CliError::wrong(
                     format!("no rule concerns {code}"),
                     "`gaugeblock rules` lists all rules",
                 ));
@@ -76,7 +76,7 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, Refuse
 }
 
 /// An error that lists the ids that are nearest to an unknown one.
-fn unknown(subject: &str, suite: &Suite) -> Refused {
+fn unknown(subject: &str, suite: &Suite) -> CliError {
     let rules = suite.rules.iter().map(|rule| rule.id.as_str());
     let ids = rules.chain(suite.choices.iter().map(|choice| choice.id.as_str()));
     let mut near: Vec<(usize, &str)> = ids
@@ -92,7 +92,7 @@ fn unknown(subject: &str, suite: &Suite) -> Refused {
     } else {
         format!("did you mean `{}`?", near.join("`, `"))
     };
-    Refused::wrong(format!("unknown rule, choice, quirk or code `{subject}`"), hint)
+    CliError::wrong(format!("unknown rule, choice, quirk or code `{subject}`"), hint)
 }
 
 fn rule_text(rule: &Rule) -> String {

@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::certify::progress;
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 /// The editions that notice what is wrong with post-processors and with custom macros.
@@ -25,7 +25,7 @@ struct Caught<'a> {
 }
 
 /// Certifies production once with each fault. Fails where one is not noticed.
-pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, Refused> {
+pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, edition)?;
     let own = |fault: Fault| OWN.iter().find(|(names, _)| fault.name().starts_with(names));
     let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);

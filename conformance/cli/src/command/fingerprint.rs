@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::controller;
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let controller = controller::controller(&arguments.controller)?;
     let own = controller::own_edition(controller.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;

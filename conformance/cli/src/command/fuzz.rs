@@ -23,7 +23,7 @@ use gaugeblock_vocabulary::{Language, Options};
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{controller, fuzz_report, place};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{write_error, write_out};
 
 /// How many programs that could not be judged are told of, the first ones.
@@ -113,7 +113,7 @@ pub(crate) struct Arguments {
     verbose: bool,
 }
 
-pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let iut = controller::controller(&arguments.controller)?;
     let own = controller::own_edition(iut.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
@@ -160,7 +160,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> 
                 so_far.add(chunk);
             });
             Some(journal.map_err(|why| {
-                Refused::wrong(
+                CliError::wrong(
                     why,
                     "--resume continues the same call; another run needs another folder",
                 )
@@ -222,7 +222,7 @@ fn generate(
     plan: &Plan<'_>,
     mut journal: Option<Journal>,
     so_far: &mut SoFar,
-) -> Result<(), Refused> {
+) -> Result<(), CliError> {
     let seconds = match (arguments.seconds, arguments.programs) {
         (None, None) => Some(60),
         (seconds, _) => seconds,
@@ -255,7 +255,7 @@ fn generate(
     bar.finish_and_clear();
     so_far.statistics.settle();
     match trouble {
-        Some(why) => Err(Refused::unfinished(
+        Some(why) => Err(CliError::unfinished(
             format!("the journal: {why}"),
             "free space on the disk, then repeat the call with --resume",
         )),
@@ -284,10 +284,10 @@ fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec
     merged(findings)
 }
 
-fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, Refused> {
+fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, CliError> {
     if edition.language != Language::Rs274 && !arguments.only.is_empty() {
         let message = format!("--only is not available for {}", edition.language);
-        return Err(Refused::wrong(message, "remove --only"));
+        return Err(CliError::wrong(message, "remove --only"));
     }
     let stand_alone = |name: &str| name.starts_with("rs274");
     let setups = if stand_alone(&arguments.controller) || stand_alone(&arguments.against) {
@@ -299,7 +299,7 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, R
     for only in &arguments.only {
         if !statements().any(|statement| statement.name.starts_with(only.as_str())) {
             let known: Vec<&str> = statements().map(|statement| statement.name).collect();
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!("invalid `--only {only}`: no statement of the generator begins with it"),
                 format!("expected one of: {}", known.join(", ")),
             ));
@@ -318,7 +318,7 @@ fn options(
     arguments: &Arguments,
     suite: &Suite,
     edition: &Edition,
-) -> Result<(Options, bool), Refused> {
+) -> Result<(Options, bool), CliError> {
     let mut options = suite.options(edition);
     match arguments.options.as_str() {
         "edition" => Ok((options, false)),
@@ -328,7 +328,7 @@ fn options(
                 shown(Path::new(file), suite, &mut options)?;
                 Ok((options, false))
             }
-            None => Err(Refused::wrong(
+            None => Err(CliError::wrong(
                 format!("invalid `--options {how}`"),
                 "expected edition, random or from:FILE",
             )),
@@ -352,22 +352,22 @@ fn without_defaults(mut options: Options, suite: &Suite) -> Options {
 }
 
 /// Takes over the options that a fingerprint determined.
-fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), Refused> {
+fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), CliError> {
     let name = file.display();
     let hint = "`gaugeblock fingerprint --controller CONTROLLER --format json` writes such a file";
     let text = place::text(file, "fingerprint (--options from:FILE)")?;
     let document: serde_json::Value = serde_json::from_str(&text)
-        .map_err(|error| Refused::wrong(format!("{name}: {error}"), hint))?;
+        .map_err(|error| CliError::wrong(format!("{name}: {error}"), hint))?;
     let shown = document["options"]
         .as_object()
-        .ok_or_else(|| Refused::wrong(format!("{name}: it has no member `options`"), hint))?;
+        .ok_or_else(|| CliError::wrong(format!("{name}: it has no member `options`"), hint))?;
     for (id, shown) in shown {
         if let Some(option) = shown["option"].as_str() {
             let choice = suite.choices.iter().find(|choice| choice.id == *id);
             let known =
                 choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
             if !known {
-                return Err(Refused::wrong(
+                return Err(CliError::wrong(
                     format!("{name}: unknown option `{option}` for choice `{id}`"),
                     "run `gaugeblock fingerprint` again with this version",
                 ));

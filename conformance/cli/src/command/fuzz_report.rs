@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::Scenario;
 use serde_json::json;
 
 use super::place;
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 /// How many divergences are shown with their programs.
 const SHOWN: usize = 40;
@@ -190,7 +190,7 @@ impl Report<'_> {
     }
 
     /// Writes report.json, report.txt and a folder for each divergence.
-    pub(crate) fn write(&self, folder: &Path) -> Result<(), Refused> {
+    pub(crate) fn write(&self, folder: &Path) -> Result<(), CliError> {
         place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
         place::write_whole(&folder.join("report.txt"), inert(&self.text(true)).as_bytes())?;
         for (at, finding) in self.findings.iter().enumerate() {
@@ -217,7 +217,7 @@ impl Report<'_> {
 }
 
 /// Writes a program, its files and the scenario into a folder of their own.
-fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
+fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), CliError> {
     place::folder(folder)?;
     place::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
     let files = scenario.program.files.iter();
@@ -225,16 +225,16 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), Refused> {
         place::write_whole(&folder.join(name), text)?;
     }
     let text = scenario.to_text().map_err(|error| {
-        Refused::unfinished(error.message, "this is a bug in gaugeblock; please report it")
+        CliError::unfinished(error.message, "this is a bug in gaugeblock; please report it")
     })?;
     place::write_whole(&folder.join("scenario.toml"), &text)
 }
 
 /// The divergences that an earlier report tells.
-pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, Refused> {
+pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, CliError> {
     let text = place::text(path, "earlier report (--known)")?;
     let refused = |why: String| {
-        Refused::wrong(
+        CliError::wrong(
             format!("{} is not a report of `gaugeblock fuzz` (JSON): {why}", path.display()),
             "name the report.json of an earlier run, which `gaugeblock fuzz --report DIR` writes",
         )

@@ -13,7 +13,7 @@ use gaugeblock_suite::ledger::Ledger;
 
 use super::{place, stored};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 /// Prints, per document and section, its rules and their verdicts in the model and in each report.
@@ -22,9 +22,9 @@ pub(crate) fn matrix(
     ledgers: &[Ledger],
     reports: &[PathBuf],
     format: Format,
-) -> Result<u8, Refused> {
+) -> Result<u8, CliError> {
     let judged: Vec<Judged> =
-        reports.iter().map(|path| read(path.as_path())).collect::<Result<_, Refused>>()?;
+        reports.iter().map(|path| read(path.as_path())).collect::<Result<_, CliError>>()?;
     let model = model(suite, ledgers);
     let matrix = Matrix::new(ledgers, &model, &judged);
     match format {
@@ -34,7 +34,7 @@ pub(crate) fn matrix(
     Ok(0)
 }
 
-fn read(path: &Path) -> Result<Judged, Refused> {
+fn read(path: &Path) -> Result<Judged, CliError> {
     let text = place::text(path, "report (--report)")?;
     stored::read(path, &text, Judged::read)
 }

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
 use super::{place, plan, run};
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -50,7 +50,7 @@ pub(crate) struct Arguments {
     how: run::How,
 }
 
-pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let mut inputs = arguments.how.inputs(&arguments.program);
     inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
     inputs.extend(arguments.script.clone());
@@ -73,23 +73,23 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     Ok(plan::exit_status(&summary))
 }
 
-fn read(file: &Path) -> Result<Samples, Refused> {
+fn read(file: &Path) -> Result<Samples, CliError> {
     let name = file.display();
     let bytes = std::fs::read(file).map_err(|error| {
-        Refused::wrong(format!("{name}: {error}"), "check the path of the samples")
+        CliError::wrong(format!("{name}: {error}"), "check the path of the samples")
     })?;
     let samples = match std::str::from_utf8(&bytes) {
         Ok(text) if text.starts_with('#') => Samples::from_csv(text),
         Ok(_) | Err(_) => Samples::from_bytes(&bytes),
     };
     let samples = samples.map_err(|error| {
-        Refused::wrong(
+        CliError::wrong(
             format!("{name}: {error}"),
             "`gaugeblock motion check --help` shows the form",
         )
     })?;
     if samples.is_empty() {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!("{name}: no sample after the header"),
             "record one sample per servo cycle; `gaugeblock motion check --help` shows the form",
         ));

@@ -23,7 +23,7 @@ use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::place;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -144,7 +144,7 @@ impl Tally {
     }
 }
 
-pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     if let Some(folder) = &arguments.report {
         place::folder(folder)?;
     }
@@ -258,9 +258,9 @@ fn write(
     name: &str,
     program: &MotionProgram,
     scenario: &Scenario,
-) -> Result<String, Refused> {
+) -> Result<String, CliError> {
     let unwritable = |error: gaugeblock_vocabulary::TextError| {
-        Refused::unfinished(error.message, "leave --report out")
+        CliError::unfinished(error.message, "leave --report out")
     };
     let file = |ending: &str| folder.join(format!("{name}.{ending}"));
     place::write_whole(&file("ngc"), program.text())?;

@@ -16,7 +16,7 @@ use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
 use super::controller::not_a_campaign;
 use super::{certify, controller, place};
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{write_error, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -82,18 +82,18 @@ pub(crate) struct Filled {
     blocks: bool,
 }
 
-pub(crate) fn offline(command: &Offline, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn offline(command: &Offline, suite: &Suite) -> Result<u8, CliError> {
     match command {
         Offline::Export(arguments) => export(arguments, suite),
         Offline::Answer(arguments) => fill_in(arguments, suite),
     }
 }
 
-fn export(arguments: &Export, suite: &Suite) -> Result<u8, Refused> {
+fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, &arguments.edition)?;
     certify::known_profiles(&arguments.profile, suite)?;
     can_ask(edition)
-        .map_err(|why| Refused::wrong(why, "choose an edition of RS-274, such as linuxcnc-2.9"))?;
+        .map_err(|why| CliError::wrong(why, "choose an edition of RS-274, such as linuxcnc-2.9"))?;
     // Without a slash at its end, so that something can be put beside it.
     let out: PathBuf = arguments.out.components().collect();
     is_free(&out)?;
@@ -108,7 +108,7 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, Refused> {
         left_out,
     };
     if questions.is_empty() {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             "no case of these profiles can run offline",
             "remove --profile, or choose another edition",
         ));
@@ -129,18 +129,18 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, Refused> {
 }
 
 /// Refuses a folder that is not empty, and a path that is not a folder.
-fn is_free(folder: &Path) -> Result<(), Refused> {
+fn is_free(folder: &Path) -> Result<(), CliError> {
     let name = folder.display();
     let mut entries = match std::fs::read_dir(folder) {
         Ok(entries) => entries,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
         Err(error) => {
-            return Err(Refused::wrong(format!("{name}: {error}"), "--out expects a folder"));
+            return Err(CliError::wrong(format!("{name}: {error}"), "--out expects a folder"));
         }
     };
     match entries.next() {
         None => Ok(()),
-        Some(_) => Err(Refused::wrong(
+        Some(_) => Err(CliError::wrong(
             format!("{name}: the folder is not empty"),
             "choose another folder with --out; existing files are never overwritten",
         )),
@@ -152,13 +152,13 @@ fn write_campaign(
     folder: &Path,
     manifest: &Manifest,
     questions: &[Question],
-) -> Result<(), Refused> {
+) -> Result<(), CliError> {
     let refused = |error: std::io::Error| {
         let message = format!("{}: {error}", folder.display());
-        Refused::wrong(message, "check that the folder exists and is writable")
+        CliError::wrong(message, "check that the folder exists and is writable")
     };
     let json = serde_json::to_string_pretty(manifest).map_err(|error| {
-        Refused::unfinished(error.to_string(), "this is a bug in gaugeblock; please report it")
+        CliError::unfinished(error.to_string(), "this is a bug in gaugeblock; please report it")
     })?;
     let partial = PartialFolder::new(folder).map_err(refused)?;
     let write = |name: PathBuf, text: &str| partial.write(name, text).map_err(refused);
@@ -180,11 +180,11 @@ fn write_campaign(
     partial.finish().map_err(refused)
 }
 
-fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, Refused> {
+fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
     let manifest = Manifest::read(&arguments.folder).map_err(not_a_campaign)?;
     let edition = crate::documents::edition(suite, &manifest.edition)?;
     if manifest.suite != suite.digest {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             format!(
                 "the sheets were exported from another suite (digest {}, this suite {})",
                 manifest.suite, suite.digest
@@ -214,8 +214,8 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, Refused> {
             None => failed += 1,
         }
     }
-    let shows = controller.capabilities();
-    let text = control_text(&shows.name, &shows.version, shows.resolution);
+    let observables = controller.capabilities();
+    let text = control_text(&observables.name, &observables.version, observables.resolution);
     place::write_whole(&arguments.folder.join(CONTROL), text)?;
     write_out(&format!(
         "{} sheets filled in, {} were filled in before, {failed} failed\n",
@@ -231,7 +231,7 @@ fn open(
     manifest: &Manifest,
     suite: &Suite,
     edition: &Edition,
-) -> Result<Vec<Question>, Refused> {
+) -> Result<Vec<Question>, CliError> {
     let (questions, _) = questions(suite, edition, &manifest.profiles);
     let mut open = Vec::new();
     for question in questions {

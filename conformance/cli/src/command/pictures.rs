@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
 use super::place;
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 /// What is drawn.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ pub(crate) struct Drawing<'a> {
 
 impl Drawing<'_> {
     /// Writes it as SVG.
-    pub(crate) fn write(&self, file: &Path) -> Result<(), Refused> {
+    pub(crate) fn write(&self, file: &Path) -> Result<(), CliError> {
         let positions = self.samples.positions(Position::default());
         let commanded: Vec<_> = positions.iter().map(|at| [at.x, at.y, at.z]).collect();
         let passed = speeds(&commanded, self.samples.period());
@@ -44,7 +44,7 @@ impl Drawing<'_> {
         };
         let svg = picture
             .svg()
-            .map_err(|error| Refused::unfinished(error.to_string(), "leave --svg out"))?;
+            .map_err(|error| CliError::unfinished(error.to_string(), "leave --svg out"))?;
         place::write_whole(file, &svg)
     }
 }

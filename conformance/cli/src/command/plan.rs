@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaugeblock_adapter::{Adapter, NotMoved};
-use gaugeblock_controllers::drive::{Circumstances, plan_under};
+use gaugeblock_adapter::{Adapter, NoSamples};
+use gaugeblock_controllers::drive::{RunConditions, plan_under};
 use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_motion::Summary;
 use gaugeblock_reference::motion::laws::Verdict;
@@ -16,7 +16,7 @@ use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
 use super::{place, run};
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -77,13 +77,13 @@ pub(crate) struct Arguments {
     svg: Option<PathBuf>,
 }
 
-pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let outputs =
         [("--samples", arguments.samples.as_deref()), ("--svg", arguments.svg.as_deref())];
     place::spare(&inputs(arguments), &outputs)?;
     let limits = limits(&arguments.machine)?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let circumstances = Circumstances {
+    let circumstances = RunConditions {
         start: start(&arguments.start)?,
         every: arguments.feed_interval,
         script: script(arguments.script.as_deref())?,
@@ -93,7 +93,7 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, R
         "production" => planned(&scenario, &limits, &circumstances, &arguments.file)?,
         "linuxcnc" => recorded(&scenario, &limits, arguments)?,
         other => {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!("invalid `--controller {other}`: it reports no servo samples"),
                 "expected production or linuxcnc; `gaugeblock motion check` accepts samples of any controller",
             ));
@@ -133,12 +133,12 @@ fn coordinate(text: &str) -> Result<f64, String> {
 }
 
 /// Where the machine stands before; axes that are not given stand at zero.
-fn start(given: &[f64]) -> Result<Position, Refused> {
+fn start(given: &[f64]) -> Result<Position, CliError> {
     let mut start = [0.0; 9];
     match start.get_mut(..given.len()) {
         Some(places) => places.copy_from_slice(given),
         None => {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!("invalid `--start`: {} numbers for nine axes", given.len()),
                 "expected X,Y,Z,A,B,C,U,V,W; missing numbers at the end are zero",
             ));
@@ -162,13 +162,13 @@ struct Moved {
 fn planned(
     scenario: &Scenario,
     limits: &MotionLimits,
-    circumstances: &Circumstances,
+    circumstances: &RunConditions,
     file: &Path,
-) -> Result<Moved, Refused> {
+) -> Result<Moved, CliError> {
     let outcome = ended(&Production::default(), scenario, file)?;
     let planned = plan_under(&outcome, limits, circumstances).map_err(|stopped| {
         let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
-        Refused::unfinished(
+        CliError::unfinished(
             format!("{}: {place}{}", file.display(), stopped.why),
             "the part before this block can be planned",
         )
@@ -181,22 +181,22 @@ fn recorded(
     scenario: &Scenario,
     limits: &MotionLimits,
     arguments: &Arguments,
-) -> Result<Moved, Refused> {
+) -> Result<Moved, CliError> {
     if arguments.feed_interval.is_some()
         || arguments.script.is_some()
         || !arguments.start.is_empty()
     {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             "--feed-interval, --script and --start do not apply to linuxcnc",
             "remove them: linuxcnc is recorded at its own pace and from its origin",
         ));
     }
-    let refused = |error: NotMoved| match error {
-        NotMoved::Unsupported(why) => {
-            Refused::wrong(why, "`gaugeblock plan --help` describes the supported programs")
+    let refused = |error: NoSamples| match error {
+        NoSamples::Unsupported(why) => {
+            CliError::wrong(why, "`gaugeblock plan --help` describes the supported programs")
         }
-        NotMoved::Failed(why) => {
-            Refused::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
+        NoSamples::Failed(why) => {
+            CliError::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
         }
     };
     let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
@@ -204,21 +204,21 @@ fn recorded(
 }
 
 /// What a machine's axes can do.
-pub(crate) fn limits(file: &Path) -> Result<MotionLimits, Refused> {
+pub(crate) fn limits(file: &Path) -> Result<MotionLimits, CliError> {
     let hint = "`gaugeblock plan --help` shows a machine file";
     place::form(file, "machine file (--machine)", hint, MotionLimits::from_text)
 }
 
 /// What the operator does; nothing without a file.
-pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, Refused> {
+pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, CliError> {
     let Some(file) = file else { return Ok(MotionScript::default()) };
     let hint = "`gaugeblock plan --help` shows a script";
     place::form(file, "script (--script)", hint, MotionScript::from_text)
 }
 
 /// The outcome of a program that comes to its end.
-fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<Outcome, Refused> {
-    let refused = |why: String| Refused::unfinished(why, "`gaugeblock run` shows what it does");
+fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<Outcome, CliError> {
+    let refused = |why: String| CliError::unfinished(why, "`gaugeblock run` shows what it does");
     controller.supports(scenario).map_err(refused)?;
     let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
     match &outcome.end {
@@ -237,7 +237,7 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
                 }
                 None => run::cause(&outcome, file),
             };
-            Err(Refused::wrong(
+            Err(CliError::wrong(
                 format!("{} does not reach its end: {why}", file.display()),
                 "only a program that reaches its end can be planned",
             ))
@@ -250,12 +250,12 @@ pub(crate) fn path(
     scenario: &Scenario,
     file: &Path,
     start: Position,
-) -> Result<ProgrammedPath, Refused> {
+) -> Result<ProgrammedPath, CliError> {
     let outcome = ended(&Reference::default(), scenario, file)?;
     Ok(gaugeblock_reference::motion::path::programmed(&outcome, start))
 }
 
-fn write_samples(file: &Path, samples: &Samples) -> Result<(), Refused> {
+fn write_samples(file: &Path, samples: &Samples) -> Result<(), CliError> {
     if file.extension().is_some_and(|extension| extension == "bin") {
         place::write_whole(file, samples.to_bytes())
     } else {

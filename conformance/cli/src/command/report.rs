@@ -11,11 +11,11 @@ use gaugeblock_runner::certify::{Plan, Run, cases, void};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
-use super::against::Against;
+use super::against::ComparisonArguments;
 use super::stored::stored;
 use super::{certify, place};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 /// Merge the reports of shards
 #[derive(Debug, Subcommand)]
@@ -36,7 +36,7 @@ pub(crate) struct Merge {
     #[arg(value_name = "REPORT", required = true)]
     reports: Vec<PathBuf>,
     #[command(flatten)]
-    against: Against,
+    against: ComparisonArguments,
     /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
@@ -48,19 +48,19 @@ pub(crate) struct Merge {
     verbose: bool,
 }
 
-pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, CliError> {
     match command {
         Reports::Merge(arguments) => merge(arguments, suite),
     }
 }
 
-fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
+fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
-    let wrong = |why: String| Refused::wrong(why, "name the report of each shard of one run once");
+    let wrong = |why: String| CliError::wrong(why, "name the report of each shard of one run once");
     let whole = merged(&parts).map_err(wrong)?;
     let header = &whole.header;
     if header.suite != suite.digest {
-        return Err(Refused::wrong(
+        return Err(CliError::wrong(
             "the reports belong to another suite",
             "merge them with the gaugeblock that wrote them, or name their suite with --suite",
         ));
@@ -92,14 +92,14 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, Refused> {
 }
 
 /// What the parts cost, as far as they tell it.
-fn cost_of(reports: &[PathBuf]) -> Result<Cost, Refused> {
+fn cost_of(reports: &[PathBuf]) -> Result<Cost, CliError> {
     let mut all = Cost::default();
     for path in reports {
         let folder = if path.is_dir() { Some(path.as_path()) } else { path.parent() };
         let file = folder.unwrap_or(Path::new(".")).join(cost::FILE);
         let Ok(text) = std::fs::read_to_string(&file) else { continue };
         let cost = Cost::read(&text).map_err(|error| {
-            Refused::wrong(format!("{}: {error}", file.display()), "remove the file")
+            CliError::wrong(format!("{}: {error}", file.display()), "remove the file")
         })?;
         all = all.and(cost);
     }

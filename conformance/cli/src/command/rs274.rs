@@ -1,12 +1,12 @@
 //! `gaugeblock rs274`.
 
-use crate::refused::Refused;
+use crate::refused::CliError;
 
 pub(crate) use gaugeblock_rs274::Arguments;
 
 /// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1.
-pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, Refused> {
-    let refused = |message| Refused {
+pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, CliError> {
+    let refused = |message| CliError {
         status: 1,
         message,
         hint: Some("`gaugeblock rs274 --help` lists the options".to_owned()),

@@ -8,7 +8,7 @@ use gaugeblock_suite::{Choice, ChoiceKind, Rule, Suite};
 use serde_json::json;
 
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -47,7 +47,7 @@ pub(crate) struct ChoiceArguments {
 }
 
 /// Lists rules.
-pub(crate) fn rules(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn rules(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let rules = selected(suite, &arguments.prefix);
     if rules.is_empty() {
         return Err(unknown_prefix("rule", &arguments.prefix, "rules"));
@@ -60,7 +60,7 @@ pub(crate) fn rules(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused>
 }
 
 /// Lists choices and quirks.
-pub(crate) fn choices(arguments: &ChoiceArguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn choices(arguments: &ChoiceArguments, suite: &Suite) -> Result<u8, CliError> {
     let choices: Vec<&Choice> =
         suite.choices.iter().filter(|choice| begins(&choice.id, &arguments.prefix)).collect();
     if choices.is_empty() {
@@ -82,8 +82,8 @@ fn begins(id: &str, prefixes: &[String]) -> bool {
     prefixes.is_empty() || prefixes.iter().any(|prefix| id.starts_with(prefix.as_str()))
 }
 
-fn unknown_prefix(what: &str, prefixes: &[String], command: &str) -> Refused {
-    Refused::wrong(
+fn unknown_prefix(what: &str, prefixes: &[String], command: &str) -> CliError {
+    CliError::wrong(
         format!("no {what} has an id that begins with `{}`", prefixes.join("` or `")),
         format!("`gaugeblock {command}` lists all ids"),
     )

@@ -12,7 +12,7 @@ use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scen
 
 use super::{controller, place};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::{write_error, write_error_in_colours, write_out};
 
 /// File extension of the toolpath that drives a post-processor program.
@@ -67,7 +67,7 @@ pub(crate) struct How {
 
 impl How {
     /// The scenario of a program file, with the subroutine files beside it.
-    pub(crate) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, Refused> {
+    pub(crate) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, CliError> {
         let edition =
             crate::documents::edition(suite, self.edition.as_deref().unwrap_or(by_name(file)))?;
         if edition.language != Language::Rs274 && self.edition.is_none() {
@@ -126,7 +126,7 @@ fn by_name(file: &Path) -> &'static str {
 }
 
 /// The toolpath beside a post-processor program, or else that of the scenario's file.
-fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, Refused> {
+fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, CliError> {
     let beside = file.with_extension(TOOLPATH);
     if !beside.exists() {
         return Ok(program.files.clone());
@@ -154,24 +154,24 @@ pub(crate) fn paths_beside(file: &Path) -> impl Iterator<Item = PathBuf> {
         .filter(|path| path.file_name() != file.file_name())
 }
 
-pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let mut controller = controller::controller(&arguments.controller)?;
     controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
-        Refused::unfinished(
+        CliError::unfinished(
             format!("{} cannot run this program: {why}", arguments.controller),
             "try --controller reference",
         )
     })?;
     let outcome = controller
         .run(&scenario)
-        .map_err(|error| Refused::unfinished(error.to_string(), "try --controller reference"))?;
+        .map_err(|error| CliError::unfinished(error.to_string(), "try --controller reference"))?;
     match arguments.format {
         Format::Text => write_out(&outcome.to_text()),
         Format::Json => {
             let text = serde_json::to_string_pretty(&outcome).map_err(|error| {
-                Refused::unfinished(
+                CliError::unfinished(
                     error.to_string(),
                     "this is a bug in gaugeblock; please report it",
                 )

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     what: What,
 }
 
-pub(crate) fn schema(arguments: &Arguments) -> Result<u8, Refused> {
+pub(crate) fn schema(arguments: &Arguments) -> Result<u8, CliError> {
     let schema = match arguments.what {
         What::Scenario => gaugeblock_vocabulary::schema::scenario(),
         What::Outcome => gaugeblock_vocabulary::schema::outcome(),

@@ -9,11 +9,11 @@ use std::time::Duration;
 
 use clap::Args;
 use gaugeblock_adapter::Adapter;
-use gaugeblock_adapter::protocol::{self, Caller, Offer, Patience, Served};
+use gaugeblock_adapter::protocol::{self, Caller, Extension, Served, SpinWait};
 use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::controller;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams;
 use crate::streams::write_out;
 
@@ -43,19 +43,22 @@ pub(crate) struct Arguments {
     /// Protocol extensions to offer [default: files,fresh,motion, and shows where the observables depend on the
     /// scenario]; files is never offered over TCP
     #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
-    offer: Option<Vec<Offer>>,
+    offer: Option<Vec<Extension>>,
     /// Listen at this address instead of standard input, and print it. A port alone means the loopback address; port 0
     /// means any free port. There is no authentication: any client that can connect can run programs
     #[arg(long, value_name = "[HOST:]PORT")]
     tcp: Option<String>,
 }
 
-pub(crate) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
+pub(crate) fn serve(arguments: &Arguments) -> Result<u8, CliError> {
     let controller: Arc<dyn Adapter> = Arc::from(controller::controller(&arguments.controller)?);
     let languages = languages(controller.as_ref());
     let usual = || {
-        let shows = controller.shows_less_of_some().then_some(Offer::Shows);
-        [Offer::Files, Offer::Fresh, Offer::Motion].into_iter().chain(shows).collect()
+        let observables = controller.observables_vary().then_some(Extension::Shows);
+        [Extension::Files, Extension::Fresh, Extension::Motion]
+            .into_iter()
+            .chain(observables)
+            .collect()
     };
     let offers = arguments.offer.clone().unwrap_or_else(usual).into_iter().collect();
     let caller = if arguments.tcp.is_some() { Caller::Network } else { Caller::Parent };
@@ -63,10 +66,10 @@ pub(crate) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
     if let Some(address) = &arguments.tcp {
         return listen(&served, address);
     }
-    let unfinished = |error: Error| Refused::unfinished(error.to_string(), "its caller went away");
+    let unfinished = |error: Error| CliError::unfinished(error.to_string(), "its caller went away");
     // The streams themselves: a request is read at once, and an answer written at once.
     let requests = std::io::stdin().as_fd().try_clone_to_owned().map_err(unfinished)?;
-    let requests = Requests { stream: File::from(requests), patience: Patience::default() };
+    let requests = Requests { stream: File::from(requests), patience: SpinWait::default() };
     let requests = Box::new(BufReader::with_capacity(REQUEST, requests));
     let answers = std::io::stdout().as_fd().try_clone_to_owned().map_err(unfinished)?;
     protocol::serve(&served, requests, &mut File::from(answers)).map_err(unfinished)?;
@@ -76,7 +79,7 @@ pub(crate) fn serve(arguments: &Arguments) -> Result<u8, Refused> {
 /// A stream from which requests are read, one soon after the other.
 struct Requests {
     stream: File,
-    patience: Patience,
+    patience: SpinWait,
 }
 
 impl Read for Requests {
@@ -87,9 +90,9 @@ impl Read for Requests {
 }
 
 /// A session for each connection.
-fn listen(served: &Served, address: &str) -> Result<u8, Refused> {
+fn listen(served: &Served, address: &str) -> Result<u8, CliError> {
     let refused = |error: Error| {
-        Refused::wrong(
+        CliError::wrong(
             format!("--tcp {address}: {error}"),
             "expected a free port such as 4100, or an address of this machine such as 127.0.0.1:4100",
         )

@@ -15,7 +15,7 @@ use super::fuzz_report::body;
 use super::run::How;
 use super::{controller, place};
 use crate::arguments::Format;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused> {
+pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let inputs = arguments.how.inputs(&arguments.file);
     place::spare(&inputs, &[("--output", arguments.output.as_deref())])?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
@@ -90,7 +90,7 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, Refused
             let counts = [&statistics.unsupported, &statistics.unspecified, &statistics.not_judged];
             let why: Vec<&str> =
                 counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
-            return Err(Refused::unfinished(
+            return Err(CliError::unfinished(
                 format!("{name}: not compared: {}", why.join("; ")),
                 "`gaugeblock run` shows what each controller does with it",
             ));

@@ -14,7 +14,7 @@ use super::place;
 use super::rules::selected;
 use crate::arguments::Format;
 use crate::documents::read_suite;
-use crate::refused::Refused;
+use crate::refused::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -75,13 +75,13 @@ pub(crate) struct FaultArguments {
 }
 
 /// Runs a maintenance command on the suite in `folder`, or on the built-in suite.
-pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, Refused> {
+pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, CliError> {
     let suite = read_suite(folder)?;
     match command {
         Maintenance::Check(arguments) => check(&suite, folder, &arguments.document),
         Maintenance::Bless(arguments) => {
             let folder = folder.ok_or_else(|| {
-                Refused::wrong(
+                CliError::wrong(
                     "`suite bless` needs the folder whose pages it writes",
                     "name it: gaugeblock --suite conformance/suite suite bless",
                 )
@@ -91,7 +91,7 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
         Maintenance::Matrix(arguments) => {
             let (ledgers, faults) = ledgers(&suite, folder)?;
             if let Some(fault) = faults.into_iter().next() {
-                return Err(Refused::wrong(fault, "`gaugeblock suite check` lists all errors"));
+                return Err(CliError::wrong(fault, "`gaugeblock suite check` lists all errors"));
             }
             matrix(&suite, &ledgers, &arguments.report, arguments.format)
         }
@@ -100,19 +100,19 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
 }
 
 #[cfg(feature = "faulty")]
-fn faults(suite: &Suite, format: Format) -> Result<u8, Refused> {
+fn faults(suite: &Suite, format: Format) -> Result<u8, CliError> {
     super::faults::faults(suite, "linuxcnc-2.9", format)
 }
 
 #[cfg(not(feature = "faulty"))]
-fn faults(_suite: &Suite, _format: Format) -> Result<u8, Refused> {
-    Err(Refused::wrong(
+fn faults(_suite: &Suite, _format: Format) -> Result<u8, CliError> {
+    Err(CliError::wrong(
         "this build has no planted faults",
         "build with them: cargo build --release --features faulty",
     ))
 }
 
-fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, Refused> {
+fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, CliError> {
     let mut faults = catalogue::faults(suite);
     let (ledgers, wrong) = ledgers(suite, folder)?;
     faults.extend(wrong);
@@ -140,13 +140,13 @@ fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u
 }
 
 /// The sentence ledgers, and the errors of those that cannot be read or name pages that the suite does not have.
-fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), Refused> {
+fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), CliError> {
     let files = match folder {
         Some(folder) => files::of_folder(folder).map_err(|error| {
-            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+            CliError::wrong(error, "--suite takes a folder like conformance/suite")
         })?,
         None => gaugeblock_embedded_suite::files().map_err(|error| {
-            Refused::wrong(error, "--suite takes a folder like conformance/suite")
+            CliError::wrong(error, "--suite takes a folder like conformance/suite")
         })?,
     };
     let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
@@ -163,16 +163,16 @@ fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<Str
     Ok((ledgers, faults))
 }
 
-fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refused> {
+fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, CliError> {
     let (id, file) = named.split_once('=').ok_or_else(|| {
-        Refused::wrong(
+        CliError::wrong(
             format!("invalid `--document {named}`: expected ID=FILE"),
             "for example --document linuxcnc-2.8=m-code.txt",
         )
     })?;
     let ledger = ledgers.iter().find(|ledger| ledger.document == id).ok_or_else(|| {
         let known: Vec<_> = ledgers.iter().map(|ledger| ledger.document.as_str()).collect();
-        Refused::wrong(
+        CliError::wrong(
             format!("unknown document `{id}`"),
             format!("expected one of: {}", known.join(", ")),
         )
@@ -184,7 +184,7 @@ fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, Refuse
     })
 }
 
-fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, Refused> {
+fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, CliError> {
     let mut changed = 0;
     let rules = selected(suite, prefixes);
     // A model that does not know the suite's options has no outcome to bless.
@@ -192,7 +192,7 @@ fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, Refuse
         if let Some(what) =
             rule.cases.first().and_then(|case| catalogue::undetermined(suite, rule, case))
         {
-            return Err(Refused::wrong(
+            return Err(CliError::wrong(
                 format!("{}: the model has no outcome to bless: {what}", rule.id),
                 "build `gaugeblock` from the same commit as the pages",
             ));
@@ -202,7 +202,7 @@ fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, Refuse
         let path = folder.join(&suite.paths[&rule.id]);
         let text = place::text(&path, "page")?;
         let blessed = with_goldens(suite, rule, &text).map_err(|error| {
-            Refused::wrong(format!("{}: {error}", path.display()), "correct the page")
+            CliError::wrong(format!("{}: {error}", path.display()), "correct the page")
         })?;
         if blessed != text {
             place::write_whole(&path, &blessed)?;

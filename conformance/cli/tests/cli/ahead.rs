@@ -63,7 +63,7 @@ fn what_is_told_ahead_begins_before_it_is_asked_for_and_is_run_once() {
     let it = Noting::start("begins", "pass", &[]);
     for x in 1..4 {
         let next = scenario(&format!("g0 x{x}"));
-        it.controller.ahead(&next);
+        it.controller.prefetch(&next);
         it.has_begun(&format!("g0 x{x}"));
         assert_eq!(place(it.controller.run(&next)), Ok(f64::from(x)));
     }
@@ -80,7 +80,7 @@ fn what_another_program_does_is_told_to_nobody() {
         [("ends", "pass", 1), ("dies", die, 2), ("hangs", hang, 2), ("raves", rave, 2)]
     {
         let it = Noting::start(&format!("other-{name}"), does, &[]);
-        it.controller.ahead(&told);
+        it.controller.prefetch(&told);
         it.has_begun("g0 x99");
         assert_eq!(place(it.controller.run(&other)), Ok(1.0), "{name}");
         let started = it.notes().iter().filter(|line| *line == "start").count();
@@ -100,7 +100,7 @@ fn what_it_does_itself_is_told_to_who_runs_it() {
         ("raves", rave, "unreadable output (answer to `run`"),
     ] {
         let it = Noting::start(&format!("own-{name}"), does, &[]);
-        it.controller.ahead(&told);
+        it.controller.prefetch(&told);
         it.has_begun("g0 x99");
         let said = place(it.controller.run(&told)).expect_err(name);
         assert!(said.starts_with(why), "{name}: {said}");
@@ -114,7 +114,7 @@ fn an_answer_that_nobody_took_is_not_too_late() {
     let tell = "print(json.dumps({'id': request['id'], 'outcome': {'language': 'rs274', 'start': {}, 'steps': [], 'end': {'end': 'fault', 'message': 'x' * 500000}}}), flush=True); continue";
     let it = Noting::start("waits", tell, &[]);
     let told = scenario("g0 x99");
-    it.controller.ahead(&told);
+    it.controller.prefetch(&told);
     it.has_begun("g0 x99");
     std::thread::sleep(limits().time * 2);
     let outcome = it.controller.run(&told).expect("an outcome");
@@ -131,7 +131,7 @@ fn who_has_failed_is_not_waited_for() {
     for is_ahead in [false, true] {
         let told = scenario("g0 x99");
         if is_ahead {
-            it.controller.ahead(&told);
+            it.controller.prefetch(&told);
         }
         let said = place(it.controller.run(&told)).expect_err("no outcome");
         assert!(said.starts_with("unreadable output (answer to `run`"), "{said}");
@@ -148,9 +148,9 @@ fn a_single_machine_stays_single() {
     );
     let it = Noting::start("single", "pass", &[("DECLARATION = {\n", &locked)]);
     let (told, other) = (scenario("g0 x1"), scenario("g0 x2"));
-    it.controller.ahead(&told);
+    it.controller.prefetch(&told);
     it.has_begun("g0 x1");
-    let anew = it.controller.run_anew(&other).expect("a session of its own");
+    let anew = it.controller.run_fresh(&other).expect("a session of its own");
     assert_eq!(place(anew), Ok(2.0));
     assert_eq!(place(it.controller.run(&told)), Ok(1.0));
     assert_eq!(it.controller.notes(), [""; 0]);
@@ -168,7 +168,7 @@ fn threads_do_not_get_what_others_began() {
                     let x = thread * 10 + turn;
                     let next = scenario(&format!("g0 x{x}"));
                     if turn != 2 {
-                        it.controller.ahead(&next);
+                        it.controller.prefetch(&next);
                     }
                     assert_eq!(place(it.controller.run(&next)), Ok(f64::from(x)));
                 }

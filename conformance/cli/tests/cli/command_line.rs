@@ -18,7 +18,7 @@ fn file(folder: &Path, name: &str, bytes: &[u8]) -> String {
     path.to_str().expect("a path in UTF-8").to_owned()
 }
 
-/// Refused with this status, one message that has all of the words, a hint, and no backtrace.
+/// Asserts this status, one message that has all of the words, a hint, and no backtrace.
 #[track_caller]
 fn refused(arguments: &[&str], status: i32, words: &[&str]) {
     let output = gaugeblock(arguments);

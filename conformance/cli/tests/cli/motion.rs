@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Production;
-use gaugeblock_controllers::drive::{Circumstances, plan_under};
+use gaugeblock_controllers::drive::{RunConditions, plan_under};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use rustix::fs::{CWD, FileType, Mode};
@@ -122,7 +122,7 @@ fn the_feed_that_is_asked_for_has_overrides_in_it() {
 ]\n";
     let script = MotionScript::from_text(script).expect("a script");
     let outcome = Production::default().run(&scenario).expect("a run");
-    let circumstances = Circumstances { script, ..Circumstances::default() };
+    let circumstances = RunConditions { script, ..RunConditions::default() };
     let limits = MotionLimits::from_text(MILL).expect("limits");
     let planned = plan_under(&outcome, &limits, &circumstances).expect("a motion");
     for (cycle, speed) in [(250, 50.0), (550, 75.0), (850, 75.0), (1150, 75.0), (1450, 0.0)] {

@@ -6,8 +6,8 @@ use std::net::{TcpListener, TcpStream};
 use std::time::Duration;
 
 use gaugeblock_adapter::exec::Exec;
-use gaugeblock_adapter::{Adapter, Motion, NotMoved};
-use gaugeblock_runner::certify::{Twice, Verdict};
+use gaugeblock_adapter::{Adapter, MotionRequest, NoSamples};
+use gaugeblock_runner::certify::{RepeatSampling, Verdict};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
@@ -43,7 +43,8 @@ fn whatever_is_offered_the_other_verdicts_stand() {
     let start = |command: &str| {
         Exec::start(command, limits()).unwrap_or_else(|error| panic!("{command}: {error}"))
     };
-    let (plain, usual) = verdicts_on(&start(&changed("offers-none.py", &[])), &suite, Twice(0));
+    let (plain, usual) =
+        verdicts_on(&start(&changed("offers-none.py", &[])), &suite, RepeatSampling(0));
     assert_eq!(plain, (Verdict::Pass, false));
     let mut wrong = Vec::new();
     let entries = include_str!("offering.txt").split("\n\n").skip(1);
@@ -53,7 +54,7 @@ fn whatever_is_offered_the_other_verdicts_stand() {
         let (name, offers, does) = (next(), next(), next());
         let reason = next().trim_start_matches("> ");
         let controller = start(&offering(name, offers, does));
-        let (verdict, others) = verdicts_on(&controller, &suite, Twice(0));
+        let (verdict, others) = verdicts_on(&controller, &suite, RepeatSampling(0));
         if !came_to(&verdict.0, reason) || others != usual {
             wrong
                 .push(format!("{name}: {verdict:?}, the others are the same: {}", others == usual));
@@ -93,7 +94,7 @@ fn a_session_goes_on_after_a_cancelled_run() {
         std::fs::write(path, format!("open({count:?}, 'a').write('x')\n{adapter}"))
             .expect("the adapter");
         let controller = Exec::start(&command, limits()).expect("it starts");
-        let (verdict, _) = verdicts_on(&controller, &suite, Twice(0));
+        let (verdict, _) = verdicts_on(&controller, &suite, RepeatSampling(0));
         assert!(came_to(&verdict.0, "no end after 1 s"), "{verdict:?}");
         assert_eq!(std::fs::read_to_string(&count).expect("the count").len(), sessions);
     }
@@ -105,8 +106,12 @@ fn samples_that_are_none_are_told_and_not_judged() {
         MotionLimits::from_text("period = 0.001\n[axes.x]\nvelocity = 1.0\n").expect("limits");
     let scenario = Scenario::of("g0 x1\nm2\n");
     let script = MotionScript::default();
-    let motion =
-        Motion { scenario: &scenario, limits: &limits_of_motion, script: &script, every: None };
+    let motion = MotionRequest {
+        scenario: &scenario,
+        limits: &limits_of_motion,
+        script: &script,
+        feed_interval: None,
+    };
     for (name, answer, why) in [
         ("no-table", "samples='x'", Err("unreadable output (samples)")),
         ("no-samples", "unsupported='it does not move'", Err("it does not move")),
@@ -124,9 +129,9 @@ fn samples_that_are_none_are_told_and_not_judged() {
         std::fs::write(path, adapter.replace("    elif op == \"state\":", &answering))
             .expect("the adapter");
         let controller = Exec::start(&command, limits()).expect("it starts");
-        let said = controller.moves(&motion).map_err(|none| match none {
-            NotMoved::Unsupported(said) => said,
-            NotMoved::Failed(error) => error.to_string(),
+        let said = controller.record_motion(&motion).map_err(|none| match none {
+            NoSamples::Unsupported(said) => said,
+            NoSamples::Failed(error) => error.to_string(),
         });
         match (said, why) {
             (Ok(samples), Ok(rows)) => assert_eq!(samples.len(), rows, "{name}"),

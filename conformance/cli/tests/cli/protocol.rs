@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::protocol::{Answer, Request};
-use gaugeblock_runner::certify::{Twice, Verdict};
+use gaugeblock_runner::certify::{RepeatSampling, Verdict};
 use gaugeblock_suite::Suite;
 
 use crate::command::gaugeblock;
@@ -88,7 +88,7 @@ fn misbehaviours(text: &'static str) -> Vec<(&'static str, &'static str, &'stati
 fn verdicts_of(
     command: &str,
     suite: &Suite,
-    twice: Twice,
+    twice: RepeatSampling,
     seconds: u64,
 ) -> ((Verdict, bool), Vec<Verdict>) {
     let limits = Limits { time: Duration::from_secs(seconds), ..limits() };
@@ -108,7 +108,7 @@ fn is_right((verdict, alone): &(Verdict, bool), expected: &str) -> bool {
 }
 
 /// Runs the behaviours of a list: each gets its verdict, and the others theirs.
-fn each_gets_its_verdict(list: &'static str, twice: Twice) {
+fn each_gets_its_verdict(list: &'static str, twice: RepeatSampling) {
     let suite =
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let (plain, usual) = verdicts_of(&changed("well-behaved.py", &[]), &suite, twice, 20);
@@ -143,12 +143,12 @@ fn each_gets_its_verdict(list: &'static str, twice: Twice) {
 fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
     let list = include_str!("misbehaviours.txt");
     assert!(misbehaviours(list).len() > 50, "{}", misbehaviours(list).len());
-    each_gets_its_verdict(list, Twice(0));
+    each_gets_its_verdict(list, RepeatSampling(0));
 }
 
 #[test]
 fn a_controller_that_answers_otherwise_the_second_time_is_told_from_one_that_does_not() {
-    each_gets_its_verdict(include_str!("asked_twice.txt"), Twice(100));
+    each_gets_its_verdict(include_str!("asked_twice.txt"), RepeatSampling(100));
 }
 
 #[test]

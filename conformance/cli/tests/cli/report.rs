@@ -11,7 +11,9 @@ use gaugeblock_report::causes::groups;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::stored::StoredCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, terminal};
-use gaugeblock_runner::certify::{CaseResult, Course, Plan, Run, Twice, certify, certify_in};
+use gaugeblock_runner::certify::{
+    CaseResult, Plan, RepeatSampling, Run, RunOptions, certify, run_plan,
+};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
@@ -29,13 +31,13 @@ type Meddle = (&'static str, fn(Outcome) -> Result<Outcome, HarnessError>);
 #[derive(Debug)]
 struct Meddled {
     model: Reference,
-    shows: Capabilities,
+    observables: Capabilities,
     of: &'static [Meddle],
 }
 
 impl Adapter for Meddled {
     fn capabilities(&self) -> &Capabilities {
-        &self.shows
+        &self.observables
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
@@ -94,8 +96,8 @@ fn reported<T>(controller: &dyn Adapter, only: &[String], made: impl Fn(&Report<
 /// A controller that departs in words that mean harm, and crashes with them.
 fn evil() -> (Meddled, Vec<String>) {
     let of: &[Meddle] = &[("m73", crashes), ("m70", departs)];
-    let shows = Capabilities::everything("meddled", "1");
-    (Meddled { model: Reference::default(), shows, of }, vec!["saved-state".to_owned()])
+    let observables = Capabilities::everything("meddled", "1");
+    (Meddled { model: Reference::default(), observables, of }, vec!["saved-state".to_owned()])
 }
 
 #[test]
@@ -131,8 +133,8 @@ fn what_differs_alike_stands_together_in_every_report() {
         }
         Ok(outcome)
     }
-    let shows = Capabilities::everything("accepts", "1");
-    let controller = Meddled { model: Reference::default(), shows, of: &[("", accepts)] };
+    let observables = Capabilities::everything("accepts", "1");
+    let controller = Meddled { model: Reference::default(), observables, of: &[("", accepts)] };
     let only = ["modal-groups".to_owned(), "feed".to_owned()];
     reported(&controller, &only, |report| {
         let groups = groups(report);
@@ -164,10 +166,10 @@ fn the_smallest_program_of_a_divergence_is_found_where_it_is_asked_for() {
     let only = [format!("{}.feed", only[0])];
     let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let mut each = |_: &CaseResult<'_>| {};
-    let twice = Twice::default();
+    let twice = RepeatSampling::default();
     let course =
-        Course { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 200, each: &mut each };
-    let run = certify_in(plan, &controller, course);
+        RunOptions { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 200, each: &mut each };
+    let run = run_plan(plan, &controller, course);
     let shrunk = |case: &CaseResult<'_>| {
         let smallest = case.verdict.departure()?.shrunk.clone()?;
         Some((smallest, case.program.len()))

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
-use gaugeblock_runner::certify::{CaseResult, Course, Plan, Twice, Verdict, certify_in};
+use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, Verdict, run_plan};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
@@ -48,15 +48,15 @@ pub(crate) fn limits() -> Limits {
 pub(crate) fn verdicts_on(
     controller: &Exec,
     suite: &Suite,
-    twice: Twice,
+    twice: RepeatSampling,
 ) -> ((Verdict, bool), Vec<Verdict>) {
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only = ["modal-groups.g-code-out-of-range".to_owned()];
     let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let mut each = |_: &CaseResult<'_>| {};
     let course =
-        Course { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 0, each: &mut each };
-    let run = certify_in(plan, controller, course);
+        RunOptions { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 0, each: &mut each };
+    let run = run_plan(plan, controller, course);
     let (it, others): (Vec<_>, Vec<_>) =
         run.cases.into_iter().partition(|case| case.name == "g101");
     let it = it.into_iter().next().expect("the case");

@@ -28,7 +28,7 @@ const MOST_REST: f64 = 20_000.0;
 
 /// What happens to a program while it is planned.
 #[derive(Clone, Debug, Default)]
-pub struct Circumstances {
+pub struct RunConditions {
     /// Where the machine stands before.
     pub start: Position,
     /// The planner gets one segment in so many cycles; else as many as it takes.
@@ -81,7 +81,7 @@ pub fn plan(
     limits: &MotionLimits,
     every: Option<u32>,
 ) -> Result<Planned, Stopped> {
-    plan_under(outcome, limits, &Circumstances { every, ..Circumstances::default() })
+    plan_under(outcome, limits, &RunConditions { every, ..RunConditions::default() })
 }
 
 /// Plans what a program does under circumstances, to its end or to where the operator aborts it.
@@ -92,7 +92,7 @@ pub fn plan(
 pub fn plan_under(
     outcome: &Outcome,
     limits: &MotionLimits,
-    circumstances: &Circumstances,
+    circumstances: &RunConditions,
 ) -> Result<Planned, Stopped> {
     let mut drive = Drive::new(outcome, limits, circumstances)?;
     for step in &outcome.steps {
@@ -187,7 +187,7 @@ impl<'a> Drive<'a> {
     fn new(
         outcome: &Outcome,
         limits: &'a MotionLimits,
-        circumstances: &'a Circumstances,
+        circumstances: &'a RunConditions,
     ) -> Result<Self, Stopped> {
         // What is not listed does not move, which is checked; a number there must be.
         let mut dynamics = Dynamics {

@@ -18,12 +18,12 @@ mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 
-use crate::drive::{Circumstances, plan_under};
+use crate::drive::{RunConditions, plan_under};
 
 /// The production controller.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Adapter for Production {
         &self.capabilities
     }
 
-    fn honours(&self, options: &Options) -> Result<(), String> {
+    fn accepts_options(&self, options: &Options) -> Result<(), String> {
         supports::options(options)
     }
 
@@ -65,19 +65,19 @@ impl Adapter for Production {
         })
     }
 
-    fn is_within(&self) -> bool {
+    fn is_in_process(&self) -> bool {
         true
     }
 
-    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
+    fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
         let outcome = self.run(motion.scenario);
-        let outcome = outcome.map_err(NotMoved::Failed)?;
+        let outcome = outcome.map_err(NoSamples::Failed)?;
         let script = motion.script.clone();
         let circumstances =
-            Circumstances { every: motion.every, script, ..Circumstances::default() };
+            RunConditions { every: motion.feed_interval, script, ..RunConditions::default() };
         let planned = plan_under(&outcome, motion.limits, &circumstances);
         planned
             .map(|planned| planned.samples)
-            .map_err(|stopped| NotMoved::Failed(HarnessError::NotRun(stopped.why)))
+            .map_err(|stopped| NoSamples::Failed(HarnessError::NotRun(stopped.why)))
     }
 }

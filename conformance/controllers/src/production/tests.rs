@@ -19,10 +19,10 @@ fn ends(scenario: &Scenario) -> String {
 #[test]
 fn a_quirk_is_refused_by_name() {
     let quirk = Options([("rs274.feed-unit".to_owned(), "observed".to_owned())].into());
-    let why = Production::default().honours(&quirk).unwrap_err();
+    let why = Production::default().accepts_options(&quirk).unwrap_err();
     assert!(why.contains("rs274.feed-unit"), "{why}");
     let documented = Options([("rs274.feed-unit".to_owned(), "documented".to_owned())].into());
-    assert_eq!(Production::default().honours(&documented), Ok(()));
+    assert_eq!(Production::default().accepts_options(&documented), Ok(()));
 }
 
 #[test]

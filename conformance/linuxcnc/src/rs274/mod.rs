@@ -120,31 +120,31 @@ impl Adapter for Rs274 {
     /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the
     /// number of a line, probes change what it computes, and where its moves lead. F under inverse time is had from
     /// the text, or back from the moves, if they lead anywhere.
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
-        let mut shows = self.capabilities.clone();
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
+        let mut observables = self.capabilities.clone();
         let source = Source::new(&scenario.program);
         if source.names_line() {
-            shows.fields.remove("position");
+            observables.fields.remove("position");
         }
         if source.has_g_code(&["g93"]) && source.computes_word('f') {
-            shows.fields.remove("feed_rate");
-            shows.fields_at_effects.remove("feed_rate");
+            observables.fields.remove("feed_rate");
+            observables.fields_at_effects.remove("feed_rate");
         }
         if source.has_g_code(&["g20"]) {
-            let coarser = shows.resolution * 25.4;
-            shows.carried.extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
+            let coarser = observables.resolution * 25.4;
+            observables.carried.extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
         }
         if scenario.machine.length_unit == LengthUnit::Millimetre {
-            shows.hidden_parameters.extend([5161..=5219, 5221..=5390]);
+            observables.hidden_parameters.extend([5161..=5219, 5221..=5390]);
         }
-        shows
+        observables
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         supports::supports(scenario)
     }
 
-    fn shows_less_of_some(&self) -> bool {
+    fn observables_vary(&self) -> bool {
         true
     }
 

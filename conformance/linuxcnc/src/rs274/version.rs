@@ -25,13 +25,13 @@ pub(super) fn find(given: Option<&Path>) -> Result<PathBuf, ControllerError> {
     if let Some(given) = given {
         // It runs in a directory of its own, where a relative path leads nowhere.
         return fs::canonicalize(given).map_err(|error| ControllerError::Missing {
-            sought: format!("{}: {error}", given.display()),
+            searched: format!("{}: {error}", given.display()),
         });
     }
     let paths = env::var_os("PATH").unwrap_or_default();
     let found = env::split_paths(&paths).map(|path| path.join("rs274")).find(|path| path.is_file());
     found.ok_or_else(|| ControllerError::Missing {
-        sought: "no rs274 on the search path (Debian package linuxcnc-uspace)".to_owned(),
+        searched: "no rs274 on the search path (Debian package linuxcnc-uspace)".to_owned(),
     })
 }
 
@@ -60,7 +60,7 @@ fn version(binary: &Path, home: Option<&Home>, limits: Limits) -> Result<String,
     let run = program.run(&arguments, workspace.path());
     let output = run.and_then(|run| run.watch("", limits)).map_err(ControllerError::Broken)?;
     let wrong =
-        |found: &str| ControllerError::WrongVersion { found: found.to_owned(), wanted: "2.9.x" };
+        |found: &str| ControllerError::WrongVersion { found: found.to_owned(), required: "2.9.x" };
     let answer = output.stdout.lines().find_map(|line| line.strip_prefix("version "));
     let Some(answer) = answer.filter(|_| output.stop == Stop::Exited(0)) else {
         return Err(wrong("unknown"));

@@ -30,7 +30,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::time::Duration;
 
-use gaugeblock_adapter::{Adapter, ControllerError, HarnessError, NotMoved};
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::{Action, Start};
@@ -108,8 +108,8 @@ impl LinuxCnc {
     /// # Errors
     /// It cannot run the program to its end, or samples are lost; a servo period that is not a whole number of
     /// nanoseconds.
-    pub fn record(&self, scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NotMoved> {
-        self.supports(scenario).map_err(NotMoved::Unsupported)?;
+    pub fn record(&self, scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NoSamples> {
+        self.supports(scenario).map_err(NoSamples::Unsupported)?;
         recorder::record(scenario, limits)
     }
 
@@ -183,34 +183,34 @@ impl Adapter for LinuxCnc {
     /// Under inverse time it shows the speed of a move, and not F.
     /// Of several spindles it does not tell which one a command is for; and under constant surface speed the pins
     /// of a spindle's speed, and with it of its brake, follow the radius, which is a matter of motion.
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
-        let mut shows = self.capabilities.clone();
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
+        let mut observables = self.capabilities.clone();
         let source = Source::new(&scenario.program);
         if source.has_g_code(&["g93"]) && source.has_g_code(&["g1", "g2", "g3"]) {
-            shows.fields.remove("feed_rate");
-            shows.fields_at_effects.remove("feed_rate");
+            observables.fields.remove("feed_rate");
+            observables.fields_at_effects.remove("feed_rate");
         }
         // The pins of a spindle at its angle say what an abort does with it, its commands do not.
         let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);
         if aborts && source.has_g_code(&["m19"]) {
-            shows.fields.remove("spindle");
-            shows.fields_at_effects.remove("spindle");
+            observables.fields.remove("spindle");
+            observables.fields_at_effects.remove("spindle");
         }
         if has(&source, "g96") {
             for pin in [Pin::SpindleSpeed(0), Pin::SpindleBrake(0)] {
-                shows.pins.remove(pin.name());
+                observables.pins.remove(pin.name());
             }
         }
         if scenario.machine.spindles > 1 {
             for hidden in ["orient_spindle", "wait_orient"] {
-                shows.effects.remove(hidden);
+                observables.effects.remove(hidden);
             }
-            shows.fields.remove("speed_override");
+            observables.fields.remove("speed_override");
             if has(&Source::new(&scenario.program), "m19") {
-                shows.fields.remove("spindle");
+                observables.fields.remove("spindle");
             }
         }
-        shows
+        observables
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
@@ -232,7 +232,7 @@ impl Adapter for LinuxCnc {
         self.observe(scenario, false)
     }
 
-    fn shows_less_of_some(&self) -> bool {
+    fn observables_vary(&self) -> bool {
         true
     }
 
@@ -244,7 +244,7 @@ impl Adapter for LinuxCnc {
         Some("linuxcnc-2.9-observed")
     }
 
-    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+    fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         Some(self.observe(scenario, true))
     }
 }

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use gaugeblock_adapter::{HarnessError, NotMoved};
+use gaugeblock_adapter::{HarnessError, NoSamples};
 use gaugeblock_vocabulary::motion::{Column, MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Pin, Scenario};
@@ -41,7 +41,7 @@ const INCH: f64 = 25.4;
 /// # Errors
 /// The controller cannot run it to its end within the time, says nothing that can be read, or loses samples; a servo
 /// period that is not a whole number of nanoseconds.
-pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NotMoved> {
+pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Samples, NoSamples> {
     let mut scenario = scenario.clone();
     scenario.machine.limits = limits_in_units(&scenario.machine, limits);
     let period = nanoseconds(limits.period)?;
@@ -55,9 +55,9 @@ pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Sampl
     let tools = workspace::tool_table(&scenario.machine);
     let parameters = workspace::parameter_file(&scenario.machine, &BTreeSet::new());
     let text = Session::record(&setup, &tools, &parameters, LONGEST)
-        .map_err(|error| NotMoved::Failed(HarnessError::NotRun(error.to_string())))?;
+        .map_err(|error| NoSamples::Failed(HarnessError::NotRun(error.to_string())))?;
     let unreadable =
-        |why| NotMoved::Failed(HarnessError::Unreadable { what: "samples".to_owned(), line: why });
+        |why| NoSamples::Failed(HarnessError::Unreadable { what: "samples".to_owned(), line: why });
     let rows = rows(&text, columns.len()).map_err(unreadable)?;
     let scale = unit(&scenario.machine);
     let rows = moving(&rows);
@@ -73,11 +73,11 @@ fn unit(machine: &Machine) -> f64 {
     }
 }
 
-fn nanoseconds(period: f64) -> Result<u64, NotMoved> {
+fn nanoseconds(period: f64) -> Result<u64, NoSamples> {
     let nanoseconds = (period * 1e9).round();
     if (nanoseconds - period * 1e9).abs() > 1e-3 || nanoseconds < 1.0 {
         let why = format!("a servo period of {period} s is no whole number of nanoseconds");
-        return Err(NotMoved::Unsupported(why));
+        return Err(NoSamples::Unsupported(why));
     }
     #[expect(
         clippy::cast_possible_truncation,

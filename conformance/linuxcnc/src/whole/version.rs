@@ -23,7 +23,7 @@ pub(super) fn ask() -> Result<String, ControllerError> {
     for name in needed {
         if find(name).is_none() {
             return Err(ControllerError::Missing {
-                sought: format!(
+                searched: format!(
                     "no {name} on the search path (Debian packages linuxcnc-uspace, util-linux)"
                 ),
             });
@@ -37,7 +37,7 @@ pub(super) fn ask() -> Result<String, ControllerError> {
     let version = String::from_utf8_lossy(&output.stdout).trim().to_owned();
     if !version.starts_with(WANTED) {
         let found = if version.is_empty() { "unknown".to_owned() } else { version };
-        return Err(ControllerError::WrongVersion { found, wanted: "2.9.x" });
+        return Err(ControllerError::WrongVersion { found, required: "2.9.x" });
     }
     let mut spaces = Command::new("unshare");
     if !is_root() {

@@ -10,7 +10,7 @@ use gaugeblock_controllers::Reference;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock_runner::certify::{CaseResult, Plan, Run, Verdict, certify};
-use gaugeblock_runner::expectations::{Expectations, Trouble};
+use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::fingerprint::{Shown, fingerprint};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_runner::waivers::Waivers;
@@ -232,8 +232,8 @@ fn values_of_pins_are_compared_and_their_times_are_not() {
     let end = "end program_end";
     let all = Capabilities::everything("any", "0");
     let expected = with_pins(end, &[(0.0, "digital_out[0]", 1.0), (1.0, "digital_out[0]", 0.0)]);
-    let divergence = |found: &Observed, shows: &Capabilities| {
-        compare(&expected, found, shows).divergence.map(|divergence| divergence.to_string())
+    let divergence = |found: &Observed, observables: &Capabilities| {
+        compare(&expected, found, observables).divergence.map(|divergence| divergence.to_string())
     };
     let late =
         [(2.0, "digital_out[0]", 1.0), (2.5, "digital_out[0]", 1.0), (3.0, "digital_out[0]", 0.0)];
@@ -279,8 +279,8 @@ fn assertions_on_pins() {
     let all = Capabilities::everything("any", "0");
     let changes = [(0.0, "analog_out[2]", 1.5), (0.0, "analog_out[2]", -1.0)];
     let run = with_pins("end program_end", &changes);
-    let finding = |text: &str, shows: &Capabilities| {
-        judge(&text.parse().unwrap_or_else(|error| panic!("{text}: {error}")), &run, shows)
+    let finding = |text: &str, observables: &Capabilities| {
+        judge(&text.parse().unwrap_or_else(|error| panic!("{text}: {error}")), &run, observables)
     };
     assert_eq!(finding("pin analog_out[2]: 1.5, -1", &all), Finding::Holds);
     assert_eq!(finding("pin analog_out[1]: none", &all), Finding::Holds);
@@ -315,13 +315,13 @@ fn expectations_are_strict() {
     let taken = shorter.known.pop().expect("one is listed");
     let troubles = shorter.hold(&seen, false);
     assert!(
-        matches!(&troubles[..], [Trouble::New { rule, .. }] if *rule == taken.rule),
+        matches!(&troubles[..], [ExpectationMismatch::New { rule, .. }] if *rule == taken.rule),
         "{troubles:?}"
     );
 
     let mut other = listed.clone();
     other.known[0].found = "something else".to_owned();
-    assert!(matches!(&other.hold(&seen, false)[..], [Trouble::Changed { .. }]));
+    assert!(matches!(&other.hold(&seen, false)[..], [ExpectationMismatch::Changed { .. }]));
 
     let mended = run(&suite, &Reference::default(), &only, 1);
     assert_eq!(
@@ -333,7 +333,10 @@ fn expectations_are_strict() {
     let mut strange = listed.clone();
     strange.known[0].case = "no such case".to_owned();
     assert!(
-        strange.hold(&seen, true).iter().any(|trouble| matches!(trouble, Trouble::Stale { .. }))
+        strange
+            .hold(&seen, true)
+            .iter()
+            .any(|trouble| matches!(trouble, ExpectationMismatch::Stale { .. }))
     );
 }
 
@@ -417,8 +420,8 @@ fn a_baseline_knows_what_was() {
     let without = run(&suite, &faulty(without), &only, 2);
     let (troubles, told) = stored(&whole).hold(&without);
     assert!(told.is_empty() && troubles.len() == before.cases.len(), "{told:?}");
-    let is_lost = |trouble: &Trouble| {
-        let Trouble::Changed { listed, found, .. } = trouble else { return false };
+    let is_lost = |trouble: &ExpectationMismatch| {
+        let ExpectationMismatch::Changed { listed, found, .. } = trouble else { return false };
         listed == "pass" && found == "unsupported: it has none"
     };
     assert!(troubles.iter().all(is_lost), "{}", troubles[0]);
@@ -446,8 +449,9 @@ fn a_waiver_is_what_somebody_answers_for_until_a_day() {
         );
         Waivers::read(&text).expect("waivers")
     };
-    let of_rule =
-        |troubles: &[Trouble]| troubles.iter().filter(|trouble| trouble.place().0 == rule).count();
+    let of_rule = |troubles: &[ExpectationMismatch]| {
+        troubles.iter().filter(|trouble| trouble.place().0 == rule).count()
+    };
     let hold = |waivers: Waivers, run: &Run<'_>| waivers.hold(run, None, today);
     let (left, waived) = hold(waiver(&rule, "2026-11-23"), &after);
     assert_eq!((of_rule(&left), waived.is_empty()), (0, false), "its last day counts");
@@ -465,7 +469,7 @@ fn a_waiver_is_what_somebody_answers_for_until_a_day() {
     let lost = without.cases.iter().filter(|result| result.rule.id == rule).map(|result| {
         let (rule, case) = (rule.clone(), result.name.to_owned());
         let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
-        Trouble::Changed { rule, case, listed, found }
+        ExpectationMismatch::Changed { rule, case, listed, found }
     });
     let lost: Vec<_> = lost.collect();
     let (left, waived) = waiver(&rule, "2027-01-01").hold(&without, Some(lost.clone()), today);

@@ -5,8 +5,8 @@ use std::num::NonZero;
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::markdown::markdown;
 use gaugeblock_report::{Header, Report};
-use gaugeblock_runner::certify::{Departure, Plan, Run, Verdict, certify};
-use gaugeblock_runner::expectations::Trouble;
+use gaugeblock_runner::certify::{Plan, RuleDivergence, Run, Verdict, certify};
+use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
@@ -77,8 +77,8 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
         let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
         let found = text.to_owned();
         troubles.push(match at % 2 {
-            0 => Trouble::New { rule, case, found },
-            _ => Trouble::Changed { rule, case, listed: found.clone(), found },
+            0 => ExpectationMismatch::New { rule, case, found },
+            _ => ExpectationMismatch::Changed { rule, case, listed: found.clone(), found },
         });
     }
     let mut header = Header::of(plan, &reference, Shard::WHOLE);
@@ -90,11 +90,11 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
 }
 
 fn departs(_: usize, text: &str) -> Verdict {
-    Verdict::Diverges(Departure {
+    Verdict::Diverges(RuleDivergence {
         assertion: Some(("feed_rate = 1".to_owned(), text.to_owned())),
         divergence: Some(text.to_owned()),
         explanation: vec![text.to_owned()],
-        ..Departure::default()
+        ..RuleDivergence::default()
     })
 }
 

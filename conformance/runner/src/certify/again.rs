@@ -7,20 +7,20 @@ use gaugeblock_compare::observe::Observed;
 use gaugeblock_vocabulary::{Outcome, Scenario};
 use sha2::{Digest as _, Sha256};
 
-use super::verdict::{Cause, Unjudged};
+use super::verdict::{Cause, NotJudgedReason};
 
 /// How many cases of a hundred are run twice. Which ones follows from their names alone, so that every part of a run,
 /// and one that is gone on with, chooses the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Twice(pub u8);
+pub struct RepeatSampling(pub u8);
 
-impl Default for Twice {
+impl Default for RepeatSampling {
     fn default() -> Self {
         Self(1)
     }
 }
 
-impl Twice {
+impl RepeatSampling {
     /// Whether a case is run twice.
     pub fn chooses(self, rule: &str, case: &str) -> bool {
         let digest = Sha256::digest(format!("{rule} / {case}"));
@@ -31,7 +31,7 @@ impl Twice {
 }
 
 /// What a controller did.
-pub(super) struct Ran {
+pub(super) struct RunAttempt {
     pub(super) found: Outcome,
     /// How it failed where other programs had run before; this is then what it did alone, twice.
     pub(super) before: Option<String>,
@@ -39,40 +39,44 @@ pub(super) struct Ran {
 
 /// A controller and what it is to run.
 #[derive(Clone, Copy)]
-pub(super) struct Runs<'a> {
+pub(super) struct RunAttempts<'a> {
     pub(super) controller: &'a dyn Adapter,
     pub(super) scenario: &'a Scenario,
 }
 
-impl Runs<'_> {
+impl RunAttempts<'_> {
     /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same
     /// when it is asked again.
-    pub(super) fn outcome(self, expected: &Expected<'_>, twice: bool) -> Result<Ran, Unjudged> {
+    pub(super) fn outcome(
+        self,
+        expected: &Expected<'_>,
+        twice: bool,
+    ) -> Result<RunAttempt, NotJudgedReason> {
         let found = match self.controller.run_expecting(self.scenario, expected) {
             Ok(found) => found,
             Err(error) if is_perhaps_left(&error) => return self.failed(&error),
-            Err(error) => return Err(Unjudged::from(&error)),
+            Err(error) => return Err(NotJudgedReason::from(&error)),
         };
         if twice {
             self.same_again(&found)?;
         }
-        Ok(Ran { found, before: None })
+        Ok(RunAttempt { found, before: None })
     }
 
     /// A new controller, or one that is always new.
     pub(super) fn alone(self) -> Result<Outcome, HarnessError> {
-        let anew = self.controller.run_anew(self.scenario);
+        let anew = self.controller.run_fresh(self.scenario);
         anew.unwrap_or_else(|| self.controller.run(self.scenario))
     }
 
     /// The first difference between two runs of this on the same controller.
     pub(super) fn difference(self, first: &Outcome, second: &Outcome) -> Option<String> {
-        let mut shows = self.controller.shows(self.scenario);
-        if shows.pin_period > 0.0 {
+        let mut observables = self.controller.observables(self.scenario);
+        if observables.pin_period > 0.0 {
             // What is too brief to be seen for sure may be seen once and missed once.
-            shows.pins.clear();
+            observables.pins.clear();
         }
-        let comparison = compare(&Observed::of(first), &Observed::of(second), &shows);
+        let comparison = compare(&Observed::of(first), &Observed::of(second), &observables);
         let difference = comparison.divergence?;
         let place = difference.block.map(|block| format!("{block}: ")).unwrap_or_default();
         let (first, second) = (difference.expected, difference.found);
@@ -81,24 +85,24 @@ impl Runs<'_> {
 
     /// There is no outcome. What fails alone, too, is the case's; what does not was left there by an earlier program
     /// if it never fails alone, and chance otherwise.
-    fn failed(self, error: &HarnessError) -> Result<Ran, Unjudged> {
-        let anew = self.controller.run_anew(self.scenario);
+    fn failed(self, error: &HarnessError) -> Result<RunAttempt, NotJudgedReason> {
+        let anew = self.controller.run_fresh(self.scenario);
         let is_always_new = anew.is_none();
         let first = match anew.unwrap_or_else(|| self.controller.run(self.scenario)) {
             Ok(_) if is_always_new => return Err(by_chance(error)),
             Ok(first) => first,
-            Err(again) => return Err(Unjudged::from(&again)),
+            Err(again) => return Err(NotJudgedReason::from(&again)),
         };
         match self.alone() {
             Ok(second) if self.difference(&first, &second).is_none() => {
-                Ok(Ran { found: first, before: Some(error.to_string()) })
+                Ok(RunAttempt { found: first, before: Some(error.to_string()) })
             }
             Ok(_) => Err(by_chance(error)),
             Err(again) => Err(by_chance(&again)),
         }
     }
 
-    fn same_again(self, first: &Outcome) -> Result<(), Unjudged> {
+    fn same_again(self, first: &Outcome) -> Result<(), NotJudgedReason> {
         let difference = match self.controller.run(self.scenario) {
             Ok(second) => self.difference(first, &second),
             Err(error) => Some(format!("first it ended, then {error}")),
@@ -111,7 +115,10 @@ impl Runs<'_> {
         } else {
             "on a new controller otherwise, too"
         };
-        Err(Unjudged::new(Cause::Nondeterministic, format!("run twice: {difference}; {why}")))
+        Err(NotJudgedReason::new(
+            Cause::Nondeterministic,
+            format!("run twice: {difference}; {why}"),
+        ))
     }
 }
 
@@ -121,9 +128,9 @@ fn is_perhaps_left(error: &HarnessError) -> bool {
     matches!(error, Crashed { .. } | TimedOut { .. } | Unreadable { .. })
 }
 
-fn by_chance(error: &HarnessError) -> Unjudged {
+fn by_chance(error: &HarnessError) -> NotJudgedReason {
     let why = format!("{error}; and not so when it was run again alone");
-    Unjudged::new(Cause::Nondeterministic, why)
+    NotJudgedReason::new(Cause::Nondeterministic, why)
 }
 
 #[cfg(test)]
@@ -133,7 +140,7 @@ mod tests {
     #[test]
     fn about_as_many_are_chosen_as_are_asked_for() {
         let chosen = |twice: u8| {
-            (0..10_000).filter(|n| Twice(twice).chooses("a.rule", &n.to_string())).count()
+            (0..10_000).filter(|n| RepeatSampling(twice).chooses("a.rule", &n.to_string())).count()
         };
         assert_eq!((chosen(0), chosen(100)), (0, 10_000));
         assert!((50..200).contains(&chosen(1)), "{}", chosen(1));

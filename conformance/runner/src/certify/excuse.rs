@@ -1,7 +1,7 @@
 //! Departures that somebody knows of, or answers for, by their names.
 
 use super::verdict::{Run, Verdict};
-use crate::expectations::Trouble;
+use crate::expectations::ExpectationMismatch;
 use crate::waivers::Waived;
 
 /// Who knows of a departure where the expectations list it.
@@ -12,7 +12,12 @@ pub const BASELINE: &str = "as in the baseline";
 impl Run<'_> {
     /// Names what is known, or waived, of what the run was held against; what is in `troubles` is neither. A
     /// departure that is charged to other rules stays so: it is known, or not, there.
-    pub fn excuse(&mut self, troubles: &[Trouble], waived: &[Waived], who: Option<&str>) {
+    pub fn excuse(
+        &mut self,
+        troubles: &[ExpectationMismatch],
+        waived: &[Waived],
+        who: Option<&str>,
+    ) {
         for result in &mut self.cases {
             let Verdict::Diverges(departure) = &result.verdict else { continue };
             let place = (result.rule.id.as_str(), result.name);

@@ -24,24 +24,24 @@ use gaugeblock_suite::assertion::Claim;
 use gaugeblock_suite::{Case, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
-use crate::explain::{Departed, Other};
+use crate::explain::{AlternativeOption, DivergenceContext};
 use crate::shard::Shard;
-pub use again::Twice;
-use again::{Ran, Runs};
+pub use again::RepeatSampling;
+use again::{RunAttempt, RunAttempts};
 pub use excuse::{BASELINE, EXPECTATIONS};
 pub use plan::Plan;
 use select::{Selected, Subject, select};
 pub use select::{cases, void};
-pub use verdict::{CaseResult, Cause, Departure, Run, Traces, Unjudged, Verdict};
+pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Traces, Verdict};
 
 /// What of a plan is run.
-pub struct Course<'a, 'c> {
+pub struct RunOptions<'a, 'c> {
     /// The part of the cases.
     pub shard: Shard,
     /// What was run before, which is not run again.
     pub done: Vec<CaseResult<'a>>,
     /// Which cases are run twice.
-    pub twice: Twice,
+    pub twice: RepeatSampling,
     /// How many programs are tried to make that of a divergence smaller, where nothing explains it; none where it
     /// stays as it is.
     pub shrink: u32,
@@ -49,7 +49,7 @@ pub struct Course<'a, 'c> {
     pub each: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
 }
 
-impl fmt::Debug for Course<'_, '_> {
+impl fmt::Debug for RunOptions<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "shard {}, {} done before", self.shard, self.done.len())
     }
@@ -58,18 +58,22 @@ impl fmt::Debug for Course<'_, '_> {
 /// Runs the suite; `done` is told of each finished case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
     let mut each = |_: &CaseResult<'a>| done();
-    let course = Course {
+    let course = RunOptions {
         shard: Shard::WHOLE,
         done: Vec::new(),
-        twice: Twice::default(),
+        twice: RepeatSampling::default(),
         shrink: 0,
         each: &mut each,
     };
-    certify_in(plan, controller, course)
+    run_plan(plan, controller, course)
 }
 
 /// Runs as much of the suite as is to be run.
-pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'a, '_>) -> Run<'a> {
+pub fn run_plan<'a>(
+    plan: Plan<'a>,
+    controller: &dyn Adapter,
+    course: RunOptions<'a, '_>,
+) -> Run<'a> {
     let options = options_of(plan.suite, plan.edition, &controller.options());
     let Selected { void, cases } = select(plan, controller.has_laws_of_motion()).of(course.shard);
     let (twice, shrink) = (course.twice, course.shrink);
@@ -94,7 +98,7 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
-                let held = Held { plan, options: &options, controller, twice, shrink };
+                let held = CaseRunner { plan, options: &options, controller, twice, shrink };
                 let take = || {
                     let (_, place) = order.get(next.fetch_add(1, Ordering::Relaxed))?;
                     let (rule, subject) = cases[*place];
@@ -126,15 +130,15 @@ pub fn certify_in<'a>(plan: Plan<'a>, controller: &dyn Adapter, course: Course<'
 
 /// A controller, and what it is held to.
 #[derive(Clone, Copy)]
-struct Held<'a> {
+struct CaseRunner<'a> {
     plan: Plan<'a>,
     options: &'a Options,
     controller: &'a dyn Adapter,
-    twice: Twice,
+    twice: RepeatSampling,
     shrink: u32,
 }
 
-impl Held<'_> {
+impl CaseRunner<'_> {
     /// Runs a case and judges it. In between, `ahead` tells the controller what is next.
     fn run_case<'r>(
         self,
@@ -145,16 +149,16 @@ impl Held<'_> {
         let Self { plan, controller, twice, shrink, .. } = self;
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
         let expected = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
-        let runs = Runs { controller, scenario };
+        let runs = RunAttempts { controller, scenario };
         let ran = || runs.outcome(&expected, twice.chooses(&rule.id, &case.name));
-        let begun = controller.runs_beside().then(ran);
+        let begun = controller.is_out_of_process().then(ran);
         ahead();
         if let Some(why) = left_open(&expected.end) {
             result.verdict = Verdict::Inconclusive(why);
             return result;
         }
         let found = match begun.unwrap_or_else(ran) {
-            Ok(Ran { found, before }) => {
+            Ok(RunAttempt { found, before }) => {
                 result.repeated = before.is_some();
                 result.before = before;
                 found
@@ -169,7 +173,7 @@ impl Held<'_> {
             return result;
         }
         let against =
-            Against { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
+            CaseJudge { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
         let shows_nothing = against.shows_nothing_of(case, &found);
         match against.lasting(case, &expected, found, &mut result) {
             Ok(Some((departure, found))) => {
@@ -200,14 +204,14 @@ fn left_open(end: &End) -> Option<String> {
     })
 }
 
-struct Against<'a> {
+struct CaseJudge<'a> {
     suite: &'a Suite,
     scenario: &'a Scenario,
     edition: &'a str,
     controller: &'a dyn Adapter,
 }
 
-impl Against<'_> {
+impl CaseJudge<'_> {
     /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have
     /// kept something of an earlier program. What it is known to do needs no second run, and one that does something
     /// else each time has no verdict.
@@ -217,7 +221,7 @@ impl Against<'_> {
         expected: &Outcome,
         found: Outcome,
         result: &mut CaseResult<'_>,
-    ) -> Result<Option<(Departure, Outcome)>, Unjudged> {
+    ) -> Result<Option<(RuleDivergence, Outcome)>, NotJudgedReason> {
         let begun = result.clone();
         let Some(departure) = self.departure(case, expected, &found, result) else {
             return Ok(None);
@@ -225,32 +229,38 @@ impl Against<'_> {
         if self.departed(result.rule, case, &found).is_known(self.edition) {
             return Ok(Some((departure, found)));
         }
-        let Some(Ok(anew)) = self.controller.run_anew(self.scenario) else {
+        let Some(Ok(anew)) = self.controller.run_fresh(self.scenario) else {
             return Ok(Some((departure, found)));
         };
         if anew == found {
             return Ok(Some((departure, found)));
         }
         *result = CaseResult { repeated: true, ..begun };
-        let runs = Runs { controller: self.controller, scenario: self.scenario };
+        let runs = RunAttempts { controller: self.controller, scenario: self.scenario };
         if let Ok(once_more) = runs.alone()
             && let Some(difference) = runs.difference(&anew, &once_more)
         {
             let why = format!("twice on a new controller: {difference}");
-            return Err(Unjudged { cause: Cause::Nondeterministic, why });
+            return Err(NotJudgedReason { cause: Cause::Nondeterministic, why });
         }
         let departure = self.departure(case, expected, &anew, result);
         Ok(departure.map(|departure| (departure, anew)))
     }
 
     /// Whose departure it is: that of the rule, or of others that are about what explains it.
-    fn charged(&self, rule: &Rule, case: &Case, departure: Departure, found: &Outcome) -> Verdict {
+    fn charged(
+        &self,
+        rule: &Rule,
+        case: &Case,
+        departure: RuleDivergence,
+        found: &Outcome,
+    ) -> Verdict {
         let departed = self.departed(rule, case, found);
         let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
-        let explanation = why.iter().map(Other::name).collect();
-        let departure = Departure { explanation, ..departure };
+        let explanation = why.iter().map(AlternativeOption::name).collect();
+        let departure = RuleDivergence { explanation, ..departure };
         if is_charged_elsewhere(departed, &departure, &why) {
-            Verdict::ChargedElsewhere(departure)
+            Verdict::AttributedElsewhere(departure)
         } else {
             Verdict::Diverges(departure)
         }
@@ -259,20 +269,25 @@ impl Against<'_> {
     /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down
     /// what was seen, and all that could be judged of the assertions is that the program was accepted.
     fn shows_nothing_of(&self, case: &Case, found: &Outcome) -> bool {
-        let shows = self.controller.shows(self.scenario);
-        if shows.blocks && self.controller.belongs_to().is_none() {
+        let observables = self.controller.observables(self.scenario);
+        if observables.blocks && self.controller.exported_from().is_none() {
             return false;
         }
         let found = Observed::of(found);
         let claims = case.parsed().into_iter().filter(|claim| {
             applies(claim, &self.scenario.options, self.edition) && claim.claim != Claim::Accepted
         });
-        let mut findings = claims.map(|claim| judge(&claim, &found, &shows)).peekable();
+        let mut findings = claims.map(|claim| judge(&claim, &found, &observables)).peekable();
         findings.peek().is_some() && findings.all(|found| matches!(found, Finding::Masked(_)))
     }
 
-    fn departed<'a>(&'a self, rule: &'a Rule, case: &'a Case, found: &'a Outcome) -> Departed<'a> {
-        Departed {
+    fn departed<'a>(
+        &'a self,
+        rule: &'a Rule,
+        case: &'a Case,
+        found: &'a Outcome,
+    ) -> DivergenceContext<'a> {
+        DivergenceContext {
             suite: self.suite,
             rule,
             case,
@@ -288,15 +303,15 @@ impl Against<'_> {
         expected: &Outcome,
         found: &Outcome,
         result: &mut CaseResult<'_>,
-    ) -> Option<Departure> {
-        let shows = self.controller.shows(self.scenario);
+    ) -> Option<RuleDivergence> {
+        let observables = self.controller.observables(self.scenario);
         let outcomes = (expected, found);
         let (expected, found) = (Observed::of(expected), Observed::of(found));
         let mut assertion = None;
         for claim in
             case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
         {
-            match judge(claim, &found, &shows) {
+            match judge(claim, &found, &observables) {
                 Finding::Holds => result.compared.add(Basis::Assertions, 1),
                 Finding::Masked(what) => {
                     result.masked.insert(what);
@@ -306,22 +321,26 @@ impl Against<'_> {
                 }
             }
         }
-        let comparison = compare(&expected, &found, &shows);
+        let comparison = compare(&expected, &found, &observables);
         result.masked.extend(comparison.masked);
         result.compared.extend(&comparison.compared);
         let divergence = comparison.divergence.map(|divergence| divergence.to_string());
         let departs = assertion.is_some() || divergence.is_some();
         departs.then(|| {
             let traces = Some(Traces::of(outcomes.0, outcomes.1));
-            let state = state(&expected, &found, &shows);
-            Departure { assertion, divergence, traces, state, ..Departure::default() }
+            let state = state(&expected, &found, &observables);
+            RuleDivergence { assertion, divergence, traces, state, ..RuleDivergence::default() }
         })
     }
 }
 
 /// Whether all assertions hold and the difference is what other rules are about.
-fn is_charged_elsewhere(departed: Departed<'_>, departure: &Departure, why: &[Other<'_>]) -> bool {
-    let is_of_another_rule = |other: &Other<'_>| {
+fn is_charged_elsewhere(
+    departed: DivergenceContext<'_>,
+    departure: &RuleDivergence,
+    why: &[AlternativeOption<'_>],
+) -> bool {
+    let is_of_another_rule = |other: &AlternativeOption<'_>| {
         departed.suite.rules.iter().any(|rule| rule.options.contains(&other.choice.id))
     };
     departure.assertion.is_none()

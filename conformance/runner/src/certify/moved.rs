@@ -1,16 +1,16 @@
 //! Cases of motion: samples held to laws.
 
-use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Basis;
 use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{MotionCase, Rule};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 
-use super::Held;
-use super::verdict::{CaseResult, Cause, Departure, Unjudged, Verdict};
+use super::CaseRunner;
+use super::verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Verdict};
 
-impl Held<'_> {
+impl CaseRunner<'_> {
     /// A case of motion: its own samples, or what the controller makes of its program at each feed of segments.
     pub(super) fn run_motion<'r>(self, rule: &'r Rule, case: &'r MotionCase) -> CaseResult<'r> {
         let mut result = CaseResult::begun(rule, &case.name, &case.program);
@@ -29,7 +29,7 @@ impl Held<'_> {
 /// A case of motion with what it asks for.
 #[derive(Clone, Copy)]
 struct Moved<'a> {
-    held: Held<'a>,
+    held: CaseRunner<'a>,
     rule: &'a Rule,
     case: &'a MotionCase,
     scenario: &'a Scenario,
@@ -63,35 +63,38 @@ impl Moved<'_> {
                     let fed =
                         every.map_or(String::new(), |n| format!("with a segment in {n} cycles: "));
                     let assertion = Some((saying, format!("{fed}{found}")));
-                    return Verdict::Diverges(Departure { assertion, ..Departure::default() });
+                    return Verdict::Diverges(RuleDivergence {
+                        assertion,
+                        ..RuleDivergence::default()
+                    });
                 }
             }
         }
         Verdict::Pass
     }
 
-    fn same_again(self, first: &Samples, every: Option<u32>) -> Result<(), Unjudged> {
+    fn same_again(self, first: &Samples, every: Option<u32>) -> Result<(), NotJudgedReason> {
         let second = samples_of(self.held.controller, self.scenario, self.case, every);
         let why = match second {
             Ok(second) if second == *first => return Ok(()),
             Ok(second) if second.len() == first.len() => "other samples".to_owned(),
             Ok(second) => format!("first {} samples, then {}", first.len(), second.len()),
-            Err(NotMoved::Unsupported(why)) => format!("then {why}"),
-            Err(NotMoved::Failed(why)) => format!("then {why}"),
+            Err(NoSamples::Unsupported(why)) => format!("then {why}"),
+            Err(NoSamples::Failed(why)) => format!("then {why}"),
         };
-        Err(Unjudged::new(Cause::Nondeterministic, format!("run twice: {why}")))
+        Err(NotJudgedReason::new(Cause::Nondeterministic, format!("run twice: {why}")))
     }
 }
 
-fn why_not(not_moved: NotMoved) -> Verdict {
+fn why_not(not_moved: NoSamples) -> Verdict {
     match not_moved {
-        NotMoved::Unsupported(why) => Verdict::Unsupported(why),
-        NotMoved::Failed(why) => Verdict::NotJudged(Unjudged::from(&why)),
+        NoSamples::Unsupported(why) => Verdict::Unsupported(why),
+        NoSamples::Failed(why) => Verdict::NotJudged(NotJudgedReason::from(&why)),
     }
 }
 
-fn not_run(why: String) -> NotMoved {
-    NotMoved::Failed(HarnessError::NotRun(why))
+fn not_run(why: String) -> NoSamples {
+    NoSamples::Failed(HarnessError::NotRun(why))
 }
 
 fn samples_of(
@@ -99,11 +102,16 @@ fn samples_of(
     scenario: &Scenario,
     case: &MotionCase,
     every: Option<u32>,
-) -> Result<Samples, NotMoved> {
+) -> Result<Samples, NoSamples> {
     if case.is_recorded() {
         return gaugeblock_motion::made(case).map_err(not_run);
     }
     let limits = case.limits().map_err(not_run)?;
     let script = case.script();
-    controller.moves(&Motion { scenario, limits: &limits, script: &script, every })
+    controller.record_motion(&MotionRequest {
+        scenario,
+        limits: &limits,
+        script: &script,
+        feed_interval: every,
+    })
 }

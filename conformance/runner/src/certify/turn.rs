@@ -3,13 +3,13 @@
 use gaugeblock_suite::{Case, MotionCase, Rule, scenario_of};
 use gaugeblock_vocabulary::Scenario;
 
-use super::Held;
+use super::CaseRunner;
 use super::select::Subject;
-use super::verdict::{CaseResult, Cause, Unjudged, Verdict};
+use super::verdict::{CaseResult, Cause, NotJudgedReason, Verdict};
 
 /// What is judged next.
 #[derive(Debug)]
-pub(super) enum Turn<'a> {
+pub(super) enum ScheduledCase<'a> {
     /// A case whose scenario is run.
     Run(&'a Case, Box<Scenario>),
     /// A case that is not run, and its verdict.
@@ -18,22 +18,22 @@ pub(super) enum Turn<'a> {
     Motion(&'a MotionCase),
 }
 
-impl Held<'_> {
+impl CaseRunner<'_> {
     /// The turn of a case.
-    pub(super) fn turn<'r>(self, subject: Subject<'r>) -> Turn<'r> {
+    pub(super) fn turn<'r>(self, subject: Subject<'r>) -> ScheduledCase<'r> {
         let Self { plan, options, controller, .. } = self;
         let case = match subject {
             Subject::Run(case) => case,
-            Subject::Motion(case) => return Turn::Motion(case),
+            Subject::Motion(case) => return ScheduledCase::Motion(case),
         };
         let scenario = scenario_of(case, options, plan.edition);
-        if let Some(why) = controller.awaited(&scenario) {
-            let why = Unjudged::new(Cause::NotRun, why);
-            return Turn::NotRun(case, Box::new(Verdict::NotJudged(why)));
+        if let Some(why) = controller.pending(&scenario) {
+            let why = NotJudgedReason::new(Cause::NotRun, why);
+            return ScheduledCase::NotRun(case, Box::new(Verdict::NotJudged(why)));
         }
         match controller.supports(&scenario) {
-            Ok(()) => Turn::Run(case, Box::new(scenario)),
-            Err(reason) => Turn::NotRun(case, Box::new(Verdict::Unsupported(reason))),
+            Ok(()) => ScheduledCase::Run(case, Box::new(scenario)),
+            Err(reason) => ScheduledCase::NotRun(case, Box::new(Verdict::Unsupported(reason))),
         }
     }
 
@@ -41,21 +41,21 @@ impl Held<'_> {
     pub(super) fn judged<'r>(
         self,
         rule: &'r Rule,
-        turn: Turn<'r>,
-        next: Option<&Turn<'_>>,
+        turn: ScheduledCase<'r>,
+        next: Option<&ScheduledCase<'_>>,
     ) -> CaseResult<'r> {
         let ahead = || {
-            if let Some(Turn::Run(_, scenario)) = next {
-                self.controller.ahead(scenario);
+            if let Some(ScheduledCase::Run(_, scenario)) = next {
+                self.controller.prefetch(scenario);
             }
         };
         match turn {
-            Turn::Run(case, scenario) => self.run_case((rule, case), &scenario, ahead),
-            Turn::NotRun(case, verdict) => {
+            ScheduledCase::Run(case, scenario) => self.run_case((rule, case), &scenario, ahead),
+            ScheduledCase::NotRun(case, verdict) => {
                 let verdict = *verdict;
                 CaseResult { verdict, ..CaseResult::begun(rule, &case.name, &case.program) }
             }
-            Turn::Motion(case) => self.run_motion(rule, case),
+            ScheduledCase::Motion(case) => self.run_motion(rule, case),
         }
     }
 }

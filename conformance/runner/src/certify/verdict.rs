@@ -1,6 +1,6 @@
 //! What comes of cases and of a run.
 //!
-//! **Invariant:** nothing but `Pass` and `ChargedElsewhere` says that a controller does what the documents say.
+//! **Invariant:** nothing but `Pass` and `AttributedElsewhere` says that a controller does what the documents say.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::fingerprint::Trait;
+use crate::fingerprint::FingerprintEntry;
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,20 +22,20 @@ pub enum Verdict {
     /// Everything that could be compared is as the documents say.
     Pass,
     /// The controller does something else.
-    Diverges(Departure),
+    Diverges(RuleDivergence),
     /// The case's own assertions hold, and the one difference is a quirk that this rule is not about: it is charged to
     /// the rules that name the quirk. Everything else is as the documents say.
-    ChargedElsewhere(Departure),
+    AttributedElsewhere(RuleDivergence),
     /// It does something else, exactly as is known of it. Who knows: the expectations, or an earlier report.
-    Known(Departure, String),
+    Known(RuleDivergence, String),
     /// It does something else, and somebody answers for it until a day: who, until when and why.
-    Waived(Departure, String),
+    Waived(RuleDivergence, String),
     /// Not run: the controller declared not to have this, or not to show it.
     Unsupported(String),
     /// The documents or the model leave it open, and why. Never a pass.
     Inconclusive(String),
     /// There is no outcome to judge, or more than one. Never a pass.
-    NotJudged(Unjudged),
+    NotJudged(NotJudgedReason),
 }
 
 impl Verdict {
@@ -44,7 +44,7 @@ impl Verdict {
         match self {
             Self::Pass => "pass",
             Self::Diverges(_) => "diverges",
-            Self::ChargedElsewhere(_) => "charged elsewhere",
+            Self::AttributedElsewhere(_) => "charged elsewhere",
             Self::Known(..) => "known",
             Self::Waived(..) => "waived",
             Self::Unsupported(_) => "unsupported",
@@ -54,10 +54,10 @@ impl Verdict {
     }
 
     /// What the controller does otherwise, whoever knows of it.
-    pub fn departure(&self) -> Option<&Departure> {
+    pub fn departure(&self) -> Option<&RuleDivergence> {
         match self {
             Self::Diverges(departure)
-            | Self::ChargedElsewhere(departure)
+            | Self::AttributedElsewhere(departure)
             | Self::Known(departure, _)
             | Self::Waived(departure, _) => Some(departure),
             Self::Pass | Self::Unsupported(_) | Self::Inconclusive(_) | Self::NotJudged(_) => None,
@@ -65,8 +65,8 @@ impl Verdict {
     }
 
     /// What the controller does otherwise in what the rule is about, whoever knows of it.
-    pub fn own_departure(&self) -> Option<&Departure> {
-        if matches!(self, Self::ChargedElsewhere(_)) { None } else { self.departure() }
+    pub fn own_departure(&self) -> Option<&RuleDivergence> {
+        if matches!(self, Self::AttributedElsewhere(_)) { None } else { self.departure() }
     }
 
     /// Who knows of a departure, or answers for it.
@@ -84,10 +84,10 @@ impl Verdict {
         match self {
             Self::Unsupported(why)
             | Self::Inconclusive(why)
-            | Self::NotJudged(Unjudged { why, .. }) => Some(why),
+            | Self::NotJudged(NotJudgedReason { why, .. }) => Some(why),
             Self::Pass
             | Self::Diverges(_)
-            | Self::ChargedElsewhere(_)
+            | Self::AttributedElsewhere(_)
             | Self::Known(..)
             | Self::Waived(..) => None,
         }
@@ -97,7 +97,7 @@ impl Verdict {
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.word())?;
-        let said = self.departure().map(Departure::line);
+        let said = self.departure().map(RuleDivergence::line);
         match self.why().map(str::to_owned).or(said) {
             Some(why) => write!(f, ": {why}"),
             None => Ok(()),
@@ -107,20 +107,20 @@ impl fmt::Display for Verdict {
 
 /// Why a case that was to be run has no verdict.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unjudged {
+pub struct NotJudgedReason {
     /// In a word.
     pub cause: Cause,
     /// In a sentence.
     pub why: String,
 }
 
-impl Unjudged {
+impl NotJudgedReason {
     pub(super) fn new(cause: Cause, why: impl Into<String>) -> Self {
         Self { cause, why: why.into() }
     }
 }
 
-impl From<&HarnessError> for Unjudged {
+impl From<&HarnessError> for NotJudgedReason {
     fn from(error: &HarnessError) -> Self {
         let cause = match error {
             HarnessError::Crashed { .. } => Cause::Crash,
@@ -166,7 +166,7 @@ impl Cause {
 
 /// What a controller does otherwise, in words that stay the same from run to run.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Departure {
+pub struct RuleDivergence {
     /// The first assertion that does not hold, as it is written, with what was found.
     pub assertion: Option<(String, String)>,
     /// The first divergence from the model's outcome.
@@ -207,7 +207,7 @@ impl Traces {
     }
 }
 
-impl Departure {
+impl RuleDivergence {
     /// In one line, as expectations name it.
     pub fn line(&self) -> String {
         match (&self.assertion, &self.divergence) {
@@ -254,7 +254,7 @@ pub struct Run<'a> {
     /// Rules that do not exist in the edition, and why.
     pub void: Vec<(&'a Rule, &'a str)>,
     /// What the controller shows of each choice and quirk, where it was asked for.
-    pub fingerprint: Option<Vec<Trait>>,
+    pub fingerprint: Option<Vec<FingerprintEntry>>,
 }
 
 impl<'a> CaseResult<'a> {

@@ -26,9 +26,9 @@ const KINDS: [Kind; 3] = [("effects", effects), ("fields", fields), ("pins", pin
 
 /// Looks for each effect, field and pin that is declared, in what comes of programs of the suite.
 pub(super) fn checks(adapter: &Exec, suite: &Suite) -> Vec<Check> {
-    let shows = &adapter.declaration().observables;
+    let observables = &adapter.declaration().observables;
     let mut looked = Looked { adapter, programs: programs(adapter, suite), came: BTreeMap::new() };
-    let declared = [&shows.effects, &shows.fields, &shows.pins];
+    let declared = [&observables.effects, &observables.fields, &observables.pins];
     let checks = KINDS.into_iter().zip(declared).filter(|(_, words)| !words.is_empty());
     checks.map(|((what, told), words)| Check { what, came: looked.all(told, words) }).collect()
 }
@@ -107,8 +107,8 @@ impl Looked<'_> {
     fn word(&mut self, told: fn(&Outcome) -> BTreeSet<&'static str>, word: &str) -> Came {
         let Self { adapter, programs, came } = self;
         let (mut lacking, mut tries) = (None, 0);
-        let shows = |outcome: &Outcome| told(outcome).contains(word);
-        let programs = programs.iter().enumerate().filter(|(_, (_, outcome))| shows(outcome));
+        let observables = |outcome: &Outcome| told(outcome).contains(word);
+        let programs = programs.iter().enumerate().filter(|(_, (_, outcome))| observables(outcome));
         for (place, (scenario, expected)) in programs.take(ASKED) {
             if tries == TRIES {
                 break;

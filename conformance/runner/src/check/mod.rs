@@ -51,7 +51,7 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     add("reset", reset(adapter, &first, &plain));
     add(
         "new session",
-        match adapter.run_anew(&plain) {
+        match adapter.run_fresh(&plain) {
             Some(anew) => {
                 same(&first, &anew, "a new session gives another outcome than one that was reset")
             }
@@ -65,7 +65,7 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
 }
 
 fn unknown_operation(adapter: &Exec) -> Came {
-    match adapter.asked_the_unknown() {
+    match adapter.check_unknown_operation() {
         Ok(()) => Came::Fine("is refused, and the session goes on".to_owned()),
         Err(error) => Came::Wrong(format!(
             "an operation that it does not know must be answered with `refused`: {error}"
@@ -118,8 +118,9 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
 /// What the scenario stores comes back.
 fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> Came {
     let declared = adapter.declaration();
-    let shows = declared.features.contains("parameters") && declared.observables.final_parameters;
-    if !shows || !declared.languages.contains(&Language::Rs274) {
+    let observables =
+        declared.features.contains("parameters") && declared.observables.final_parameters;
+    if !observables || !declared.languages.contains(&Language::Rs274) {
         let why = "it declares no feature `parameters`, or does not show parameters at the end";
         return Came::LeftOut(why.to_owned());
     }

@@ -2,8 +2,8 @@
 
 use gaugeblock_adapter::exec::Exec;
 use gaugeblock_adapter::protocol::digest::{canonical, digest};
-use gaugeblock_adapter::protocol::{OFFERS, Offer};
-use gaugeblock_adapter::{Adapter, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::protocol::{EXTENSIONS, Extension};
+use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, RunPoint};
@@ -16,22 +16,23 @@ const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration =
 
 /// Looks at each offer, given a plain scenario and its outcome.
 pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<Check> {
-    let offered = |(offer, ..): &&(Offer, &str, &str)| adapter.declaration().offers.contains(offer);
-    let check = |(offer, ..): &(Offer, &'static str, &str)| {
+    let offered =
+        |(offer, ..): &&(Extension, &str, &str)| adapter.declaration().offers.contains(offer);
+    let check = |(offer, ..): &(Extension, &'static str, &str)| {
         let (what, came) = match offer {
-            Offer::Cancel => ("offer cancel", cancel(adapter, plain, first)),
-            Offer::Digest => ("offer digest", digests(adapter, plain, first)),
-            Offer::Files => ("offer files", told_by(adapter, Offer::Files, plain)),
-            Offer::Fresh => ("offer fresh", fresh(adapter, plain, first)),
-            Offer::LiveOperator => ("offer live-operator", live(adapter, plain)),
-            Offer::Motion => ("offer motion", motion(adapter, plain)),
-            Offer::Shows => ("offer shows", shows(adapter, plain)),
-            Offer::State => ("offer state", state(adapter, plain)),
-            Offer::Stream => ("offer stream", told_by(adapter, Offer::Stream, plain)),
+            Extension::Cancel => ("offer cancel", cancel(adapter, plain, first)),
+            Extension::Digest => ("offer digest", digests(adapter, plain, first)),
+            Extension::Files => ("offer files", told_by(adapter, Extension::Files, plain)),
+            Extension::Fresh => ("offer fresh", fresh(adapter, plain, first)),
+            Extension::LiveOperator => ("offer live-operator", live(adapter, plain)),
+            Extension::Motion => ("offer motion", motion(adapter, plain)),
+            Extension::Shows => ("offer shows", observables(adapter, plain)),
+            Extension::State => ("offer state", state(adapter, plain)),
+            Extension::Stream => ("offer stream", told_by(adapter, Extension::Stream, plain)),
         };
         Check { what, came }
     };
-    OFFERS.iter().filter(offered).map(check).collect()
+    EXTENSIONS.iter().filter(offered).map(check).collect()
 }
 
 fn wrong(error: &HarnessError) -> Came {
@@ -39,11 +40,11 @@ fn wrong(error: &HarnessError) -> Came {
 }
 
 /// The outcome is the same with an offer and without.
-fn told_by(adapter: &Exec, offer: Offer, scenario: &Scenario) -> Came {
-    match adapter.run_by(&[], scenario) {
+fn told_by(adapter: &Exec, offer: Extension, scenario: &Scenario) -> Came {
+    match adapter.run_with_extensions(&[], scenario) {
         Ok(plainly) => {
             let otherwise = "told in this way it is another outcome";
-            same(&plainly, &adapter.run_by(&[offer], scenario), otherwise)
+            same(&plainly, &adapter.run_with_extensions(&[offer], scenario), otherwise)
         }
         Err(error) => wrong(&error),
     }
@@ -77,7 +78,7 @@ fn digests(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
 
 fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
     let leaks = "behind another run, without a `reset`, there is another outcome";
-    same(first, &adapter.run_behind(&changing(plain), plain), leaks)
+    same(first, &adapter.run_after(&changing(plain), plain), leaks)
 }
 
 /// What changes modes and parameters.
@@ -97,7 +98,7 @@ fn live(adapter: &Exec, plain: &Scenario) -> Came {
     let block = BlockLocation::new(Program::MAIN, 2);
     let when = RunPoint { block, execution: 1, offset: 0.0 };
     operated.operator.push(OperatorEvent { when, action: Action::Abort });
-    told_by(adapter, Offer::LiveOperator, &operated)
+    told_by(adapter, Extension::LiveOperator, &operated)
 }
 
 fn motion(adapter: &Exec, plain: &Scenario) -> Came {
@@ -106,21 +107,22 @@ fn motion(adapter: &Exec, plain: &Scenario) -> Came {
         Err(error) => return Came::LeftOut(error.to_string()),
     };
     let script = MotionScript::default();
-    let motion = Motion { scenario: plain, limits: &limits, script: &script, every: None };
-    match adapter.moves(&motion) {
+    let motion =
+        MotionRequest { scenario: plain, limits: &limits, script: &script, feed_interval: None };
+    match adapter.record_motion(&motion) {
         Ok(samples) if samples.is_empty() => Came::Wrong("a move has no sample".to_owned()),
         Ok(samples) => {
             Came::Fine(format!("{} samples, {:?} s apart", samples.len(), samples.period()))
         }
-        Err(NotMoved::Unsupported(why)) => Came::LeftOut(why),
-        Err(NotMoved::Failed(why)) => Came::Wrong(why.to_string()),
+        Err(NoSamples::Unsupported(why)) => Came::LeftOut(why),
+        Err(NoSamples::Failed(why)) => Came::Wrong(why.to_string()),
     }
 }
 
-fn shows(adapter: &Exec, plain: &Scenario) -> Came {
+fn observables(adapter: &Exec, plain: &Scenario) -> Came {
     let own = adapter.capabilities();
-    match adapter.told_to_show(plain) {
-        Ok(shows) if is_within(&shows, own) => {
+    match adapter.query_observables_of(plain) {
+        Ok(observables) if is_within(&observables, own) => {
             Came::Fine("is no more than what is declared".to_owned())
         }
         Ok(_) => Came::Wrong(
@@ -132,9 +134,9 @@ fn shows(adapter: &Exec, plain: &Scenario) -> Came {
 }
 
 /// Whether no more is shown than is declared. Parameters that are declared to be hidden need not be named again.
-fn is_within(shows: &Capabilities, own: &Capabilities) -> bool {
-    let hidden_parameters = shows.hidden_parameters.clone();
-    Capabilities { hidden_parameters, ..own.and(shows) } == *shows
+fn is_within(observables: &Capabilities, own: &Capabilities) -> bool {
+    let hidden_parameters = observables.hidden_parameters.clone();
+    Capabilities { hidden_parameters, ..own.and(observables) } == *observables
 }
 
 fn state(adapter: &Exec, plain: &Scenario) -> Came {

@@ -16,10 +16,12 @@ pub fn is_fragile(scenario: &Scenario) -> bool {
         return false;
     }
     let plain = gaugeblock_reference::run(scenario).0;
-    let shows = Capabilities::everything("reference", "");
+    let observables = Capabilities::everything("reference", "");
     let differs = |other: &Outcome| {
         !surely_same(&plain, other, true)
-            && compare(&Observed::of(&plain), &Observed::of(other), &shows).divergence.is_some()
+            && compare(&Observed::of(&plain), &Observed::of(other), &observables)
+                .divergence
+                .is_some()
     };
     let perturbed = [true, false].into_iter().filter_map(|up| ulp_perturbed(scenario, up));
     let perturbed = perturbed.map(|other| gaugeblock_reference::run(&other).0);

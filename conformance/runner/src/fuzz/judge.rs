@@ -81,7 +81,7 @@ impl Plan<'_> {
                 return Err(FuzzResult::Unsupported);
             }
         }
-        self.iut.ahead(scenario);
+        self.iut.prefetch(scenario);
         let (expected, coverage) = outcome(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,
@@ -152,8 +152,8 @@ impl Plan<'_> {
         if surely_same(&expected, &found, show_pins(self.iut) && show_pins(self.against)) {
             return None;
         }
-        let shows = self.iut.shows(scenario).and(&self.against.shows(scenario));
-        let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &shows);
+        let observables = self.iut.observables(scenario).and(&self.against.observables(scenario));
+        let comparison = compare(&Observed::of(&expected), &Observed::of(&found), &observables);
         comparison.divergence.map(|divergence| named(divergence, &expected, &found))
     }
 

@@ -43,7 +43,7 @@ impl Plan<'_> {
         let first = chunk * CHUNK;
         let numbers: Vec<_> = (first..(first + CHUNK).min(programs)).collect();
         // A side that does many programs on end has its own code at hand: that is a tenth faster than by turns.
-        let both_within = self.iut.is_within() && self.against.is_within();
+        let both_within = self.iut.is_in_process() && self.against.is_in_process();
         let together = if both_within { numbers.len().max(1) } else { 1 };
         for numbers in numbers.chunks(together) {
             if stop.load(Ordering::Relaxed) {

@@ -20,7 +20,7 @@ fn suite() -> Suite {
 /// Editions of documents, not of what a real controller does.
 fn editions(suite: &Suite) -> Vec<&Edition> {
     let honoured =
-        |edition: &&Edition| Production::default().honours(&suite.options(edition)).is_ok();
+        |edition: &&Edition| Production::default().accepts_options(&suite.options(edition)).is_ok();
     suite.editions.iter().filter(honoured).collect()
 }
 

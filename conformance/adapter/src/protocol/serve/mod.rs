@@ -16,8 +16,11 @@ use gaugeblock_vocabulary::{Language, Outcome, Scenario, Step};
 use serde::de::IgnoredAny;
 
 use super::digest::digest;
-use super::{Answer, Declaration, Observables, Offer, Operation, Reply, Request, Standing, Ways};
-use crate::{Adapter, Motion, NotMoved};
+use super::{
+    Answer, ControllerState, Declaration, Extension, Observables, Operation, Reply, Request,
+    RunModes,
+};
+use crate::{Adapter, MotionRequest, NoSamples};
 use requests::{Ran, Reader, Requests};
 
 /// Steps of a batch.
@@ -37,7 +40,7 @@ pub struct Served {
     /// The languages that it speaks.
     pub languages: Vec<Language>,
     /// What is declared beyond the operations that each adapter has to know.
-    pub offers: BTreeSet<Offer>,
+    pub offers: BTreeSet<Extension>,
     /// Where requests come from.
     pub caller: Caller,
 }
@@ -54,8 +57,8 @@ pub enum Caller {
 
 impl Caller {
     /// Whether it can be offered this.
-    fn can_use(self, offer: Offer) -> bool {
-        self == Self::Parent || offer != Offer::Files
+    fn can_use(self, offer: Extension) -> bool {
+        self == Self::Parent || offer != Extension::Files
     }
 }
 
@@ -72,7 +75,7 @@ pub fn serve(
         Caller::Parent => u64::MAX,
         Caller::Network => LONGEST_REQUEST_BYTES,
     };
-    let requests = Requests::of(requests, longest, served.offers.contains(&Offer::Cancel));
+    let requests = Requests::of(requests, longest, served.offers.contains(&Extension::Cancel));
     let (folder, last) = (None, None);
     let (reader, line) = (Reader::default(), Vec::new());
     let mut serving = Serving { served, requests, reader, answers, line, folder, files: 0, last };
@@ -117,7 +120,7 @@ impl Serving<'_> {
                 Reply::Refused("no folder is written to over the network".to_owned())
             }
             Operation::Hello { folder, .. } => {
-                let folder = folder.filter(|_| self.offers(Offer::Files));
+                let folder = folder.filter(|_| self.offers(Extension::Files));
                 // Where there is no such folder, answers are told in their lines.
                 self.folder = folder.and_then(|folder| SharedFolder::open(Path::new(&folder)).ok());
                 Reply::Hello(Box::new(self.declaration()))
@@ -128,13 +131,19 @@ impl Serving<'_> {
                 Reply::Done {}
             }
             // It was said before the answer of a run had come, and is of no use any more.
-            Operation::Credit { .. } if self.offers(Offer::Stream) => return Ok(true),
+            Operation::Credit { .. } if self.offers(Extension::Stream) => return Ok(true),
             Operation::Run { scenario, ways } => return self.run(id, *scenario, ways),
-            Operation::Move { scenario, limits, script, every } if self.offers(Offer::Motion) => {
+            Operation::Move { scenario, limits, script, every }
+                if self.offers(Extension::Motion) =>
+            {
                 let controller = Arc::clone(&self.served.controller);
                 let work = move || {
-                    let motion =
-                        Motion { scenario: &scenario, limits: &limits, script: &script, every };
+                    let motion = MotionRequest {
+                        scenario: &scenario,
+                        limits: &limits,
+                        script: &script,
+                        feed_interval: every,
+                    };
                     moved(controller.as_ref(), &motion)
                 };
                 match self.requests.run(work)? {
@@ -144,11 +153,11 @@ impl Serving<'_> {
                     Ran::Alone => return Ok(false),
                 }
             }
-            Operation::Shows { scenario } if self.offers(Offer::Shows) => {
-                Reply::Shows(Box::new(Observables::of(&self.served.controller.shows(&scenario))))
-            }
-            Operation::State {} if self.offers(Offer::State) => self.state(),
-            Operation::Outcome {} if self.offers(Offer::Digest) => match self.last.take() {
+            Operation::Shows { scenario } if self.offers(Extension::Shows) => Reply::Shows(
+                Box::new(Observables::of(&self.served.controller.observables(&scenario))),
+            ),
+            Operation::State {} if self.offers(Extension::State) => self.state(),
+            Operation::Outcome {} if self.offers(Extension::Digest) => match self.last.take() {
                 Some(outcome) => {
                     let goes_on = self.tell(id, &outcome);
                     self.last = Some(outcome);
@@ -169,7 +178,7 @@ impl Serving<'_> {
         Ok(lasts)
     }
 
-    fn offers(&self, offer: Offer) -> bool {
+    fn offers(&self, offer: Extension) -> bool {
         self.served.offers.contains(&offer) && self.served.caller.can_use(offer)
     }
 
@@ -184,7 +193,7 @@ impl Serving<'_> {
     }
 
     /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
-    fn run(&mut self, id: u64, mut scenario: Scenario, ways: Ways) -> Result<bool> {
+    fn run(&mut self, id: u64, mut scenario: Scenario, ways: RunModes) -> Result<bool> {
         self.last = None;
         // The whole script has to be known before the run: it asks for all of it at the beginning.
         for place in 0..u32::try_from(ways.live.len()).unwrap_or(u32::MAX) {
@@ -205,7 +214,7 @@ impl Serving<'_> {
             Ran::Cancelled(by) => return self.cancelled(by),
             Ran::Alone => return Ok(false),
         };
-        if self.offers(Offer::State) || ways.digest {
+        if self.offers(Extension::State) || ways.digest {
             self.last = Some(outcome.clone());
         }
         if ways.digest {
@@ -290,7 +299,7 @@ impl Serving<'_> {
             Some(step) => (step.settings, step.state),
             None => (observed.start, None),
         };
-        Reply::State(Box::new(Standing { settings, state, parameters: outcome.parameters }))
+        Reply::State(Box::new(ControllerState { settings, state, parameters: outcome.parameters }))
     }
 
     fn say(&mut self, id: u64, reply: Reply) -> Result<bool> {
@@ -309,12 +318,15 @@ impl Serving<'_> {
 }
 
 /// The samples of a run, or what is answered instead.
-fn moved(controller: &dyn Adapter, motion: &Motion<'_>) -> std::result::Result<Samples, Reply> {
+fn moved(
+    controller: &dyn Adapter,
+    motion: &MotionRequest<'_>,
+) -> std::result::Result<Samples, Reply> {
     let checked = motion.limits.to_text().and_then(|text| MotionLimits::from_text(&text));
     checked.map_err(|error| Reply::Refused(error.to_string()))?;
     controller.supports(motion.scenario).map_err(Reply::Unsupported)?;
-    controller.moves(motion).map_err(|none| match none {
-        NotMoved::Unsupported(why) => Reply::Unsupported(why),
-        NotMoved::Failed(why) => Reply::Refused(why.to_string()),
+    controller.record_motion(motion).map_err(|none| match none {
+        NoSamples::Unsupported(why) => Reply::Unsupported(why),
+        NoSamples::Failed(why) => Reply::Refused(why.to_string()),
     })
 }

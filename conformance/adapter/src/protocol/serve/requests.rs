@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{Machine, Options, Program};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::super::{Operation, Request, Stream, Ways};
+use super::super::{Operation, Request, RunModes, Stream};
 
 /// Where requests come from.
 pub(super) enum Requests {
@@ -180,7 +180,7 @@ impl Reader {
             operator,
             budget,
         };
-        let ways = Ways { stream, digest, live: Vec::new() };
+        let ways = RunModes { stream, digest, live: Vec::new() };
         Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), ways } })
     }
 }

@@ -25,7 +25,7 @@ impl Adapter for Model {
     }
 }
 
-fn served(caller: Caller, offers: &[Offer]) -> Served {
+fn served(caller: Caller, offers: &[Extension]) -> Served {
     Served {
         controller: Arc::new(Model(Capabilities::everything("reference", "1"))),
         languages: vec![Language::Rs274],
@@ -34,11 +34,11 @@ fn served(caller: Caller, offers: &[Offer]) -> Served {
     }
 }
 
-fn said_by(offers: &[Offer], requests: &str) -> Vec<Value> {
+fn said_by(offers: &[Extension], requests: &str) -> Vec<Value> {
     said_to(Caller::Parent, offers, requests)
 }
 
-fn said_to(caller: Caller, offers: &[Offer], requests: &str) -> Vec<Value> {
+fn said_to(caller: Caller, offers: &[Extension], requests: &str) -> Vec<Value> {
     let mut answers = Vec::new();
     serve(&served(caller, offers), Box::new(Cursor::new(requests.to_owned())), &mut answers)
         .unwrap();
@@ -89,9 +89,9 @@ fn batches_wait_for_credit_and_make_the_whole() {
     let whole = said(&run(&program, &json!({})));
     let credit = "{\"id\":7,\"op\":\"credit\",\"batches\":5}\n";
     let streamed = run(&program, &json!({"stream": {"credit": 2}}));
-    let told = said_by(&[Offer::Stream], &streamed);
+    let told = said_by(&[Extension::Stream], &streamed);
     assert_eq!(told.len(), 2, "no more than there is credit for");
-    let told = said_by(&[Offer::Stream], &format!("{streamed}{credit}{credit}"));
+    let told = said_by(&[Extension::Stream], &format!("{streamed}{credit}{credit}"));
     let batches = told.iter().filter_map(|answer| answer["steps"].as_array()).flatten();
     assert_eq!(told.len(), 4, "credit that comes too late is not answered");
     let last = told.last().unwrap()["outcome"]["steps"].as_array().unwrap();
@@ -103,7 +103,7 @@ fn batches_wait_for_credit_and_make_the_whole() {
 #[test]
 fn a_digest_is_that_of_the_outcome_which_can_be_asked_for() {
     let run = run("g0 x1.5\nm2\n", &json!({"digest": true}));
-    let told = said_by(&[Offer::Digest], &format!("{run}{{\"id\":8,\"op\":\"outcome\"}}\n"));
+    let told = said_by(&[Extension::Digest], &format!("{run}{{\"id\":8,\"op\":\"outcome\"}}\n"));
     let outcome: Outcome = serde_json::from_value(told[1]["outcome"].clone()).unwrap();
     assert_eq!(told[0]["digest"], digest(&outcome));
 }
@@ -113,7 +113,7 @@ fn a_state_is_that_after_the_last_run_and_after_a_reset_that_of_the_beginning() 
     let state = "{\"id\":8,\"op\":\"state\"}\n";
     let run = run("g20 f7\n#31=5\nm2\n", &json!({}));
     let reset = "{\"id\":9,\"op\":\"reset\"}\n";
-    let told = said_by(&[Offer::State], &format!("{state}{run}{state}{reset}{state}"));
+    let told = said_by(&[Extension::State], &format!("{state}{run}{state}{reset}{state}"));
     assert_eq!(told[2]["state"]["settings"]["units"], "inch");
     assert_eq!(told[2]["state"]["parameters"]["31"], 5.0);
     assert_eq!(told[0]["state"], told[4]["state"]);
@@ -124,7 +124,7 @@ fn a_state_is_that_after_the_last_run_and_after_a_reset_that_of_the_beginning() 
 fn a_cancel_is_answered_whether_or_not_the_run_is_over() {
     let run = run("o1 while [1]\no1 endwhile\nm2\n", &json!({}));
     let after = "{\"id\":8,\"op\":\"cancel\"}\n{\"id\":9,\"op\":\"reset\"}\n";
-    let told = said_by(&[Offer::Cancel], &format!("{run}{after}"));
+    let told = said_by(&[Extension::Cancel], &format!("{run}{after}"));
     let ids: Vec<&Value> = told.iter().map(|answer| &answer["id"]).filter(|id| **id != 7).collect();
     assert_eq!(ids, [8, 9], "{told:?}");
 }
@@ -134,7 +134,7 @@ fn the_operators_events_are_asked_for_one_by_one() {
     let when = json!({"block": {"file": "main.ngc", "line": 2}, "execution": 1, "offset": 0.0});
     let run = run("g0 x1\ng0 x2\nm2\n", &json!({"live": [when]}));
     let event = json!({"id": 7, "op": "operator", "event": {"when": when, "action": "abort"}});
-    let told = said_by(&[Offer::LiveOperator], &format!("{run}{event}\n"));
+    let told = said_by(&[Extension::LiveOperator], &format!("{run}{event}\n"));
     assert_eq!(told[0], json!({"id": 7, "at": 0}));
     assert_eq!(told[1]["outcome"]["end"]["end"], "aborted", "{}", told[1]);
 }
@@ -153,7 +153,7 @@ fn hello(folder: &Path) -> String {
 fn a_large_answer_is_a_new_file_and_no_link_is_followed() {
     let folder = PrivateFolder::new("serve").unwrap();
     let requests = format!("{}{}", hello(folder.path()), large());
-    let told = said_by(&[Offer::Files], &requests);
+    let told = said_by(&[Extension::Files], &requests);
     assert_eq!(told[1]["file"], "answer-1", "{}", told[1]);
     let read = || std::fs::read_to_string(folder.path().join("answer-1"));
     assert!(serde_json::from_str::<Outcome>(&read().unwrap()).is_ok());
@@ -163,7 +163,7 @@ fn a_large_answer_is_a_new_file_and_no_link_is_followed() {
     for target in ["victim", "absent"] {
         let link = folder.path().join("answer-1");
         std::os::unix::fs::symlink(target, &link).unwrap();
-        let served = served(Caller::Parent, &[Offer::Files]);
+        let served = served(Caller::Parent, &[Extension::Files]);
         let requests = Box::new(Cursor::new(requests.clone()));
         assert!(serve(&served, requests, &mut Vec::new()).is_err(), "{target}");
         std::fs::remove_file(link).unwrap();
@@ -176,12 +176,12 @@ fn a_large_answer_is_a_new_file_and_no_link_is_followed() {
 fn over_the_network_no_file_is_written_and_the_session_ends_at_what_is_not_json() {
     let folder = PrivateFolder::new("serve").unwrap();
     let requests = format!("{}{}", hello(folder.path()), large());
-    let told = said_to(Caller::Network, &[Offer::Files, Offer::State], &requests);
+    let told = said_to(Caller::Network, &[Extension::Files, Extension::State], &requests);
     assert!(told[0]["refused"].as_str().unwrap().contains("no folder"), "{}", told[0]);
     assert!(told[1]["outcome"].is_object(), "it is told in its line");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
     let plain = "{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}\n";
-    let told = said_to(Caller::Network, &[Offer::Files, Offer::State], plain);
+    let told = said_to(Caller::Network, &[Extension::Files, Extension::State], plain);
     assert_eq!(told[0]["hello"]["offers"], json!(["state"]));
 
     let post = format!("{{\"id\":1,\"op\":\"dance\"}}\nPOST / HTTP/1.1\nHost: x\n\n{plain}");

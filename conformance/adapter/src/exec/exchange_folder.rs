@@ -10,9 +10,9 @@ use rustix::fs::{AtFlags, Mode, OFlags, openat, unlinkat};
 
 /// The folder. It is removed with all that is in it when this is dropped.
 #[derive(Debug)]
-pub(super) struct Folder(PrivateFolder);
+pub(super) struct ExchangeFolder(PrivateFolder);
 
-impl Folder {
+impl ExchangeFolder {
     /// Makes one that nobody else may enter.
     pub(super) fn make() -> std::io::Result<Self> {
         PrivateFolder::new("answers").map(Self)
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn only_files_of_the_folder_are_read_and_nothing_is_left() {
-        let folder = Folder::make().unwrap();
+        let folder = ExchangeFolder::make().unwrap();
         let path = folder.path().to_owned();
         write(path.join("answer"), "1234").unwrap();
         assert_eq!(folder.take("answer", 4), Ok(b"1234".to_vec()));

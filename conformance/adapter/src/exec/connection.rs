@@ -16,7 +16,7 @@ pub(super) const GRACE: Duration = Duration::from_millis(500);
 
 /// Where a controller is found.
 #[derive(Clone, Debug)]
-pub(super) enum Door {
+pub(super) enum Endpoint {
     /// A command of the shell, for a process of its own.
     Command(String),
     /// An address at which an adapter listens: `HOST:PORT`.
@@ -25,51 +25,51 @@ pub(super) enum Door {
 
 /// The other end of a session.
 #[derive(Debug)]
-pub(super) enum Peer {
+pub(super) enum Connection {
     /// It was started for the session, and ends with it.
     Process(Process),
     /// It runs on when the connection is closed.
-    Connection,
+    Socket,
 }
 
-impl Door {
+impl Endpoint {
     /// Starts the command, or connects.
-    pub(super) fn open(&self, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+    pub(super) fn open(&self, limits: Limits) -> Result<(Connection, Lines), HarnessError> {
         match self {
-            Self::Command(command) => started(command, limits),
-            Self::Address(address) => connected(address, limits),
+            Self::Command(command) => start(command, limits),
+            Self::Address(address) => connect(address, limits),
         }
     }
 }
 
-impl Peer {
+impl Connection {
     /// Whether nobody is there any more, as far as can be seen without what it writes.
     pub(super) fn is_gone(&mut self) -> bool {
         match self {
             Self::Process(process) => process.ends_within(Duration::ZERO).is_some(),
-            Self::Connection => false,
+            Self::Socket => false,
         }
     }
 
     /// Gives it time to end by itself.
-    pub(super) fn let_end(&mut self) {
+    pub(super) fn wait_for_end(&mut self) {
         if let Self::Process(process) = self {
             let _status = process.ends_within(GRACE);
         }
     }
 
     /// How it ended, once its output has.
-    pub(super) fn ended(&mut self) -> String {
+    pub(super) fn describe_end(&mut self) -> String {
         match self {
             Self::Process(process) => process
                 .ends_within(GRACE)
                 .unwrap_or_else(|| "its output ended, and it runs on".to_owned()),
-            Self::Connection => "the connection was closed".to_owned(),
+            Self::Socket => "the connection was closed".to_owned(),
         }
     }
 }
 
-fn started(command: &str, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+fn start(command: &str, limits: Limits) -> Result<(Connection, Lines), HarnessError> {
     let (input, our_input) = pipe().map_err(not_run)?;
     let (our_output, output) = pipe().map_err(not_run)?;
     let (our_errors, errors) = pipe().map_err(not_run)?;
@@ -77,10 +77,10 @@ fn started(command: &str, limits: Limits) -> Result<(Peer, Lines), HarnessError>
     let file = |end: OwnedFd| File::from(end);
     let lines =
         Lines::new(file(our_input.into()), file(our_output.into()), Some(file(our_errors.into())))?;
-    Ok((Peer::Process(process), lines))
+    Ok((Connection::Process(process), lines))
 }
 
-fn connected(address: &str, limits: Limits) -> Result<(Peer, Lines), HarnessError> {
+fn connect(address: &str, limits: Limits) -> Result<(Connection, Lines), HarnessError> {
     let no_connection = |error: std::io::Error| {
         HarnessError::NotRun(format!("no connection to {address}: {error}"))
     };
@@ -97,7 +97,7 @@ fn connected(address: &str, limits: Limits) -> Result<(Peer, Lines), HarnessErro
     let output = stream.try_clone().map_err(no_connection)?;
     let lines =
         Lines::new(File::from(OwnedFd::from(stream)), File::from(OwnedFd::from(output)), None)?;
-    Ok((Peer::Connection, lines))
+    Ok((Connection::Socket, lines))
 }
 
 fn not_run(error: std::io::Error) -> HarnessError {

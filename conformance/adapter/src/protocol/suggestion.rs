@@ -1,19 +1,19 @@
 //! What a word that is not of the vocabulary was perhaps meant to be.
 
 /// The word that is nearest, if any is near.
-pub(super) fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(super) fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let near = known.into_iter().map(|other| (distance(word, other), other));
     let (distance, other) = near.min_by_key(|(distance, _)| *distance)?;
     (distance > 0 && distance <= (word.chars().count() / 3).max(1)).then_some(other)
 }
 
 /// A message about an unknown word that lists the known ones, with the one that was perhaps meant.
-pub(crate) fn with_meant(message: &str) -> String {
+pub(crate) fn with_suggestion(message: &str) -> String {
     // `unknown field `x`, expected one of `y`, `z``, as serde tells it.
     let told = || {
         let (before, list) = message.split_once(", expected ")?;
         let word = before.strip_suffix('`')?.rsplit_once('`')?.1;
-        let other = meant(word, list.split('`').skip(1).step_by(2))?;
+        let other = suggest(word, list.split('`').skip(1).step_by(2))?;
         Some(format!("{before} (did you mean `{other}`?), expected {list}"))
     };
     told().unwrap_or_else(|| message.to_owned())
@@ -56,7 +56,7 @@ mod tests {
             ("x", None),
             ("motion", None),
         ] {
-            assert_eq!(meant(word, known), expected, "{word}");
+            assert_eq!(suggest(word, known), expected, "{word}");
         }
     }
 
@@ -70,7 +70,7 @@ mod tests {
             ("unknown field `q`, expected `position`", "unknown field `q`, expected `position`"),
             ("EOF while parsing a string", "EOF while parsing a string"),
         ] {
-            assert_eq!(with_meant(message), expected);
+            assert_eq!(with_suggestion(message), expected);
         }
     }
 }

@@ -16,13 +16,13 @@ use super::{Answer, Reply};
 struct Form<'a> {
     id: u64,
     #[serde(borrow)]
-    outcome: Told<'a>,
+    outcome: PartialOutcome<'a>,
 }
 
 /// An [`Outcome`] whose start is not read yet.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Told<'a> {
+struct PartialOutcome<'a> {
     language: Language,
     #[serde(borrow)]
     start: &'a RawValue,
@@ -36,7 +36,7 @@ struct Told<'a> {
     samples: Vec<Sample>,
 }
 
-impl Told<'_> {
+impl PartialOutcome<'_> {
     /// The outcome, with a start that was read before, and with these steps.
     fn with(self, start: &Settings, steps: Vec<Step>) -> Outcome {
         let Self { language, start: _, steps: _, end, parameters, pins, samples } = self;
@@ -46,12 +46,12 @@ impl Told<'_> {
 
 /// Reads answers of one session.
 #[derive(Debug, Default)]
-pub(crate) struct Alike {
+pub(crate) struct AnswerReader {
     /// The last start, as it was written and as it was read.
     start: (Box<str>, Settings),
 }
 
-impl Alike {
+impl AnswerReader {
     /// An answer to a run, of which this is expected.
     ///
     /// # Errors
@@ -79,12 +79,12 @@ impl Alike {
         let before = format!("{{\"id\":{id},\"outcome\":{{\"language\":\"{language}\",\"start\":");
         let text = line.strip_prefix(before.as_bytes())?.strip_suffix(b"}")?;
         let text = text.strip_prefix(start)?.strip_prefix(b",\"steps\":")?;
-        let mut rest = Rest(text);
+        let mut rest = ExpectedPrefix(text);
         serde_json::to_writer(&mut rest, &expected.steps).ok()?;
         // What has been looked at is left out of what is read.
         let before = format!("{{\"language\":\"{language}\",\"start\":{{}},\"steps\":[]");
         let short = [before.as_bytes(), rest.0].concat();
-        let told: Told<'_> = serde_json::from_slice(&short).ok()?;
+        let told: PartialOutcome<'_> = serde_json::from_slice(&short).ok()?;
         let outcome = told.with(&self.start.1, expected.steps.clone());
         Some(Answer { id, reply: Reply::Outcome(Box::new(outcome)) })
     }
@@ -102,9 +102,9 @@ impl Alike {
 }
 
 /// Takes what is written for as long as it is what stands here.
-struct Rest<'a>(&'a [u8]);
+struct ExpectedPrefix<'a>(&'a [u8]);
 
-impl Write for Rest<'_> {
+impl Write for ExpectedPrefix<'_> {
     fn write(&mut self, written: &[u8]) -> Result<usize> {
         self.0 = self.0.strip_prefix(written).ok_or(ErrorKind::InvalidData)?;
         Ok(written.len())
@@ -132,7 +132,7 @@ mod tests {
         for program in ["g21 f100\n(msg, now)\ng1 x1.5 y-2\nm2\n", "#31=5\ng999\n", "?"] {
             let expected = outcome(program);
             let whole = line(7, &expected);
-            let mut alike = Alike::default();
+            let mut alike = AnswerReader::default();
             assert_eq!(alike.as_expected(&whole, 7, &expected), None, "the start is not known");
             let no_start = String::from_utf8(whole.clone()).unwrap();
             let (before, behind) = no_start.split_once("{\"units").unwrap();
@@ -162,7 +162,7 @@ mod tests {
         let outcome = |start: &str| {
             format!(r#"{{"id":7,"outcome":{{"language":"rs274","start":{start},{end}}}}}"#)
         };
-        let mut alike = Alike::default();
+        let mut alike = AnswerReader::default();
         for line in [
             outcome(r#"{"units":"mm"}"#),
             outcome(r#"{"units":"mm"}"#),

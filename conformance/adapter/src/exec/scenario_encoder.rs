@@ -13,14 +13,14 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 
 use crate::HarnessError;
-use crate::protocol::{Stream, Ways};
+use crate::protocol::{RunModes, Stream};
 
 /// Bytes that most requests fit into.
-const USUAL: usize = 4 << 10;
+const REQUEST_BYTES_USUAL: usize = 4 << 10;
 
 /// Tells scenarios, and keeps what it told of options: scenarios share them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Teller {
+pub(super) struct ScenarioEncoder {
     /// Options that need not be told.
     assumed: Options,
     /// Options that were to be told last, and what of them was, where anything was.
@@ -29,33 +29,33 @@ pub(super) struct Teller {
     usual: Machine,
 }
 
-impl Teller {
+impl ScenarioEncoder {
     /// One that leaves these options out.
     pub(super) fn new(assumed: Options) -> Self {
         Self { assumed, ..Self::default() }
     }
 
     /// A request to run a scenario, as a line; `operator` takes the place of its own.
-    pub(super) fn run(
+    pub(super) fn encode_run(
         &mut self,
         id: u64,
         (scenario, operator): (&Scenario, &[OperatorEvent]),
-        ways: &Ways,
+        ways: &RunModes,
     ) -> Result<Vec<u8>, HarnessError> {
         let not_told = |error: serde_json::Error| HarnessError::NotRun(error.to_string());
         let Scenario { program, options, machine, environment, operator: _, budget } = scenario;
-        self.tell_options(options).map_err(not_told)?;
-        let Ways { stream, digest, live } = ways;
-        let told = Told {
-            program: ToldProgram::of(program),
+        self.encode_options(options).map_err(not_told)?;
+        let RunModes { stream, digest, live } = ways;
+        let told = WireScenario {
+            program: WireProgram::of(program),
             options: self.last.1.as_deref(),
             machine: (*machine != self.usual).then_some(machine),
             environment: (*environment != Environment::default())
-                .then(|| ToldBench::of(environment)),
+                .then(|| WireEnvironment::of(environment)),
             operator,
             budget: (*budget != Budget::default()).then_some(budget),
         };
-        let mut line = Vec::with_capacity(USUAL);
+        let mut line = Vec::with_capacity(REQUEST_BYTES_USUAL);
         let request =
             Line { id, op: "run", scenario: told, stream: *stream, digest: *digest, live };
         serde_json::to_writer(&mut line, &request).map_err(not_told)?;
@@ -64,7 +64,7 @@ impl Teller {
     }
 
     /// Makes what is told of these options.
-    fn tell_options(&mut self, options: &Options) -> serde_json::Result<()> {
+    fn encode_options(&mut self, options: &Options) -> serde_json::Result<()> {
         if std::ptr::eq(&*options.0, &*self.last.0.0) {
             return Ok(());
         }
@@ -81,7 +81,7 @@ impl Teller {
 struct Line<'a> {
     id: u64,
     op: &'static str,
-    scenario: Told<'a>,
+    scenario: WireScenario<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Stream>,
     #[serde(skip_serializing_if = "Not::not")]
@@ -91,14 +91,14 @@ struct Line<'a> {
 }
 
 #[derive(Serialize)]
-struct Told<'a> {
-    program: ToldProgram<'a>,
+struct WireScenario<'a> {
+    program: WireProgram<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     options: Option<&'a RawValue>,
     #[serde(skip_serializing_if = "Option::is_none")]
     machine: Option<&'a Machine>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    environment: Option<ToldBench<'a>>,
+    environment: Option<WireEnvironment<'a>>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     operator: &'a [OperatorEvent],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -107,7 +107,7 @@ struct Told<'a> {
 
 /// A program; its language and its text are always told.
 #[derive(Serialize)]
-struct ToldProgram<'a> {
+struct WireProgram<'a> {
     language: Language,
     main: &'a str,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -118,7 +118,7 @@ struct ToldProgram<'a> {
     start: Option<Start>,
 }
 
-impl<'a> ToldProgram<'a> {
+impl<'a> WireProgram<'a> {
     fn of(program: &'a Program) -> Self {
         let Program { language, main, files, block_delete, start } = program;
         let start = (*start != Start::default()).then_some(*start);
@@ -127,7 +127,7 @@ impl<'a> ToldProgram<'a> {
 }
 
 #[derive(Serialize)]
-struct ToldBench<'a> {
+struct WireEnvironment<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<&'a str>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -146,7 +146,7 @@ struct ToldBench<'a> {
     user_programs: &'a [UserProgram],
 }
 
-impl<'a> ToldBench<'a> {
+impl<'a> WireEnvironment<'a> {
     fn of(environment: &'a Environment) -> Self {
         let Environment {
             name,
@@ -176,8 +176,9 @@ mod tests {
     use super::*;
     use crate::protocol::{Operation, Request};
 
-    fn told(scenario: &Scenario, teller: &mut Teller) -> (String, Scenario) {
-        let line = teller.run(7, (scenario, &scenario.operator), &Ways::default()).unwrap();
+    fn told(scenario: &Scenario, teller: &mut ScenarioEncoder) -> (String, Scenario) {
+        let line =
+            teller.encode_run(7, (scenario, &scenario.operator), &RunModes::default()).unwrap();
         let Request { operation, .. } = serde_json::from_slice(&line).unwrap();
         let Operation::Run { scenario, .. } = operation else { panic!("{operation:?}") };
         (String::from_utf8(line).unwrap(), *scenario)
@@ -185,7 +186,7 @@ mod tests {
 
     #[test]
     fn what_has_its_default_is_not_told() {
-        let (line, _) = told(&Scenario::of("m2\n"), &mut Teller::default());
+        let (line, _) = told(&Scenario::of("m2\n"), &mut ScenarioEncoder::default());
         let run =
             r#"{"id":7,"op":"run","scenario":{"program":{"language":"rs274","main":"m2\n"}}}"#;
         assert_eq!(line, format!("{run}\n"));
@@ -206,7 +207,7 @@ mod tests {
         scenario.environment.wires.insert("1".to_owned(), 2);
         scenario.environment.user_programs = vec![UserProgram::default()];
         scenario.budget.steps = 5;
-        let mut teller = Teller::default();
+        let mut teller = ScenarioEncoder::default();
         for name in [None, Some("another")] {
             scenario.environment.name = name.map(str::to_owned);
             assert_eq!(told(&scenario, &mut teller).1, scenario);

@@ -5,13 +5,13 @@ use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::scenario::OperatorEvent;
 use gaugeblock_vocabulary::{Outcome, Scenario, Step};
 
-use super::begun::{Asked, Before};
-use super::peer::GRACE;
+use super::connection::GRACE;
+use super::pending_run::{PendingRun, ReceivedSoFar};
 use super::session::{NoReply, RUN, Session, request, shown, unreadable, unsupported};
 use crate::clock::now;
 use crate::protocol::digest::digest;
-use crate::protocol::{Answer, Offer, Operation, Reply, Stream, Ways};
-use crate::{Expected, HarnessError, Motion, NotMoved};
+use crate::protocol::{Answer, Extension, Operation, Reply, RunModes, Stream};
+use crate::{Expected, HarnessError, MotionRequest, NoSamples};
 
 /// How many batches may come before the referee has looked at them.
 const CREDIT: u32 = 8;
@@ -20,12 +20,12 @@ const CREDIT: u32 = 8;
 #[derive(Debug)]
 pub(super) struct Stopped {
     pub(super) error: HarnessError,
-    pub(super) goes_on: bool,
+    pub(super) session_usable: bool,
 }
 
 impl From<HarnessError> for Stopped {
     fn from(error: HarnessError) -> Self {
-        Self { error, goes_on: false }
+        Self { error, session_usable: false }
     }
 }
 
@@ -37,105 +37,111 @@ impl Session {
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
-        let line = self.request_to_run(scenario, expected.is_some())?;
-        let asked = self.ask_to_run(line);
-        self.outcome_of(asked, scenario, expected)
+        let line = self.encode_run(scenario, expected.is_some())?;
+        let asked = self.send_run(line);
+        self.receive_outcome(asked, scenario, expected)
     }
 
     /// The next request, to run a scenario; `by_digest` where a digest will do for an answer.
-    pub(super) fn request_to_run(
+    pub(super) fn encode_run(
         &mut self,
         scenario: &Scenario,
         by_digest: bool,
-    ) -> Result<(Vec<u8>, Ways), HarnessError> {
-        let digest = by_digest && self.offers(Offer::Digest);
-        let stream = (self.offers(Offer::Stream) && !digest).then_some(Stream { credit: CREDIT });
-        let (live, at_once) = self.told_of(&scenario.operator);
+    ) -> Result<(Vec<u8>, RunModes), HarnessError> {
+        let digest = by_digest && self.has_extension(Extension::Digest);
+        let stream =
+            (self.has_extension(Extension::Stream) && !digest).then_some(Stream { credit: CREDIT });
+        let (live, at_once) = self.split_operator_events(&scenario.operator);
         let live = live.iter().map(|event| event.when.clone()).collect();
-        let ways = Ways { stream, digest, live };
-        let line = self.teller.run(self.last + 1, (scenario, at_once), &ways)?;
+        let ways = RunModes { stream, digest, live };
+        let line = self.encoder.encode_run(self.last + 1, (scenario, at_once), &ways)?;
         Ok((line, ways))
     }
 
     /// Asks for a run. Its reset has just found that nothing more is said.
-    pub(super) fn ask_to_run(&mut self, (line, ways): (Vec<u8>, Ways)) -> Asked {
+    pub(super) fn send_run(&mut self, (line, ways): (Vec<u8>, RunModes)) -> PendingRun {
         self.has_run = true;
         self.last += 1;
         let credit = ways.stream.map_or(0, |stream| stream.credit);
-        let before = Before { credit, ..Before::default() };
-        Asked { unsent: self.lines.say(&line), by_digest: ways.digest, before }
+        let before = ReceivedSoFar { credit, ..ReceivedSoFar::default() };
+        PendingRun {
+            unsent: self.lines.write_line(&line),
+            accepts_digest: ways.digest,
+            received: before,
+        }
     }
 
     /// What comes of a run that was asked for. It has its time from now on: whoever asks early may do something else
     /// meanwhile.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
-    pub(super) fn outcome_of(
+    pub(super) fn receive_outcome(
         &mut self,
-        Asked { unsent, by_digest, before }: Asked,
+        PendingRun { unsent, accepts_digest: by_digest, received: before }: PendingRun,
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
         // It is found out while the controller runs.
         let expected: Option<&Outcome> = expected.map(|expected| &**expected);
-        let (live, _) = self.told_of(&scenario.operator);
-        let (reply, steps) = self.long((RUN, expected), unsent, live, before)?;
+        let (live, _) = self.split_operator_events(&scenario.operator);
+        let (reply, steps) = self.await_reply((RUN, expected), unsent, live, before)?;
         let mut outcome = match reply {
             Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
-            Reply::Digest(told) if by_digest => self.by_digest(&told, expected)?,
-            reply => self.outcome(RUN, reply)?,
+            Reply::Digest(told) if by_digest => self.outcome_by_digest(&told, expected)?,
+            reply => self.outcome_from_reply(RUN, reply)?,
         };
         outcome.steps.splice(0..0, steps);
-        if outcome.parameters.is_none() && self.can_be_asked_for_parameters() {
+        if outcome.parameters.is_none() && self.can_query_parameters() {
             outcome.parameters = self.state()?.parameters;
         }
         Ok(outcome)
     }
 
     /// What of an operator's script is told while the controller runs, and what at once.
-    fn told_of<'a>(
+    fn split_operator_events<'a>(
         &self,
         script: &'a [OperatorEvent],
     ) -> (&'a [OperatorEvent], &'a [OperatorEvent]) {
-        if self.offers(Offer::LiveOperator) { (script, &[]) } else { (&[], script) }
+        if self.has_extension(Extension::LiveOperator) { (script, &[]) } else { (&[], script) }
     }
 
     /// Servo samples of a run.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
-    pub(super) fn moves(
+    pub(super) fn record_motion(
         &mut self,
-        motion: &Motion<'_>,
-    ) -> Result<Result<Samples, NotMoved>, Stopped> {
+        motion: &MotionRequest<'_>,
+    ) -> Result<Result<Samples, NoSamples>, Stopped> {
         let asked = Operation::Move {
             scenario: Box::new(motion.scenario.clone()),
             limits: motion.limits.clone(),
             script: motion.script.clone(),
-            every: motion.every,
+            every: motion.feed_interval,
         };
         let line = request(self.last + 1, &asked)?;
-        let Asked { unsent, before, .. } = self.ask_to_run((line, Ways::default()));
-        let (reply, _) = self.long((asked.name(), None), unsent, &[], before)?;
+        let PendingRun { unsent, received: before, .. } =
+            self.send_run((line, RunModes::default()));
+        let (reply, _) = self.await_reply((asked.name(), None), unsent, &[], before)?;
         let samples = match reply {
-            Reply::Unsupported(why) => return Ok(Err(NotMoved::Unsupported(shown(&why)))),
+            Reply::Unsupported(why) => return Ok(Err(NoSamples::Unsupported(shown(&why)))),
             // It is the controller that has none, and not the session that is broken.
             Reply::Refused(why) => {
-                return Ok(Err(NotMoved::Failed(HarnessError::NotRun(shown(&why)))));
+                return Ok(Err(NoSamples::Failed(HarnessError::NotRun(shown(&why)))));
             }
             Reply::Samples(text) => Samples::from_csv(&text),
             Reply::File(name) => {
-                let bytes = self.file(&name)?;
+                let bytes = self.take_answer_file(&name)?;
                 match std::str::from_utf8(&bytes) {
                     Ok(text) if text.starts_with('#') => Samples::from_csv(text),
                     Ok(_) | Err(_) => Samples::from_bytes(&bytes),
                 }
             }
-            reply => return Err(self.amiss(asked.name(), &reply).into()),
+            reply => return Err(self.unexpected_reply(asked.name(), &reply).into()),
         };
         let wrong = |error| unreadable("samples", format!("{error}").as_bytes());
         Ok(Ok(samples.map_err(wrong)?))
     }
 
     /// The outcome itself, where its digest is not the expected one's.
-    fn by_digest(
+    fn outcome_by_digest(
         &mut self,
         told: &str,
         expected: Option<&Outcome>,
@@ -146,27 +152,27 @@ impl Session {
             return Ok(expected.clone());
         }
         let whole = Operation::Outcome {};
-        let reply = self.ask(&whole)?;
-        self.outcome(whole.name(), reply)
+        let reply = self.request(&whole)?;
+        self.outcome_from_reply(whole.name(), reply)
     }
 
     /// The outcome that a reply is, or names.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
-    fn outcome(&mut self, asked: &str, reply: Reply) -> Result<Outcome, HarnessError> {
+    fn outcome_from_reply(&mut self, asked: &str, reply: Reply) -> Result<Outcome, HarnessError> {
         match reply {
             Reply::Outcome(outcome) => Ok(*outcome),
             Reply::File(name) => {
-                let bytes = self.file(&name)?;
+                let bytes = self.take_answer_file(&name)?;
                 serde_json::from_slice(&bytes)
                     .map_err(|error| unreadable(&format!("file of `{asked}`: {error}"), &bytes))
             }
-            reply => Err(self.amiss(asked, &reply)),
+            reply => Err(self.unexpected_reply(asked, &reply)),
         }
     }
 
     /// What a file of the session's folder holds.
-    fn file(&self, name: &str) -> Result<Vec<u8>, HarnessError> {
-        let folder = self.folder.as_ref().filter(|_| self.offers(Offer::Files));
+    fn take_answer_file(&self, name: &str) -> Result<Vec<u8>, HarnessError> {
+        let folder = self.folder.as_ref().filter(|_| self.has_extension(Extension::Files));
         let folder = folder.ok_or_else(|| {
             unreadable("it names a file, but has declared none or has no folder", name.as_bytes())
         })?;
@@ -177,12 +183,12 @@ impl Session {
 
     /// Asks for something that takes time: the answer proper, and the steps that came before it.
     #[expect(clippy::wildcard_enum_match_arm, reason = "any other answer is the answer proper")]
-    fn long(
+    fn await_reply(
         &mut self,
         (name, expected): (&str, Option<&Outcome>),
         mut line: Vec<u8>,
         events: &[OperatorEvent],
-        mut before: Before,
+        mut before: ReceivedSoFar,
     ) -> Result<(Reply, Vec<Step>), Stopped> {
         let streams = before.credit > 0;
         let deadline = now() + self.limits.time;
@@ -190,7 +196,7 @@ impl Session {
         loop {
             let reply = match self.exchange(&line, name, deadline, expected) {
                 Ok(reply) => reply,
-                Err(NoReply::Late { all_said: true }) => return Err(self.late()),
+                Err(NoReply::Late { all_said: true }) => return Err(self.cancel_late_run()),
                 Err(no_reply) => return Err(no_reply.into_error(self.limits).into()),
             };
             line.clear();
@@ -202,21 +208,23 @@ impl Session {
                     }
                     before.credit -= 1;
                     left = left
-                        .checked_sub(self.lines.taken())
+                        .checked_sub(self.lines.last_line_length())
                         .ok_or(HarnessError::Flooded { bytes: self.limits.whole })?;
                     before.steps.extend(steps);
                 }
                 Reply::At(place) if !events.is_empty() => {
-                    let event = usize::try_from(place).ok().filter(|place| *place == before.told);
+                    let event = usize::try_from(place)
+                        .ok()
+                        .filter(|place| *place == before.operator_events_sent);
                     let event = event.and_then(|place| events.get(place)).ok_or_else(|| {
                         let what = "it is at a place of the operator that is not the next one";
                         unreadable(what, place.to_string().as_bytes())
                     })?;
-                    before.told += 1;
+                    before.operator_events_sent += 1;
                     line = request(self.last, &Operation::Operator { event: event.clone() })?;
                 }
                 reply => {
-                    if let Some(unasked) = self.lines.left() {
+                    if let Some(unasked) = self.lines.surplus() {
                         return Err(unreadable("it answers more than once", unasked).into());
                     }
                     return Ok((reply, before.steps));
@@ -224,10 +232,10 @@ impl Session {
             }
             // There is always one more batch of who does not stop.
             if now() >= deadline {
-                return Err(self.late());
+                return Err(self.cancel_late_run());
             }
             // What has come without credit is looked at first.
-            if streams && before.credit == 0 && self.lines.unasked().is_none() {
+            if streams && before.credit == 0 && self.lines.unrequested().is_none() {
                 before.credit = CREDIT;
                 line.extend(request(self.last, &Operation::Credit { batches: CREDIT })?);
             }
@@ -235,10 +243,10 @@ impl Session {
     }
 
     /// A run that takes too long is cancelled, where that can be done.
-    fn late(&mut self) -> Stopped {
+    fn cancel_late_run(&mut self) -> Stopped {
         let error = NoReply::Late { all_said: true }.into_error(self.limits);
-        let goes_on = self.offers(Offer::Cancel) && self.cancel(Vec::new());
-        Stopped { error, goes_on }
+        let goes_on = self.has_extension(Extension::Cancel) && self.cancel(Vec::new());
+        Stopped { error, session_usable: goes_on }
     }
 
     /// Says what is still to be said, and ends the run that is going on; whether the session can go on.
@@ -250,7 +258,7 @@ impl Session {
         let deadline = now() + self.limits.time.min(4 * GRACE);
         loop {
             let peer = &mut self.peer;
-            let answer = self.lines.ask(&line, self.limits.bytes, deadline, || peer.is_gone());
+            let answer = self.lines.exchange(&line, self.limits.bytes, deadline, || peer.is_gone());
             let Some(answer) = answer.ok().and_then(|line| serde_json::from_slice(&line).ok())
             else {
                 return false;

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 )]
 #[cfg_attr(any(feature = "clap", test), derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
-pub enum Offer {
+pub enum Extension {
     /// `cancel` ends a run that takes too long, and the session goes on
     Cancel,
     /// a run can be answered with a digest of its outcome
@@ -32,28 +32,32 @@ pub enum Offer {
 }
 
 /// Every offer, its name, and what an adapter does that declares it.
-pub const OFFERS: &[(Offer, &str, &str)] = &[
-    (Offer::Cancel, "cancel", "`cancel` ends a run that takes too long, and the session goes on"),
-    (Offer::Digest, "digest", "a run can be answered with a digest of its outcome"),
-    (Offer::Files, "files", "answers can lie in files of a folder that `hello` names"),
+pub const EXTENSIONS: &[(Extension, &str, &str)] = &[
     (
-        Offer::Fresh,
+        Extension::Cancel,
+        "cancel",
+        "`cancel` ends a run that takes too long, and the session goes on",
+    ),
+    (Extension::Digest, "digest", "a run can be answered with a digest of its outcome"),
+    (Extension::Files, "files", "answers can lie in files of a folder that `hello` names"),
+    (
+        Extension::Fresh,
         "fresh",
         "each run begins as after power-on by itself: no `reset` comes between runs",
     ),
     (
-        Offer::LiveOperator,
+        Extension::LiveOperator,
         "live-operator",
         "the operator's events come one by one, when the controller is where they belong",
     ),
-    (Offer::Motion, "motion", "`move` tells servo samples"),
+    (Extension::Motion, "motion", "`move` tells servo samples"),
     (
-        Offer::Shows,
+        Extension::Shows,
         "shows",
         "`shows` tells what is observed of one scenario, where that is less than what is declared",
     ),
-    (Offer::State, "state", "`state` tells what is in force between runs"),
-    (Offer::Stream, "stream", "the steps of a run can come in batches"),
+    (Extension::State, "state", "`state` tells what is in force between runs"),
+    (Extension::Stream, "stream", "the steps of a run can come in batches"),
 ];
 
 #[cfg(test)]
@@ -64,9 +68,9 @@ mod tests {
 
     #[test]
     fn each_offer_is_listed_by_the_name_that_stands_in_a_declaration() {
-        let listed: Vec<Offer> = OFFERS.iter().map(|(offer, ..)| *offer).collect();
-        assert_eq!(listed, Offer::value_variants());
-        for (offer, name, _) in OFFERS {
+        let listed: Vec<Extension> = EXTENSIONS.iter().map(|(offer, ..)| *offer).collect();
+        assert_eq!(listed, Extension::value_variants());
+        for (offer, name, _) in EXTENSIONS {
             assert_eq!(serde_json::to_value(offer).unwrap(), *name);
         }
     }

@@ -21,12 +21,12 @@ static WAITERS: AtomicUsize = AtomicUsize::new(0);
 /// a look in vain it makes do without for a while, for longer and longer, and it does not look at all where everybody
 /// who is awake does not have a processor of its own.
 #[derive(Debug)]
-pub struct Patience {
+pub struct SpinWait {
     looks: Looks,
     processors: usize,
 }
 
-impl Default for Patience {
+impl Default for SpinWait {
     /// Counts one more who waits.
     fn default() -> Self {
         WAITERS.fetch_add(1, Ordering::Relaxed);
@@ -35,7 +35,7 @@ impl Default for Patience {
     }
 }
 
-impl Patience {
+impl SpinWait {
     /// Looks for something to read, or for the end of the stream; whether it was found. Where it was not, it is time
     /// to sleep.
     pub fn look(&mut self, stream: impl AsFd) -> bool {
@@ -56,7 +56,7 @@ impl Patience {
     }
 }
 
-impl Drop for Patience {
+impl Drop for SpinWait {
     fn drop(&mut self) {
         WAITERS.fetch_sub(1, Ordering::Relaxed);
     }

@@ -6,24 +6,28 @@ use gaugeblock_vocabulary::{Outcome, Scenario};
 use super::session::{Session, request};
 use super::{Exec, HarnessError};
 use crate::Adapter as _;
-use crate::protocol::{Offer, Operation, Reply, Ways};
+use crate::protocol::{Extension, Operation, Reply, RunModes};
 
 impl Exec {
     /// Asks for an operation that there is not, which has to be refused, and whether the session goes on after it.
     ///
     /// # Errors
     /// It is answered otherwise.
-    pub fn asked_the_unknown(&self) -> Result<(), HarnessError> {
-        self.new_session()?.ask_the_unknown()
+    pub fn check_unknown_operation(&self) -> Result<(), HarnessError> {
+        self.new_session()?.request_unknown_operation()
     }
 
     /// Runs a scenario in a session of its own that makes use of these offers and no other.
     ///
     /// # Errors
     /// There is no outcome.
-    pub fn run_by(&self, offers: &[Offer], scenario: &Scenario) -> Result<Outcome, HarnessError> {
+    pub fn run_with_extensions(
+        &self,
+        offers: &[Extension],
+        scenario: &Scenario,
+    ) -> Result<Outcome, HarnessError> {
         let mut session = self.new_session()?;
-        session.keep_to(offers);
+        session.restrict_extensions(offers);
         session.reset()?;
         session.run(scenario, None).map_err(|stopped| stopped.error)
     }
@@ -36,12 +40,12 @@ impl Exec {
     pub fn digest_of(&self, scenario: &Scenario) -> Result<Option<String>, HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
-        let ways = Ways { digest: true, ..Ways::default() };
+        let ways = RunModes { digest: true, ..RunModes::default() };
         let run = Operation::Run { scenario: Box::new(scenario.clone()), ways };
-        match session.ask(&run)? {
+        match session.request(&run)? {
             Reply::Digest(digest) => Ok(Some(digest)),
             Reply::Outcome(_) | Reply::File(_) => Ok(None),
-            reply => Err(session.amiss(run.name(), &reply)),
+            reply => Err(session.unexpected_reply(run.name(), &reply)),
         }
     }
 
@@ -57,9 +61,9 @@ impl Exec {
     ) -> Result<Option<Outcome>, HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
-        session.begin_to_ask()?;
+        session.begin_request()?;
         let scenario = Box::new(cancelled.clone());
-        let run = request(session.last, &Operation::Run { scenario, ways: Ways::default() })?;
+        let run = request(session.last, &Operation::Run { scenario, ways: RunModes::default() })?;
         if !session.cancel(run) {
             return Ok(None);
         }
@@ -71,13 +75,13 @@ impl Exec {
     ///
     /// # Errors
     /// One of them has no outcome.
-    pub fn run_behind(
+    pub fn run_after(
         &self,
         before: &Scenario,
         scenario: &Scenario,
     ) -> Result<Outcome, HarnessError> {
         let mut session = self.new_session()?;
-        session.keep_to(&[Offer::Fresh]);
+        session.restrict_extensions(&[Extension::Fresh]);
         session.reset()?;
         session.run(before, None).map_err(|stopped| stopped.error)?;
         session.run(scenario, None).map_err(|stopped| stopped.error)
@@ -87,10 +91,10 @@ impl Exec {
     ///
     /// # Errors
     /// It does not tell.
-    pub fn told_to_show(&self, scenario: &Scenario) -> Result<Capabilities, HarnessError> {
+    pub fn query_observables_of(&self, scenario: &Scenario) -> Result<Capabilities, HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
-        session.shown(scenario, self.capabilities())
+        session.query_observables(scenario, self.capabilities())
     }
 
     /// Runs a scenario and resets the same session, which has to tell then what it told before.
@@ -107,10 +111,10 @@ impl Exec {
 
 impl Session {
     /// Asks for an operation that no version has, then for a reset.
-    fn ask_the_unknown(&mut self) -> Result<(), HarnessError> {
+    fn request_unknown_operation(&mut self) -> Result<(), HarnessError> {
         let line =
             format!("{{\"id\":{},\"op\":\"gaugeblock-unknown\",\"later\":[1]}}\n", self.last + 1);
-        let reply = self.ask_line(line.as_bytes(), "gaugeblock-unknown")?;
+        let reply = self.request_line(line.as_bytes(), "gaugeblock-unknown")?;
         if !matches!(reply, Reply::Refused(_)) {
             let what = format!("answered with `{}`", reply.name());
             return Err(HarnessError::Unreadable { what, line: String::new() });

@@ -3,20 +3,20 @@
 
 use std::num::NonZero;
 
-use gaugeblock_adapter::{Adapter, Expected, HarnessError, Motion, NotMoved};
+use gaugeblock_adapter::{Adapter, Expected, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Step};
 
 /// A controller, narrowed to what another one declares.
 #[derive(Debug)]
-pub struct Narrowed {
+pub struct Restricted {
     controller: Box<dyn Adapter>,
     like: Box<dyn Adapter>,
     capabilities: Capabilities,
 }
 
-impl Narrowed {
+impl Restricted {
     /// This controller, as far as the other one goes.
     pub fn new(controller: Box<dyn Adapter>, like: Box<dyn Adapter>) -> Self {
         let capabilities = controller.capabilities().and(like.capabilities());
@@ -24,25 +24,25 @@ impl Narrowed {
     }
 }
 
-impl Adapter for Narrowed {
+impl Adapter for Restricted {
     fn capabilities(&self) -> &Capabilities {
         &self.capabilities
     }
 
-    fn shows(&self, scenario: &Scenario) -> Capabilities {
-        self.controller.shows(scenario).and(&self.like.shows(scenario))
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
+        self.controller.observables(scenario).and(&self.like.observables(scenario))
     }
 
-    fn shows_less_of_some(&self) -> bool {
-        self.controller.shows_less_of_some() || self.like.shows_less_of_some()
+    fn observables_vary(&self) -> bool {
+        self.controller.observables_vary() || self.like.observables_vary()
     }
 
-    fn honours(&self, options: &Options) -> Result<(), String> {
-        self.controller.honours(options)
+    fn accepts_options(&self, options: &Options) -> Result<(), String> {
+        self.controller.accepts_options(options)
     }
 
-    fn awaited(&self, scenario: &Scenario) -> Option<String> {
-        self.like.awaited(scenario).or_else(|| self.controller.awaited(scenario))
+    fn pending(&self, scenario: &Scenario) -> Option<String> {
+        self.like.pending(scenario).or_else(|| self.controller.pending(scenario))
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
@@ -70,16 +70,16 @@ impl Adapter for Narrowed {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
-        let shows = self.shows(scenario);
-        Ok(narrowed(self.controller.run(scenario)?, &shows))
+        let observables = self.observables(scenario);
+        Ok(narrowed(self.controller.run(scenario)?, &observables))
     }
 
-    fn is_within(&self) -> bool {
-        self.controller.is_within()
+    fn is_in_process(&self) -> bool {
+        self.controller.is_in_process()
     }
 
-    fn runs_beside(&self) -> bool {
-        self.controller.runs_beside()
+    fn is_out_of_process(&self) -> bool {
+        self.controller.is_out_of_process()
     }
 
     fn run_expecting(
@@ -87,12 +87,12 @@ impl Adapter for Narrowed {
         scenario: &Scenario,
         expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
-        let shows = self.shows(scenario);
-        Ok(narrowed(self.controller.run_expecting(scenario, expected)?, &shows))
+        let observables = self.observables(scenario);
+        Ok(narrowed(self.controller.run_expecting(scenario, expected)?, &observables))
     }
 
-    fn ahead(&self, scenario: &Scenario) {
-        self.controller.ahead(scenario);
+    fn prefetch(&self, scenario: &Scenario) {
+        self.controller.prefetch(scenario);
     }
 
     fn options(&self) -> Options {
@@ -108,32 +108,32 @@ impl Adapter for Narrowed {
         self.like.observed_edition()
     }
 
-    fn belongs_to(&self) -> Option<(&str, &str)> {
-        self.like.belongs_to().or(self.controller.belongs_to())
+    fn exported_from(&self) -> Option<(&str, &str)> {
+        self.like.exported_from().or(self.controller.exported_from())
     }
 
     fn has_laws_of_motion(&self) -> bool {
         self.controller.has_laws_of_motion()
     }
 
-    fn moves(&self, motion: &Motion<'_>) -> Result<Samples, NotMoved> {
-        self.like.moves(motion)?;
-        self.controller.moves(motion)
+    fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
+        self.like.record_motion(motion)?;
+        self.controller.record_motion(motion)
     }
 
-    fn run_anew(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
-        let outcome = self.controller.run_anew(scenario)?;
-        Some(outcome.map(|outcome| narrowed(outcome, &self.shows(scenario))))
+    fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
+        let outcome = self.controller.run_fresh(scenario)?;
+        Some(outcome.map(|outcome| narrowed(outcome, &self.observables(scenario))))
     }
 }
 
 /// Without what a fault tells and may not be seen. What is not judged otherwise is left: it is masked.
-fn narrowed(mut outcome: Outcome, shows: &Capabilities) -> Outcome {
+fn narrowed(mut outcome: Outcome, observables: &Capabilities) -> Outcome {
     let End::Fault(fault) = &mut outcome.end else { return outcome };
-    if !shows.faults_have_kinds {
+    if !observables.faults_have_kinds {
         fault.kind = None;
     }
-    if let Some(block) = fault.block.take_if(|_| !shows.faults_have_blocks) {
+    if let Some(block) = fault.block.take_if(|_| !observables.faults_have_blocks) {
         // What a refused block did before is open, and without its place nobody would know that.
         let is_refused = |step: &mut Step| step.block == block && step.state.is_none();
         outcome.steps.pop_if(is_refused);
@@ -217,7 +217,9 @@ mod tests {
     #[test]
     fn a_fault_loses_what_the_other_does_not_tell() {
         let scenario = Scenario::of("g0 x1\nx2 x3\nm2\n");
-        let of = |shows: &Capabilities| narrowed(gaugeblock_reference::run(&scenario).0, shows).end;
+        let of = |observables: &Capabilities| {
+            narrowed(gaugeblock_reference::run(&scenario).0, observables).end
+        };
         let End::Fault(bare) = of(&blockless()) else { panic!("accepted") };
         assert_eq!((bare.kind, bare.block), (None, None));
         let End::Fault(whole) = of(&Capabilities::everything("a", "1")) else { panic!("accepted") };
@@ -227,9 +229,9 @@ mod tests {
     #[test]
     fn it_shows_what_both_show() {
         let boxed = || Box::new(Reference::default()) as Box<dyn Adapter>;
-        let both = Narrowed::new(boxed(), boxed());
+        let both = Restricted::new(boxed(), boxed());
         let scenario = Scenario::of("g0 x1\nm2\n");
-        assert_eq!(both.shows(&scenario).fields, Reference::default().capabilities().fields);
+        assert_eq!(both.observables(&scenario).fields, Reference::default().capabilities().fields);
         assert_eq!(both.run(&scenario), Reference::default().run(&scenario));
     }
 }
