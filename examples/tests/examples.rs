@@ -4,7 +4,7 @@ use std::process::Command;
 
 use gaugeblock_adapter::clock::now;
 use gaugeblock_adapter::exec::{Exec, Limits};
-use gaugeblock_runner::check::{Came, checks};
+use gaugeblock_runner::check::{CheckResult, checks};
 use gaugeblock_suite::Suite;
 
 /// What a program prints. It must end with status 0.
@@ -43,6 +43,6 @@ fn adapter_passes_every_check() {
     let found = checks(&adapter, &suite.expect("a valid suite"), &|| start.elapsed().as_secs_f64());
     assert!(found.len() > 5, "{found:?}");
     for check in found {
-        assert!(!matches!(check.came, Came::Wrong(_)), "{check:?}");
+        assert!(!matches!(check.result, CheckResult::Failed(_)), "{check:?}");
     }
 }

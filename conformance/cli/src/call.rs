@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use gaugeblock_report::inert;
+use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
@@ -12,7 +12,7 @@ use crate::command::{
     plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::{self, write_error, write_error_in_colours};
 
 /// The exit statuses, for the help.
@@ -113,11 +113,14 @@ pub fn main() -> ExitCode {
             Ok(0)
         }
     };
-    match done.and_then(|status| streams::written().map(|()| status)) {
+    match done.and_then(|status| streams::check_written().map(|()| status)) {
         Ok(status) => ExitCode::from(status),
         Err(refused) => {
             let bold = anstyle::AnsiColor::Red.on_default().bold();
-            write_error_in_colours(&format!("{bold}error{bold:#}: {}", inert(&refused.message)));
+            write_error_in_colours(&format!(
+                "{bold}error{bold:#}: {}",
+                escape_text(&refused.message)
+            ));
             if let Some(hint) = refused.hint {
                 write_error(&format!("hint: {hint}"));
             }

@@ -5,16 +5,16 @@ use std::path::Path;
 use gaugeblock_suite::{Edition, Suite, files};
 use gaugeblock_vocabulary::Options;
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// Reads the pages of a folder, or else those of this program.
 pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
     let files = match folder {
         Some(folder) => files::of_folder(folder).map_err(|error| {
-            CliError::wrong(error, "--suite expects a folder like conformance/suite; without it the built-in suite is used")
+            CliError::usage(error, "--suite expects a folder like conformance/suite; without it the built-in suite is used")
         })?,
         None => gaugeblock_embedded_suite::files().map_err(|error| {
-            CliError::wrong(error, "--suite expects a folder like conformance/suite")
+            CliError::usage(error, "--suite expects a folder like conformance/suite")
         })?,
     };
     Suite::read(&files).map_err(|errors| {
@@ -25,7 +25,7 @@ pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
         } else {
             String::new()
         };
-        CliError::wrong(
+        CliError::usage(
             format!(
                 "{count} {} in the suite:\n{}{more}",
                 if count == 1 { "error" } else { "errors" },
@@ -40,7 +40,7 @@ pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
 pub(crate) fn edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, CliError> {
     suite.edition(id).ok_or_else(|| {
         let known: Vec<_> = suite.editions.iter().map(|edition| edition.id.as_str()).collect();
-        CliError::wrong(
+        CliError::usage(
             format!("unknown edition `{id}`"),
             format!("expected one of: {}", known.join(", ")),
         )
@@ -56,20 +56,20 @@ pub(crate) fn options_with(
     let mut options = suite.options(edition);
     for change in changes {
         let (id, option) = change.split_once('=').ok_or_else(|| {
-            CliError::wrong(
+            CliError::usage(
                 format!("invalid `--option {change}`: expected CHOICE=OPTION"),
                 "for example --option saved-state.motion-mode=restored",
             )
         })?;
         let choice = suite.choices.iter().find(|choice| choice.id == id).ok_or_else(|| {
-            CliError::wrong(
+            CliError::usage(
                 format!("unknown choice or quirk `{id}`"),
                 "`gaugeblock choices` lists them",
             )
         })?;
         if !choice.options.iter().any(|known| known.name == option) {
             let known: Vec<_> = choice.options.iter().map(|known| known.name.as_str()).collect();
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("unknown option `{option}` for `{id}`"),
                 format!("expected one of: {}", known.join(", ")),
             ));

@@ -4,7 +4,7 @@ mod arguments;
 mod call;
 mod command;
 mod documents;
-mod refused;
+mod error;
 mod streams;
 
 pub use call::{main, understands};

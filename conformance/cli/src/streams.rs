@@ -3,16 +3,16 @@
 use std::io::{self, ErrorKind, Write as _};
 use std::sync::OnceLock;
 
-use gaugeblock_report::inert;
+use gaugeblock_report::escape_text;
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// The first error of standard output. Writing continues; the command reports the error when it ends.
 static TROUBLE: OnceLock<String> = OnceLock::new();
 
 /// Writes to standard output; control characters are escaped.
 pub(crate) fn write_out(text: &str) {
-    write_out_in_colours(&inert(text));
+    write_out_in_colours(&escape_text(text));
 }
 
 /// Writes a text with our own terminal colours.
@@ -27,7 +27,7 @@ pub(crate) fn write_help(help: &clap::Error) {
 }
 
 pub(crate) fn write_error(text: &str) {
-    write_error_in_colours(&inert(text));
+    write_error_in_colours(&escape_text(text));
 }
 
 pub(crate) fn write_error_in_colours(text: &str) {
@@ -37,11 +37,11 @@ pub(crate) fn write_error_in_colours(text: &str) {
 
 /// An error if standard output is incomplete, as on a full disk. A closed pipe is not an error: its reader has what
 /// it wanted.
-pub(crate) fn written() -> Result<(), CliError> {
+pub(crate) fn check_written() -> Result<(), CliError> {
     keep(io::stdout().flush());
     match TROUBLE.get() {
         None => Ok(()),
-        Some(why) => Err(CliError::unfinished(
+        Some(why) => Err(CliError::failure(
             format!("standard output: {why}"),
             "the output is incomplete: free space on the disk, or write elsewhere",
         )),

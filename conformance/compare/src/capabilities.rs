@@ -16,14 +16,14 @@ pub struct Capabilities {
     pub resolution: f64,
     /// Settings that it prints once, as lengths of the unit that is in force then, and the largest absolute error of
     /// their numbers where that is the millimetre later on.
-    pub carried: BTreeMap<String, f64>,
+    pub unconverted_lengths: BTreeMap<String, f64>,
     /// Names of the settings and state fields that it shows, without index.
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
     pub fields_at_effects: BTreeSet<String>,
     /// Whether it tells every field that it shows whenever that has a value: one that is missing then differs. Where
     /// not, it is not judged.
-    pub tells_all_fields: bool,
+    pub reports_all_fields: bool,
     /// Names of the effects that it shows.
     pub effects: BTreeSet<String>,
     /// Whether it shows a straight move whose end is where the controlled point is.
@@ -58,10 +58,10 @@ impl Capabilities {
             name: name.to_owned(),
             version: version.to_owned(),
             resolution: 0.0,
-            carried: BTreeMap::new(),
+            unconverted_lengths: BTreeMap::new(),
             fields: fields(),
             fields_at_effects: fields(),
-            tells_all_fields: true,
+            reports_all_fields: true,
             effects: Effect::NAMES.iter().map(|name| (*name).to_owned()).collect(),
             moves_in_place: true,
             blocks: true,
@@ -76,7 +76,7 @@ impl Capabilities {
 
     /// Largest absolute error of a field that stands among these.
     pub fn resolution_of(&self, field: &str, among: &[Entry]) -> f64 {
-        let Some(error) = self.carried.get(field) else { return self.resolution };
+        let Some(error) = self.unconverted_lengths.get(field) else { return self.resolution };
         let unit = among.iter().find(|entry| entry.field == "units").map(|entry| &entry.value);
         if unit == Some(&Value::Word("mm".to_owned())) { *error } else { self.resolution }
     }
@@ -85,8 +85,8 @@ impl Capabilities {
     pub fn and(&self, other: &Self) -> Self {
         let both =
             |a: &BTreeSet<String>, b: &BTreeSet<String>| a.intersection(b).cloned().collect();
-        let mut carried = self.carried.clone();
-        for (field, error) in &other.carried {
+        let mut carried = self.unconverted_lengths.clone();
+        for (field, error) in &other.unconverted_lengths {
             let own = carried.entry(field.clone()).or_insert(*error);
             *own = own.max(*error);
         }
@@ -94,10 +94,10 @@ impl Capabilities {
             name: self.name.clone(),
             version: self.version.clone(),
             resolution: self.resolution.max(other.resolution),
-            carried,
+            unconverted_lengths: carried,
             fields: both(&self.fields, &other.fields),
             fields_at_effects: both(&self.fields_at_effects, &other.fields_at_effects),
-            tells_all_fields: self.tells_all_fields && other.tells_all_fields,
+            reports_all_fields: self.reports_all_fields && other.reports_all_fields,
             effects: both(&self.effects, &other.effects),
             moves_in_place: self.moves_in_place && other.moves_in_place,
             blocks: self.blocks && other.blocks,
@@ -121,8 +121,11 @@ mod tests {
     #[test]
     fn a_length_that_is_carried_is_coarser_in_millimetres() {
         let carried = BTreeMap::from([("feed_rate".to_owned(), 0.5)]);
-        let observables =
-            Capabilities { resolution: 0.25, carried, ..Capabilities::everything("a", "1") };
+        let observables = Capabilities {
+            resolution: 0.25,
+            unconverted_lengths: carried,
+            ..Capabilities::everything("a", "1")
+        };
         let both = observables.and(&Capabilities::everything("b", "1"));
         for (field, units, expected) in [
             ("feed_rate", LengthUnit::Millimetre, 0.5),

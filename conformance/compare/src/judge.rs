@@ -316,7 +316,7 @@ impl Judge<'_> {
         let found = self.run.pins.get(&pin).into_iter().flatten().map(|at| at.value);
         let found: Vec<f64> = found.collect();
         let is_same = tolerance::sequences(expected, &found, self.observables.resolution);
-        if !is_same && pins::may_be_seen(expected, &found, self.observables) {
+        if !is_same && pins::may_match_untimed(expected, &found, self.observables) {
             // Whether they last is known where the outcomes are compared.
             return Finding::Masked("brief values of pins".to_owned());
         }

@@ -15,9 +15,9 @@ use gaugeblock_suite::assertion::is_accepted;
 use gaugeblock_vocabulary::{BlockLocation, End, Entry, Fault, Pin, Settings, Value};
 
 pub use capabilities::Capabilities;
-pub use same::surely_same;
+pub use same::certainly_equal;
 pub use state::{FieldDifference, StateDifference, state};
-pub use tally::{Basis, Tally};
+pub use tally::{ComparedKind, Tally};
 pub use tolerance::rounded;
 
 use crate::observe::{Observed, ObservedEffect, ObservedStep, recorded};
@@ -147,7 +147,7 @@ impl Walk<'_> {
         b: &ObservedEffect,
     ) -> Option<Divergence> {
         let same = tolerance::effects(&a.effect, &b.effect, self.observables.resolution);
-        self.comparison.compared.add(Basis::Effects, 1 + a.effect.arguments().len());
+        self.comparison.compared.add(ComparedKind::Effects, 1 + a.effect.arguments().len());
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
@@ -224,7 +224,7 @@ impl Walk<'_> {
             let other = found.get(place).filter(fits).or_else(|| found.iter().find(fits));
             let is_shown = shown.contains(entry.field);
             let (true, Some(other)) = (is_shown, other) else {
-                if is_shown && self.observables.tells_all_fields {
+                if is_shown && self.observables.reports_all_fields {
                     let (expected, found) = (rounded(&entry.value), "nothing".to_owned());
                     let (block, field) = (Some(block.clone()), entry.name());
                     return Some(Divergence { block, field, expected, found });
@@ -233,7 +233,7 @@ impl Walk<'_> {
                 continue;
             };
             let is_setting = Settings::FIELDS.contains(&entry.field);
-            let basis = if is_setting { Basis::Settings } else { Basis::State };
+            let basis = if is_setting { ComparedKind::Settings } else { ComparedKind::State };
             self.comparison.compared.add(basis, 1);
             let resolution = self.observables.resolution_of(entry.field, found);
             if !tolerance::fields(entry.field, &entry.value, &other.value, resolution) {
@@ -249,7 +249,7 @@ impl Walk<'_> {
     }
 
     fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
-        self.comparison.compared.add(Basis::Acceptance, 1);
+        self.comparison.compared.add(ComparedKind::Acceptance, 1);
         let same = match (expected, found) {
             (End::Fault(a), End::Fault(b)) => {
                 !self.observables.faults_have_blocks || same_fault(a, b)
@@ -294,10 +294,10 @@ impl Walk<'_> {
             }
             let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
             let (a, b) = (values(expected), values(found));
-            self.comparison.compared.add(Basis::Pins, a.len().max(1));
+            self.comparison.compared.add(ComparedKind::Pins, a.len().max(1));
             let (all, seen) = (a.iter().map(|at| at.value), b.iter().map(|at| at.value));
             let (all, seen): (Vec<f64>, Vec<f64>) = (all.collect(), seen.collect());
-            if !pins::are_seen(&a, &seen, self.observables) {
+            if !pins::matches_samples(&a, &seen, self.observables) {
                 return Some(Divergence {
                     block: None,
                     field: format!("pin {pin}"),
@@ -327,7 +327,7 @@ impl Walk<'_> {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
-            self.comparison.compared.add(Basis::Parameters, 1);
+            self.comparison.compared.add(ComparedKind::Parameters, 1);
             if !tolerance::numbers(a, b, self.observables.resolution) {
                 return Some(Divergence {
                     block: None,

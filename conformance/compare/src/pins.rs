@@ -6,23 +6,23 @@ use crate::observe::PinValue;
 
 /// Whether these values of a pin are seen so. Those that last for less than the controller shows for sure need not be
 /// seen, and a value that then follows an equal one, or perhaps the one before the run, is no change.
-pub fn are_seen(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> bool {
-    let sight = Sight { resolution: observables.resolution, period: observables.pin_period };
+pub fn matches_samples(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> bool {
+    let sight = PinSampling { resolution: observables.resolution, period: observables.pin_period };
     sight.covers(expected, seen, None, false)
 }
 
 /// Whether what was seen may be all that there is to be seen of values whose times are not known.
-pub fn may_be_seen(expected: &[f64], seen: &[f64], observables: &Capabilities) -> bool {
+pub fn may_match_untimed(expected: &[f64], seen: &[f64], observables: &Capabilities) -> bool {
     let brief = expected.iter().map(|value| PinValue { value: *value, lasts: 0.0 });
-    are_seen(&brief.collect::<Vec<_>>(), seen, observables)
+    matches_samples(&brief.collect::<Vec<_>>(), seen, observables)
 }
 
-struct Sight {
+struct PinSampling {
     resolution: f64,
     period: f64,
 }
 
-impl Sight {
+impl PinSampling {
     /// `last` is the value that was seen last, `passed_over` whether one was left out since.
     fn covers(
         &self,
@@ -58,28 +58,28 @@ mod tests {
     fn what_is_brief_may_go_unseen() {
         let pulse = values(&[(1.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, f64::INFINITY)]);
         for seen in [&[1.0, 0.0, 1.0, 0.0][..], &[1.0, 0.0], &[]] {
-            assert!(are_seen(&pulse, seen, &observables(0.01)), "{seen:?}");
+            assert!(matches_samples(&pulse, seen, &observables(0.01)), "{seen:?}");
         }
         for seen in [&[1.0][..], &[1.0, 0.0, 1.0], &[2.0, 0.0], &[1.0, 0.0, 1.0, 0.0, 1.0]] {
-            assert!(!are_seen(&pulse, seen, &observables(0.01)), "{seen:?}");
+            assert!(!matches_samples(&pulse, seen, &observables(0.01)), "{seen:?}");
         }
     }
 
     #[test]
     fn what_lasts_is_seen() {
         let steps = values(&[(1.0, 0.5), (0.0, 0.0), (2.0, f64::INFINITY)]);
-        assert!(are_seen(&steps, &[1.0, 2.0], &observables(0.01)));
-        assert!(!are_seen(&steps, &[2.0], &observables(0.01)));
-        assert!(!are_seen(&steps, &[1.0], &observables(0.01)));
+        assert!(matches_samples(&steps, &[1.0, 2.0], &observables(0.01)));
+        assert!(!matches_samples(&steps, &[2.0], &observables(0.01)));
+        assert!(!matches_samples(&steps, &[1.0], &observables(0.01)));
     }
 
     #[test]
     fn a_controller_that_shows_all_shows_brief_values_too() {
         let pulse = values(&[(1.0, 0.0), (0.0, f64::INFINITY)]);
-        assert!(are_seen(&pulse, &[1.0, 0.0], &observables(0.0)));
-        assert!(!are_seen(&pulse, &[], &observables(0.0)));
-        assert!(may_be_seen(&[1.0, 0.0], &[], &observables(0.01)));
-        assert!(!may_be_seen(&[1.0, 0.0], &[2.0], &observables(0.01)));
-        assert!(!may_be_seen(&[1.0, 0.0], &[], &observables(0.0)));
+        assert!(matches_samples(&pulse, &[1.0, 0.0], &observables(0.0)));
+        assert!(!matches_samples(&pulse, &[], &observables(0.0)));
+        assert!(may_match_untimed(&[1.0, 0.0], &[], &observables(0.01)));
+        assert!(!may_match_untimed(&[1.0, 0.0], &[2.0], &observables(0.01)));
+        assert!(!may_match_untimed(&[1.0, 0.0], &[], &observables(0.0)));
     }
 }

@@ -11,7 +11,7 @@ use super::tolerance;
 /// block did to them is unspecified. A `false` says nothing.
 ///
 /// Most runs of two interpreters in this process are, and finding that out costs a fraction of a comparison.
-pub fn surely_same(expected: &Outcome, found: &Outcome, pins: bool) -> bool {
+pub fn certainly_equal(expected: &Outcome, found: &Outcome, pins: bool) -> bool {
     let refused = matches!(expected.end, End::Fault(_));
     same_end(&expected.end, &found.end)
         && same_parameters(expected, found)
@@ -66,7 +66,7 @@ fn same_steps(a: &Outcome, b: &Outcome) -> bool {
         // Told in the same words.
         return true;
     }
-    let mut both = Both::new(a, b);
+    let mut both = StatePair::new(a, b);
     let (mut a, mut b) = (of(a), of(b));
     both.same_settings()
         && loop {
@@ -95,12 +95,12 @@ fn compared(outcome: &Outcome) -> &[Step] {
 }
 
 /// What is in force on both sides.
-struct Both {
+struct StatePair {
     settings: (Settings, Settings),
     states: (State, State),
 }
 
-impl Both {
+impl StatePair {
     fn new(a: &Outcome, b: &Outcome) -> Self {
         Self {
             settings: (a.start.clone(), b.start.clone()),

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
 )]
 #[serde(rename_all = "snake_case")]
-pub enum Basis {
+pub enum ComparedKind {
     /// Assertions made by hand from the sentence.
     Assertions,
     /// How the run ended: whether it was accepted, where it was refused.
@@ -29,7 +29,7 @@ pub enum Basis {
     Laws,
 }
 
-impl Basis {
+impl ComparedKind {
     /// All kinds, in the order in which they are told.
     pub const ALL: [Self; 8] = [
         Self::Assertions,
@@ -74,11 +74,11 @@ impl Basis {
 /// How many values of each kind were compared; a kind that is not listed was not compared at all.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
-pub struct Tally(BTreeMap<Basis, usize>);
+pub struct Tally(BTreeMap<ComparedKind, usize>);
 
 impl Tally {
     /// Counts values of a kind.
-    pub fn add(&mut self, basis: Basis, count: usize) {
+    pub fn add(&mut self, basis: ComparedKind, count: usize) {
         if count > 0 {
             *self.0.entry(basis).or_default() += count;
         }
@@ -97,12 +97,16 @@ impl Tally {
     }
 
     /// How many of one kind.
-    pub fn of(&self, basis: Basis) -> usize {
+    pub fn of(&self, basis: ComparedKind) -> usize {
         self.0.get(&basis).copied().unwrap_or_default()
     }
 
     /// The letters of the kinds that were compared.
     pub fn letters(&self) -> String {
-        Basis::ALL.into_iter().filter(|basis| self.of(*basis) > 0).map(Basis::letter).collect()
+        ComparedKind::ALL
+            .into_iter()
+            .filter(|basis| self.of(*basis) > 0)
+            .map(ComparedKind::letter)
+            .collect()
     }
 }

@@ -4,12 +4,12 @@
 //! [`Reference`] is the specification itself. `Faulty` is production with a planted fault. [`Restricted`] holds a
 //! controller to what another one exposes too.
 
-pub mod drive;
 #[cfg(feature = "faulty")]
 pub mod faulty;
 mod production;
 mod reference;
 mod restricted;
+pub mod simulate;
 
 pub use production::Production;
 pub use reference::Reference;

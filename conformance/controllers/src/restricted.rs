@@ -71,7 +71,7 @@ impl Adapter for Restricted {
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         let observables = self.observables(scenario);
-        Ok(narrowed(self.controller.run(scenario)?, &observables))
+        Ok(restrict_outcome(self.controller.run(scenario)?, &observables))
     }
 
     fn is_in_process(&self) -> bool {
@@ -88,7 +88,7 @@ impl Adapter for Restricted {
         expected: &Expected<'_>,
     ) -> Result<Outcome, HarnessError> {
         let observables = self.observables(scenario);
-        Ok(narrowed(self.controller.run_expecting(scenario, expected)?, &observables))
+        Ok(restrict_outcome(self.controller.run_expecting(scenario, expected)?, &observables))
     }
 
     fn prefetch(&self, scenario: &Scenario) {
@@ -123,12 +123,12 @@ impl Adapter for Restricted {
 
     fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let outcome = self.controller.run_fresh(scenario)?;
-        Some(outcome.map(|outcome| narrowed(outcome, &self.observables(scenario))))
+        Some(outcome.map(|outcome| restrict_outcome(outcome, &self.observables(scenario))))
     }
 }
 
 /// Without what a fault tells and may not be seen. What is not judged otherwise is left: it is masked.
-fn narrowed(mut outcome: Outcome, observables: &Capabilities) -> Outcome {
+fn restrict_outcome(mut outcome: Outcome, observables: &Capabilities) -> Outcome {
     let End::Fault(fault) = &mut outcome.end else { return outcome };
     if !observables.faults_have_kinds {
         fault.kind = None;
@@ -157,7 +157,7 @@ mod tests {
             faults_have_blocks: false,
             faults_have_kinds: false,
             effects: ["straight_traverse".to_owned()].into(),
-            tells_all_fields: false,
+            reports_all_fields: false,
             ..Capabilities::everything("a control", "1")
         }
     }
@@ -218,7 +218,7 @@ mod tests {
     fn a_fault_loses_what_the_other_does_not_tell() {
         let scenario = Scenario::of("g0 x1\nx2 x3\nm2\n");
         let of = |observables: &Capabilities| {
-            narrowed(gaugeblock_reference::run(&scenario).0, observables).end
+            restrict_outcome(gaugeblock_reference::run(&scenario).0, observables).end
         };
         let End::Fault(bare) = of(&blockless()) else { panic!("accepted") };
         assert_eq!((bare.kind, bare.block), (None, None));

@@ -5,7 +5,7 @@
 //! **Invariant:** this crate does nothing that an adapter in another language could not do: it knows the vocabulary and
 //! LinuxCNC, and no model of the language. `python/rs274.py` is such an adapter, and gets the same verdicts.
 
-mod probing;
+mod instrumentation;
 mod rs274;
 mod whole;
 

@@ -11,16 +11,16 @@
 //!
 //! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
 
-mod drawn;
-mod held;
-mod made;
+mod assertions;
 mod picture;
+mod polyline;
 mod sketch;
 mod summary;
+mod synthesize;
 
-pub use drawn::drawn;
-pub use held::{FEEDS, asked, held};
-pub use made::made;
+pub use assertions::{FEED_INTERVALS, check_assertions, scenario_and_path};
 pub use picture::Picture;
+pub use polyline::polyline;
 pub use sketch::Sketch;
 pub use summary::Summary;
+pub use synthesize::synthesize;

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::drawn;
+use super::polyline::polyline;
 
 /// Most points of a curve.
 const MOST: usize = 160;
@@ -46,7 +46,7 @@ impl Sketch {
             .collect();
         let highest = |stretch: &[f64]| tidy(stretch.iter().copied().fold(0.0, f64::max));
         let programmed: Vec<[f64; 2]> =
-            drawn(path).iter().map(|at| [tidy(at[0]), tidy(at[1])]).collect();
+            polyline(path).iter().map(|at| [tidy(at[0]), tidy(at[1])]).collect();
         let cycles = u32::try_from(positions.len().saturating_sub(1)).unwrap_or(u32::MAX);
         Self {
             seconds: tidy(f64::from(cycles) * samples.period()),
@@ -67,7 +67,7 @@ impl Sketch {
         let frame = Frame::around(self.programmed.iter().chain(&self.commanded));
         for (points, class) in [(&self.programmed, "asked"), (&self.commanded, "moved")] {
             let placed = points.iter().map(|point| frame.place(*point));
-            polyline(&mut svg, placed, class);
+            push_polyline(&mut svg, placed, class);
         }
         let highest = self.speed.iter().copied().fold(1e-9, f64::max);
         let last = u32::try_from(self.speed.len().max(2) - 1).map_or(1.0, f64::from);
@@ -75,7 +75,7 @@ impl Sketch {
             let x = wide + MARGIN + f64::from(at) / last * (wide - 2.0 * MARGIN);
             [x, high - MARGIN - speed / highest * (high - 2.0 * MARGIN)]
         });
-        polyline(&mut svg, curve, "moved");
+        push_polyline(&mut svg, curve, "moved");
         let [x, y] = frame.size;
         let _infallible = write!(
             svg,
@@ -121,7 +121,7 @@ impl Frame {
     }
 }
 
-fn polyline(svg: &mut String, points: impl Iterator<Item = [f64; 2]>, class: &str) {
+fn push_polyline(svg: &mut String, points: impl Iterator<Item = [f64; 2]>, class: &str) {
     let points: Vec<String> = points.map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     let _infallible = write!(svg, "<polyline class=\"{class}\" points=\"{}\"/>", points.join(" "));
 }

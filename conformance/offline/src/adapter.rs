@@ -16,7 +16,7 @@ use gaugeblock_vocabulary::{
 use serde::Deserialize;
 
 use crate::{
-    Answer, Asked, BLOCKS, Blocks, CONTROL, Manifest, SAMPLES, SHEET, Sheet, digest,
+    Answer, BLOCKS, Blocks, CONTROL, ExportedProgram, Manifest, SAMPLES, SHEET, Sheet, digest,
     digest_of_motion, read_blocks,
 };
 
@@ -32,17 +32,17 @@ struct Control {
 /// A program of the campaign, and what was read of its folder.
 #[derive(Debug)]
 struct Entry {
-    asked: Asked,
+    asked: ExportedProgram,
     /// The answer, or what is wrong with it, with its place.
-    answer: Result<Told, (String, String)>,
+    answer: Result<SheetContent, (String, String)>,
 }
 
 /// What was written down.
 #[derive(Debug)]
-enum Told {
-    Nothing,
+enum SheetContent {
+    Blank,
     NotPossible(String),
-    Ran(Box<Sheet>, Option<Blocks>),
+    Answered(Box<Sheet>, Option<Blocks>),
 }
 
 /// A campaign's folder.
@@ -72,12 +72,13 @@ impl Offline {
         if !(control.resolution >= 0.0 && control.resolution.is_finite()) {
             return Err(format!("{name}: `resolution` is no error that a number can have"));
         }
-        let mut capabilities = nothing(&control);
+        let mut capabilities = no_observables(&control);
         let mut entries = BTreeMap::new();
         for asked in &manifest.programs {
-            let entry = Entry { asked: asked.clone(), answer: told(folder, asked) };
-            if let Ok(Told::Ran(sheet, blocks)) = &entry.answer {
-                let observables = observables(&nothing(&control), sheet, blocks.as_ref());
+            let entry = Entry { asked: asked.clone(), answer: read_content(folder, asked) };
+            if let Ok(SheetContent::Answered(sheet, blocks)) = &entry.answer {
+                let observables =
+                    observables_of_sheet(&no_observables(&control), sheet, blocks.as_ref());
                 capabilities.fields.extend(observables.fields);
                 capabilities.effects.extend(observables.effects);
                 capabilities.final_parameters |= observables.final_parameters;
@@ -94,7 +95,7 @@ impl Offline {
     }
 
     /// Whether the program in the folder is the one that was asked for, if it was sent back at all.
-    fn is_untouched(&self, entry: &Entry, program: &Program) -> Result<(), HarnessError> {
+    fn check_unmodified(&self, entry: &Entry, program: &Program) -> Result<(), HarnessError> {
         let mains = std::iter::once((Program::MAIN, &program.main));
         let files = program.files.iter().map(|(name, text)| (name.as_str(), text));
         for (name, text) in mains.chain(files) {
@@ -120,7 +121,9 @@ impl Adapter for Offline {
     fn observables(&self, scenario: &Scenario) -> Capabilities {
         let plain = Capabilities { blocks: false, ..self.capabilities.clone() };
         match self.entry(scenario).map(|entry| &entry.answer) {
-            Some(Ok(Told::Ran(sheet, blocks))) => observables(&plain, sheet, blocks.as_ref()),
+            Some(Ok(SheetContent::Answered(sheet, blocks))) => {
+                observables_of_sheet(&plain, sheet, blocks.as_ref())
+            }
             _ => plain,
         }
     }
@@ -131,15 +134,15 @@ impl Adapter for Offline {
 
     fn pending(&self, scenario: &Scenario) -> Option<String> {
         let entry = self.entry(scenario)?;
-        matches!(entry.answer, Ok(Told::Nothing))
+        matches!(entry.answer, Ok(SheetContent::Blank))
             .then(|| format!("{}/{SHEET} is not filled in", entry.asked.folder))
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         match self.entry(scenario).map(|entry| &entry.answer) {
             None => Err("it was not asked".to_owned()),
-            Some(Ok(Told::NotPossible(why))) => Err(why.clone()),
-            Some(Ok(Told::Nothing | Told::Ran(..)) | Err(_)) => Ok(()),
+            Some(Ok(SheetContent::NotPossible(why))) => Err(why.clone()),
+            Some(Ok(SheetContent::Blank | SheetContent::Answered(..)) | Err(_)) => Ok(()),
         }
     }
 
@@ -148,7 +151,7 @@ impl Adapter for Offline {
             entry.asked.samples && self.folder.join(&entry.asked.folder).join(SAMPLES).exists()
         };
         let is_told =
-            |entry: &&Entry| !matches!(entry.answer, Ok(Told::Nothing)) || has_samples(entry);
+            |entry: &&Entry| !matches!(entry.answer, Ok(SheetContent::Blank)) || has_samples(entry);
         let told = self.entries.values().filter(is_told).count();
         let left_out: usize = self.manifest.left_out.values().sum();
         vec![format!(
@@ -165,11 +168,11 @@ impl Adapter for Offline {
             Err((place, why)) => {
                 Err(HarnessError::Unreadable { what: place.clone(), line: why.clone() })
             }
-            Ok(Told::Nothing) => Err(HarnessError::NotRun("nothing is filled in".to_owned())),
-            Ok(Told::NotPossible(why)) => Err(HarnessError::NotRun(why.clone())),
-            Ok(Told::Ran(sheet, blocks)) => {
-                self.is_untouched(entry, &scenario.program)?;
-                outcome(sheet, blocks.as_ref())
+            Ok(SheetContent::Blank) => Err(HarnessError::NotRun("nothing is filled in".to_owned())),
+            Ok(SheetContent::NotPossible(why)) => Err(HarnessError::NotRun(why.clone())),
+            Ok(SheetContent::Answered(sheet, blocks)) => {
+                self.check_unmodified(entry, &scenario.program)?;
+                outcome_of_sheet(sheet, blocks.as_ref())
             }
         }
     }
@@ -186,12 +189,12 @@ impl Adapter for Offline {
             return unsupported("it was not asked");
         };
         match &entry.answer {
-            Ok(Told::NotPossible(why)) => return unsupported(why),
+            Ok(SheetContent::NotPossible(why)) => return unsupported(why),
             Err((place, why)) => return unreadable(place, why),
-            Ok(Told::Nothing | Told::Ran(..)) => {}
+            Ok(SheetContent::Blank | SheetContent::Answered(..)) => {}
         }
         let place = format!("{}/{SAMPLES}", entry.asked.folder);
-        if let Err(error) = self.is_untouched(entry, &motion.scenario.program) {
+        if let Err(error) = self.check_unmodified(entry, &motion.scenario.program) {
             return failed(error);
         }
         match std::fs::read_to_string(self.folder.join(&place)) {
@@ -215,7 +218,7 @@ impl Adapter for Offline {
 }
 
 /// What was written down of a program.
-fn told(folder: &Path, asked: &Asked) -> Result<Told, (String, String)> {
+fn read_content(folder: &Path, asked: &ExportedProgram) -> Result<SheetContent, (String, String)> {
     let read = |file: &str| {
         let place = format!("{}/{file}", asked.folder);
         match std::fs::read_to_string(folder.join(&place)) {
@@ -234,22 +237,22 @@ fn told(folder: &Path, asked: &Asked) -> Result<Told, (String, String)> {
         Answer::Blank if blocks.is_some() => {
             Err((place, "`ended` is empty, but blocks were written down".to_owned()))
         }
-        Answer::Blank => Ok(Told::Nothing),
-        Answer::NotPossible(why) => Ok(Told::NotPossible(why)),
-        Answer::Ran(sheet) => Ok(Told::Ran(sheet, blocks)),
+        Answer::Blank => Ok(SheetContent::Blank),
+        Answer::NotPossible(why) => Ok(SheetContent::NotPossible(why)),
+        Answer::Ran(sheet) => Ok(SheetContent::Answered(sheet, blocks)),
     }
 }
 
 /// A control of which nothing is known but its name.
-fn nothing(control: &Control) -> Capabilities {
+fn no_observables(control: &Control) -> Capabilities {
     Capabilities {
         name: control.name.trim().to_owned(),
         version: control.version.trim().to_owned(),
         resolution: control.resolution,
-        carried: BTreeMap::new(),
+        unconverted_lengths: BTreeMap::new(),
         fields: BTreeSet::new(),
         fields_at_effects: BTreeSet::new(),
-        tells_all_fields: false,
+        reports_all_fields: false,
         effects: BTreeSet::new(),
         moves_in_place: true,
         blocks: false,
@@ -263,7 +266,11 @@ fn nothing(control: &Control) -> Capabilities {
 }
 
 /// What a sheet shows: what is filled in.
-fn observables(plain: &Capabilities, sheet: &Sheet, blocks: Option<&Blocks>) -> Capabilities {
+fn observables_of_sheet(
+    plain: &Capabilities,
+    sheet: &Sheet,
+    blocks: Option<&Blocks>,
+) -> Capabilities {
     let position = sheet.position.is_some() || blocks.is_some();
     let mut fields = sheet.modes.clone();
     fields.extend(position.then(|| "position".to_owned()));
@@ -287,7 +294,7 @@ fn observables(plain: &Capabilities, sheet: &Sheet, blocks: Option<&Blocks>) -> 
 }
 
 /// What a sheet says, as an outcome.
-fn outcome(sheet: &Sheet, blocks: Option<&Blocks>) -> Result<Outcome, HarnessError> {
+fn outcome_of_sheet(sheet: &Sheet, blocks: Option<&Blocks>) -> Result<Outcome, HarnessError> {
     let end = match sheet.ended.as_str() {
         "program end" => End::ProgramEnd,
         "percent sign" => End::PercentEnd,

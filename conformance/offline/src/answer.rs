@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{Effect, End, Outcome, State};
 
 use super::blocks::{Blocks, blocks_text};
 use super::sheet::{MODES, Values, text};
-use super::{Asked, Question, SAMPLES, SHEET};
+use super::{ExportedProgram, Question, SAMPLES, SHEET};
 
 /// The files of a program's folder that a person fills in, by name, filled in from a run; nothing that the controller
 /// does not show. With `by_block`, positions after each block too, in place of the modes at the end.
@@ -56,7 +56,7 @@ pub fn answer(
     Ok(files)
 }
 
-fn values(asked: &Asked, outcome: &Outcome, observables: &Capabilities) -> Values {
+fn values(asked: &ExportedProgram, outcome: &Outcome, observables: &Capabilities) -> Values {
     let observed = Observed::of(outcome);
     let mut values = Values { ended: ended(&outcome.end).to_owned(), ..Values::default() };
     if let End::Fault(fault) = &outcome.end {

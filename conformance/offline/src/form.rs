@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{
 };
 use serde::Deserialize;
 
-use super::Asked;
+use super::ExportedProgram;
 use super::sheet::{Answer, CHANNELS, ENDS, Sheet};
 
 /// A field of a sheet: text, or a number without quotes.
@@ -79,7 +79,7 @@ impl Answer {
     ///
     /// # Errors
     /// What cannot be read, with its place.
-    pub fn read(text: &str, asked: &Asked) -> Result<Self, String> {
+    pub fn read(text: &str, asked: &ExportedProgram) -> Result<Self, String> {
         let form: Form = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
             format!("line {line}: {}", error.message().lines().next().unwrap_or_default())
@@ -191,8 +191,8 @@ mod tests {
     use super::super::sheet::{Values, text};
     use super::*;
 
-    fn asked() -> Asked {
-        Asked {
+    fn asked() -> ExportedProgram {
+        ExportedProgram {
             folder: "0001".to_owned(),
             scenario: String::new(),
             chapter: "feed".to_owned(),

@@ -8,9 +8,9 @@
 
 mod adapter;
 mod answer;
-mod asked;
 mod blocks;
-mod carried;
+mod exportable;
+mod exported_program;
 mod form;
 mod instructions;
 mod questions;
@@ -26,10 +26,10 @@ use sha2::{Digest as _, Sha256};
 
 pub use adapter::Offline;
 pub use answer::answer;
-pub use asked::Asked;
 pub use blocks::{Blocks, read_blocks};
+pub use exported_program::ExportedProgram;
 pub use instructions::{operator, readme};
-pub use questions::{Question, can_ask, questions};
+pub use questions::{Question, check_language, questions};
 use sheet::Values;
 pub use sheet::{Answer, Sheet, control_text};
 
@@ -63,7 +63,7 @@ pub struct Manifest {
     /// The profiles that were asked for; all where there are none.
     pub profiles: Vec<String>,
     /// The programs, in the order of their folders.
-    pub programs: Vec<Asked>,
+    pub programs: Vec<ExportedProgram>,
     /// What the route cannot carry: how many cases, by the reason.
     pub left_out: BTreeMap<String, usize>,
 }
@@ -93,7 +93,7 @@ impl Manifest {
 }
 
 /// The files of a program's folder that a person fills in, by name, with nothing filled in.
-pub fn blank(asked: &Asked) -> Vec<(&'static str, String)> {
+pub fn blank_files(asked: &ExportedProgram) -> Vec<(&'static str, String)> {
     let sheet = (SHEET, sheet::text(asked, &Values::default()));
     if asked.samples {
         return vec![sheet];
@@ -103,21 +103,21 @@ pub fn blank(asked: &Asked) -> Vec<(&'static str, String)> {
 
 /// What a scenario is found by: all of it but how the documents are read, which a control does not depend on.
 pub fn digest(scenario: &Scenario) -> String {
-    of_json(&plain(scenario))
+    digest_of_json(&without_defaults(scenario))
 }
 
 /// What a scenario is found by whose samples are asked for on a machine of these limits.
 pub fn digest_of_motion(scenario: &Scenario, limits: &MotionLimits) -> String {
-    of_json(&(plain(scenario), limits))
+    digest_of_json(&(without_defaults(scenario), limits))
 }
 
-fn plain(scenario: &Scenario) -> Scenario {
+fn without_defaults(scenario: &Scenario) -> Scenario {
     let mut plain = Scenario { options: Options::default(), ..scenario.clone() };
-    plain.environment.name.take_if(|name| name == carried::USUAL);
+    plain.environment.name.take_if(|name| name == exportable::USUAL);
     plain
 }
 
-fn of_json(value: &impl Serialize) -> String {
+fn digest_of_json(value: &impl Serialize) -> String {
     // A scenario holds nothing that JSON cannot.
     let text = serde_json::to_string(value).unwrap_or_default();
     Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()

@@ -8,14 +8,14 @@ use gaugeblock_vocabulary::motion::MotionLimits;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
-use super::carried::carried;
-use super::{Asked, digest, digest_of_motion};
+use super::exportable::check_exportable;
+use super::{ExportedProgram, digest, digest_of_motion};
 
 /// A program with all that it depends on, and what is asked of it.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// What is asked.
-    pub asked: Asked,
+    pub asked: ExportedProgram,
     /// What is run.
     pub scenario: Scenario,
     /// What the axes can do, where samples are asked for.
@@ -40,7 +40,7 @@ pub fn questions(
     let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(&edition.id);
     for rule in suite.rules.iter().filter(wanted) {
         for case in rule.motion.iter().filter(|case| !case.is_recorded()) {
-            match moved(rule, case, &options, edition) {
+            match motion_question(rule, case, &options, edition) {
                 Ok(question) => {
                     let key = question.asked.scenario.clone();
                     found.entry(key).or_insert(question).asked.cases += 1;
@@ -51,16 +51,17 @@ pub fn questions(
         for case in rule.cases.iter().filter(runs) {
             let scenario = scenario_of(case, &options, edition);
             let expected = gaugeblock_reference::run(&scenario).0;
-            if let Err(why) = carried(&scenario, &expected) {
+            if let Err(why) = check_exportable(&scenario, &expected) {
                 *left_out.entry(why.to_owned()).or_default() += 1;
                 continue;
             }
             let variables = case.parsed().into_iter();
             let variables = variables.filter(|claim| applies(claim, &options, &edition.id));
             let asserted: BTreeSet<u32> =
-                variables.flat_map(|claim| asserted(&claim.claim)).collect();
+                variables.flat_map(|claim| asserted_variables(&claim.claim)).collect();
             let key = digest(&scenario);
-            let question = found.entry(key.clone()).or_insert_with(|| begun(key, rule, &scenario));
+            let question =
+                found.entry(key.clone()).or_insert_with(|| new_question(key, rule, &scenario));
             question.asked.cases += 1;
             let all: BTreeSet<u32> =
                 question.asked.variables.iter().copied().chain(asserted).collect();
@@ -69,7 +70,7 @@ pub fn questions(
     }
     let mut questions: Vec<Question> = found.into_values().collect();
     questions.sort_by_cached_key(|question| {
-        (set_up(question), question.asked.chapter.clone(), question.asked.scenario.clone())
+        (setup_key(question), question.asked.chapter.clone(), question.asked.scenario.clone())
     });
     for (question, number) in questions.iter_mut().zip(1_u32..) {
         question.asked.folder = format!("{number:04}");
@@ -77,22 +78,22 @@ pub fn questions(
     (questions, left_out)
 }
 
-fn begun(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Question {
-    let asked = Asked {
+fn new_question(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Question {
+    let asked = ExportedProgram {
         folder: String::new(),
         scenario: scenario_digest,
         chapter: rule.chapter().to_owned(),
         cases: 0,
         axes: scenario.machine.axes.clone(),
-        variables: named(&scenario.program).into_iter().collect(),
-        messages: shows_messages(&scenario.program),
+        variables: named_variables(&scenario.program).into_iter().collect(),
+        messages: has_messages(&scenario.program),
         samples: false,
     };
     Question { asked, scenario: scenario.clone(), limits: None }
 }
 
 /// A program whose samples are asked for.
-fn moved(
+fn motion_question(
     rule: &Rule,
     case: &MotionCase,
     options: &Options,
@@ -101,18 +102,19 @@ fn moved(
     if !case.script().events.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    let asked = gaugeblock_motion::asked(case, options, edition.environment.as_ref());
+    let asked = gaugeblock_motion::scenario_and_path(case, options, edition.environment.as_ref());
     let (scenario, _) = asked.map_err(|_| "the specification does not say it yet")?;
     let expected = gaugeblock_reference::run(&scenario).0;
-    carried(&scenario, &expected)?;
+    check_exportable(&scenario, &expected)?;
     let limits = case.limits().map_err(|_| "its machine is not known")?;
-    let begun = begun(digest_of_motion(&scenario, &limits), rule, &scenario);
-    let asked = Asked { variables: Vec::new(), messages: false, samples: true, ..begun.asked };
+    let begun = new_question(digest_of_motion(&scenario, &limits), rule, &scenario);
+    let asked =
+        ExportedProgram { variables: Vec::new(), messages: false, samples: true, ..begun.asked };
     Ok(Question { asked, scenario, limits: Some(limits) })
 }
 
 /// What has to be set up, as a text that sorts: the usual first.
-fn set_up(question: &Question) -> (bool, bool, String) {
+fn setup_key(question: &Question) -> (bool, bool, String) {
     let Question { scenario, limits, asked: _ } = question;
     let usual = Scenario::default();
     let Program { block_delete, start, .. } = &scenario.program;
@@ -131,7 +133,7 @@ fn texts(program: &Program) -> impl Iterator<Item = &str> {
 }
 
 /// The numbers that stand behind a `#` somewhere.
-fn named(program: &Program) -> BTreeSet<u32> {
+fn named_variables(program: &Program) -> BTreeSet<u32> {
     let mut numbers = BTreeSet::new();
     for rest in texts(program).flat_map(|text| text.split('#').skip(1)) {
         let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
@@ -142,14 +144,14 @@ fn named(program: &Program) -> BTreeSet<u32> {
 }
 
 /// The variables that are asserted of the end.
-fn asserted(claim: &Claim) -> Vec<u32> {
+fn asserted_variables(claim: &Claim) -> Vec<u32> {
     let Claim::AtEnd(fields) = claim else { return Vec::new() };
     let parameters = fields.iter().filter(|field| field.field == "parameter");
     parameters.filter_map(|field| field.index.as_deref()?.parse().ok()).collect()
 }
 
 /// Whether a comment of the program may show something.
-fn shows_messages(program: &Program) -> bool {
+fn has_messages(program: &Program) -> bool {
     texts(program).any(|text| {
         let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let compact = compact.to_lowercase();
@@ -161,7 +163,7 @@ fn shows_messages(program: &Program) -> bool {
 ///
 /// # Errors
 /// The reason why not.
-pub fn can_ask(edition: &Edition) -> Result<(), String> {
+pub fn check_language(edition: &Edition) -> Result<(), String> {
     match edition.language {
         Language::Rs274 => Ok(()),
         Language::Nct | Language::Gpp => {

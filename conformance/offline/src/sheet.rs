@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use gaugeblock_vocabulary::{BlockLocation, Channel, Position, Rs274State, Settings, State};
 
-use super::asked::Asked;
+use super::exported_program::ExportedProgram;
 
 /// How a run can end, in the words of a sheet.
 pub(super) const ENDS: &[(&str, &str)] = &[
@@ -89,7 +89,7 @@ pub enum Answer {
 }
 
 /// The text of a sheet.
-pub(super) fn text(asked: &Asked, values: &Values) -> String {
+pub(super) fn text(asked: &ExportedProgram, values: &Values) -> String {
     let quoted = |word: &str| toml::Value::from(word).to_string();
     if asked.samples {
         return format!(

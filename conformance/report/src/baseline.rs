@@ -15,7 +15,7 @@ impl Stored {
     ///
     /// # Errors
     /// It is of another controller or edition, with both names.
-    pub fn fits(&self, now: &Header) -> Result<Option<String>, String> {
+    pub fn check_header(&self, now: &Header) -> Result<Option<String>, String> {
         let Header { controller, version, edition, .. } = &self.header;
         if (controller, edition) != (&now.controller, &now.edition) {
             return Err(format!(
@@ -30,38 +30,42 @@ impl Stored {
 
     /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which
     /// nothing is known any more; and a sentence for each divergence that is mended, or that is not judged any more.
-    pub fn hold(&self, run: &Run<'_>) -> (Vec<ExpectationMismatch>, Vec<String>) {
+    pub fn compare(&self, run: &Run<'_>) -> (Vec<ExpectationMismatch>, Vec<String>) {
         let before: BTreeMap<(&str, &str), &StoredVerdict> = self
             .cases
             .iter()
             .map(|case| ((case.rule.as_str(), case.case.as_str()), &case.verdict))
             .collect();
-        let (mut troubles, mut told) = (Vec::new(), Vec::new());
+        let (mut mismatches, mut told) = (Vec::new(), Vec::new());
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let before = before.get(&(result.rule.id.as_str(), result.name));
-            let known = before.and_then(|before| before.departure());
-            match (result.verdict.departure(), known) {
-                (Some(departure), None) => {
-                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
+            let known = before.and_then(|before| before.divergence());
+            match (result.verdict.divergence(), known) {
+                (Some(divergence), None) => {
+                    mismatches.push(ExpectationMismatch::New {
+                        rule,
+                        case,
+                        found: divergence.summary(),
+                    });
                 }
-                (Some(departure), Some(before)) if departure.line() == before.found => {}
-                (Some(departure), Some(before)) => {
-                    let (listed, found) = (before.found.clone(), departure.line());
-                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
+                (Some(divergence), Some(before)) if divergence.summary() == before.found => {}
+                (Some(divergence), Some(before)) => {
+                    let (listed, found) = (before.found.clone(), divergence.summary());
+                    mismatches.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
                 (None, before) if result.verdict == Verdict::Pass => told.extend(
                     before.map(|before| format!("mended: {rule} / {case}: was {}", before.found)),
                 ),
                 (None, _) if before.is_some_and(|before| before.is_pass()) => {
                     let (listed, found) = ("pass".to_owned(), result.verdict.to_string());
-                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
+                    mismatches.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
                 (None, before) => told.extend(before.map(|before| {
                     format!("not judged any more: {rule} / {case}: was {}", before.found)
                 })),
             }
         }
-        (troubles, told)
+        (mismatches, told)
     }
 }

@@ -5,12 +5,12 @@ use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
 use serde::Serialize;
 
 use super::Report;
-use super::causes::without_guard;
-use super::causes::{explained, groups};
-use super::sides::{Side, sides};
+use super::grouping::without_guard;
+use super::grouping::{explain, group_divergences};
+use super::side_by_side::{Side, side_by_side};
 
 /// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
-const MOST: usize = 1 << 20;
+const TRACE_BYTES_MAX: usize = 1 << 20;
 
 /// What the page shows of a divergence.
 #[derive(Debug, Serialize)]
@@ -54,21 +54,22 @@ pub(super) struct Kind<'a> {
 
 /// What differs, alike departures together, the worst first.
 pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
-    let mut left = MOST;
-    let mut card = |(result, departure): (&'a CaseResult<'_>, &'a RuleDivergence)| {
-        let mut card = card(&report.header.controller, result, departure);
-        let traces = departure.traces.as_ref();
+    let mut left = TRACE_BYTES_MAX;
+    let mut card = |(result, divergence): (&'a CaseResult<'_>, &'a RuleDivergence)| {
+        let mut card = card(&report.header.controller, result, divergence);
+        let traces = divergence.traces.as_ref();
         let size = traces.map_or(0, |traces| traces.expected.len() + traces.found.len());
         match left.checked_sub(size + result.program.len()) {
             Some(rest) => {
                 left = rest;
-                card.sides = traces.map(|traces| sides(traces, &result.masked)).unwrap_or_default();
+                card.sides =
+                    traces.map(|traces| side_by_side(traces, &result.masked)).unwrap_or_default();
             }
             None => card.short = true,
         }
         card
     };
-    let groups = groups(report).into_iter().map(|group| {
+    let groups = group_divergences(report).into_iter().map(|group| {
         let size = group.size();
         let cases: Vec<_> = group.cases.into_iter().map(&mut card).collect();
         let class = cases.first().map(|card| card.class.clone()).unwrap_or_default();
@@ -80,26 +81,26 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
 fn card<'a>(
     controller: &str,
     result: &'a CaseResult<'_>,
-    departure: &'a RuleDivergence,
+    divergence: &'a RuleDivergence,
 ) -> Card<'a> {
     let sources = result.rule.sources.iter().map(ToString::to_string);
-    let assertion = departure.assertion.as_ref();
+    let assertion = divergence.assertion.as_ref();
     let word = result.verdict.word();
     Card {
         rule: &result.rule.id,
         case: result.name,
         word,
         class: class(word),
-        excuse: result.verdict.excuse(),
+        excuse: result.verdict.accepted_by(),
         sentence: &result.rule.sentence,
         sources: sources.collect::<Vec<_>>().join("; "),
         assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
-        divergence: departure.divergence.as_deref(),
-        explanation: explained(controller, departure).map(|explained| explained.says),
-        repeated: result.repeated,
+        divergence: divergence.difference.as_deref(),
+        explanation: explain(controller, divergence).map(|explanation| explanation.text),
+        repeated: result.rerun,
         program: result.program,
-        shrunk: departure.shrunk.as_deref(),
-        state: departure.state.as_ref(),
+        shrunk: divergence.shrunk.as_deref(),
+        state: divergence.state.as_ref(),
         sides: Vec::new(),
         short: false,
         picture: result.sketch.as_ref().map(gaugeblock_motion::Sketch::svg),

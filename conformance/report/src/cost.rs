@@ -40,7 +40,7 @@ impl Cost {
     }
 
     /// Writes to each case of a run what it cost, where that is known.
-    pub fn tell(&self, cases: &mut [CaseResult<'_>]) {
+    pub fn apply_to(&self, cases: &mut [CaseResult<'_>]) {
         for result in cases {
             let known = self.0.get(&result.rule.id).and_then(|of_rule| of_rule.get(result.name));
             if let Some(milliseconds) = known {

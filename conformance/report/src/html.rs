@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::cards::{Kind, class, kinds};
 use super::json::{self, JudgedProfile};
-use super::{Counts, Report, RuleVerdict, inert};
+use super::{Counts, Report, RuleVerdict, escape_text};
 
 const PAGE: &str = include_str!("page.html");
 /// Pictures of motions that are as they should be, at most: the page has to stay small.
@@ -32,7 +32,7 @@ pub fn html(report: &Report<'_>) -> Result<String, String> {
         environment.get_template("page.html")?.render(Serde(page(report)))
     };
     let page = render().map_err(|error: minijinja::Error| format!("{error:#}"))?;
-    Ok(inert(&page).into_owned())
+    Ok(escape_text(&page).into_owned())
 }
 
 /// What the page shows.
@@ -48,7 +48,7 @@ struct Page<'a> {
     counts: Vec<Count>,
     /// Whether anything is known of it.
     judged: bool,
-    troubles: Option<Vec<String>>,
+    mismatches: Option<Vec<String>>,
     profiles: Vec<JudgedProfile>,
     fingerprint: Option<Fingerprint<'a>>,
     words: Vec<Word>,
@@ -74,8 +74,8 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
     let reasons = report.unsupported().into_iter();
     let mut unsupported: Vec<_> = reasons.map(|(why, cases)| Unsupported { why, cases }).collect();
     unsupported.sort_by(|a, b| b.cases.cmp(&a.cases).then_with(|| a.why.cmp(b.why)));
-    let troubles = report.troubles.as_ref();
-    let void = report.run.void.iter().map(|(rule, why)| Void { rule: &rule.id, why });
+    let mismatches = report.mismatches.as_ref();
+    let void = report.run.not_applicable.iter().map(|(rule, why)| Void { rule: &rule.id, why });
     let (status, says) = says(report);
     Page {
         controller: &header.controller,
@@ -87,7 +87,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         notes: &report.notes,
         counts: counts(report),
         judged: report.counts().judged() > 0,
-        troubles: troubles.map(|all| all.iter().map(ToString::to_string).collect()),
+        mismatches: mismatches.map(|all| all.iter().map(ToString::to_string).collect()),
         profiles: json::profiles(report),
         fingerprint: fingerprint(report),
         words: words(report),
@@ -195,7 +195,7 @@ struct Slow<'a> {
 /// What the whole comes to, in a sentence, and as which kind of verdict that is shown.
 pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
     match report.exit_status() {
-        0 if report.troubles.is_some() => {
+        0 if report.mismatches.is_some() => {
             ("pass", "It does what is known of it, and nothing else.")
         }
         0 => ("pass", "It does what the documents say, in everything that was judged."),
@@ -221,7 +221,7 @@ fn counts(report: &Report<'_>) -> Vec<Count> {
         ("waived", counts.waived, "waived"),
         ("unsupported", counts.unsupported, "unsupported"),
     ];
-    let open = counts.unjudged().map(|(word, count)| (word, count, word));
+    let open = counts.not_judged_by_verdict().map(|(word, count)| (word, count, word));
     let more = more.into_iter().chain(open).filter(|(_, count, _)| *count > 0);
     all.extend(more.map(|(name, number, word)| count(name, number, word)));
     all
@@ -271,7 +271,7 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
 
 /// Pictures of what is no card.
 fn motions<'a>(report: &'a Report<'_>) -> Vec<Moved<'a>> {
-    let others = report.run.cases.iter().filter(|result| result.verdict.departure().is_none());
+    let others = report.run.cases.iter().filter(|result| result.verdict.divergence().is_none());
     let drawn = others.filter_map(|result| {
         let picture = result.sketch.as_ref()?.svg();
         Some(Moved { rule: &result.rule.id, case: result.name, picture })
@@ -281,7 +281,7 @@ fn motions<'a>(report: &'a Report<'_>) -> Vec<Moved<'a>> {
 
 fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
     let why = |result: &'a CaseResult<'_>| {
-        let why = result.verdict.open()?;
+        let why = result.verdict.undetermined_reason()?;
         let word = result.verdict.word();
         Some(Open { rule: &result.rule.id, case: result.name, word, class: class(word), why })
     };
@@ -299,11 +299,11 @@ fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {
     let traits = report.run.fingerprint.as_ref()?;
     let shown = |of: &'a gaugeblock_runner::fingerprint::FingerprintEntry| Shown {
         choice: &of.choice,
-        held_to: &of.held_to,
+        held_to: &of.expected,
         declared: of.declared,
-        shown: of.shown.to_string(),
+        shown: of.observed.to_string(),
     };
-    let (departs, rest): (Vec<_>, Vec<_>) = traits.iter().partition(|of| of.departs());
+    let (departs, rest): (Vec<_>, Vec<_>) = traits.iter().partition(|of| of.differs());
     Some(Fingerprint {
         agrees: traits.iter().filter(|of| of.agrees()).count(),
         all: traits.len(),

@@ -133,7 +133,7 @@ pub fn document(report: &Report<'_>) -> Document {
         cases: result.counts.all(),
         compared: result.compared,
     });
-    let void = report.run.void.iter();
+    let void = report.run.not_applicable.iter();
     let void = void.map(|(rule, why)| VoidRule { rule: rule.id.clone(), why: (*why).to_owned() });
     Document {
         gaugeblock: "report",
@@ -157,7 +157,7 @@ pub fn document(report: &Report<'_>) -> Document {
         void: void.collect(),
         fingerprint: report.run.fingerprint.clone(),
         cases: report.run.cases.iter().map(StoredCase::of).collect(),
-        expectations: report.troubles.clone(),
+        expectations: report.mismatches.clone(),
     }
 }
 

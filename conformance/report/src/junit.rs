@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_runner::certify::{NotJudgedReason, Verdict};
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 
-use super::{Report, inert, inert_line};
+use super::{Report, escape_line, escape_text};
 
 /// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
 /// waived is skipped.
@@ -13,7 +13,7 @@ use super::{Report, inert, inert_line};
 /// # Errors
 /// A text that XML cannot hold.
 pub fn junit(report: &Report<'_>) -> Result<String, String> {
-    let controller = inert_line(&report.header.controller);
+    let controller = escape_line(&report.header.controller);
     let name = format!("{controller} held to {}", report.run.edition.id);
     let mut document = quick_junit::Report::new(name);
     let mut chapters: BTreeMap<&str, TestSuite> = BTreeMap::new();
@@ -21,20 +21,20 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
         let word = result.verdict.word();
         let status = match &result.verdict {
             Verdict::Pass | Verdict::AttributedElsewhere(_) => TestCaseStatus::success(),
-            Verdict::Diverges(departure) => {
+            Verdict::Diverges(divergence) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                status.set_type(word).set_message(inert(&departure.line()).into_owned());
+                status.set_type(word).set_message(escape_text(&divergence.summary()).into_owned());
                 status.set_description(result.program.to_owned());
                 status
             }
             Verdict::Known(_, why) | Verdict::Waived(_, why) | Verdict::Unsupported(why) => {
                 let mut status = TestCaseStatus::skipped();
-                status.set_type(word).set_message(inert(why).into_owned());
+                status.set_type(word).set_message(escape_text(why).into_owned());
                 status
             }
             Verdict::Inconclusive(why) | Verdict::NotJudged(NotJudgedReason { why, .. }) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
-                status.set_type(word).set_message(inert(why).into_owned());
+                status.set_type(word).set_message(escape_text(why).into_owned());
                 status
             }
         };

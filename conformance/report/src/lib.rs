@@ -2,10 +2,10 @@
 
 pub mod baseline;
 mod cards;
-pub mod causes;
 pub mod cost;
+mod escape;
+pub mod grouping;
 pub mod html;
-mod inert;
 pub mod json;
 pub mod junit;
 pub mod markdown;
@@ -13,13 +13,13 @@ pub mod matrix;
 pub mod merge;
 pub mod profiles;
 mod rule;
-mod sides;
+mod side_by_side;
 pub mod stored;
 pub mod terminal;
 
 use std::collections::BTreeMap;
 
-pub use inert::{inert, inert_line};
+pub use escape::{escape_line, escape_text};
 pub use merge::Header;
 pub use profiles::ProfileResult;
 pub(crate) use rule::verdicts;
@@ -40,7 +40,7 @@ pub struct Report<'a> {
     /// Each profile that the edition has rules of.
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
-    pub troubles: Option<Vec<ExpectationMismatch>>,
+    pub mismatches: Option<Vec<ExpectationMismatch>>,
 }
 
 impl<'a> Report<'a> {
@@ -60,16 +60,16 @@ impl<'a> Report<'a> {
 
     /// Cases that diverge, known or not, in order.
     pub fn divergences(&self) -> Vec<&CaseResult<'a>> {
-        let diverges = |result: &&CaseResult<'a>| result.verdict.own_departure().is_some();
+        let diverges = |result: &&CaseResult<'a>| result.verdict.own_divergence().is_some();
         self.run.cases.iter().filter(diverges).collect()
     }
 
     /// Cases that failed where other programs had run before, and not alone, with how they did: what those left there
     /// did it.
     pub fn leaks(&self) -> Vec<(&CaseResult<'a>, &str)> {
-        let leaks = |case: &'_ CaseResult<'a>| case.before.is_some();
+        let leaks = |case: &'_ CaseResult<'a>| case.leaked_failure.is_some();
         let leaking = self.run.cases.iter().filter(|case| leaks(case));
-        leaking.map(|case| (case, case.before.as_deref().unwrap_or_default())).collect()
+        leaking.map(|case| (case, case.leaked_failure.as_deref().unwrap_or_default())).collect()
     }
 
     /// Fields and effects that were not shown, with the number of cases.
@@ -96,8 +96,8 @@ impl<'a> Report<'a> {
     /// claimed profile that it does not pass, 3 not finished, or nothing was judged at all.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
-        let wrong = match &self.troubles {
-            Some(troubles) => !troubles.is_empty(),
+        let wrong = match &self.mismatches {
+            Some(mismatches) => !mismatches.is_empty(),
             None => counts.diverges + counts.charged_elsewhere > 0,
         };
         let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());

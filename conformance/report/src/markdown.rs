@@ -8,8 +8,8 @@ use gaugeblock_runner::certify::CaseResult;
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_vocabulary::Language;
 
-use super::causes::without_guard;
-use super::causes::{self, Group, explained};
+use super::grouping::without_guard;
+use super::grouping::{self, Group, explain};
 use super::terminal::shortened;
 use super::{Report, RuleResult, html};
 
@@ -72,11 +72,11 @@ fn head(report: &Report<'_>) -> String {
 
 /// What is not as it is known to be.
 fn changes(report: &Report<'_>) -> String {
-    let Some(troubles) = &report.troubles else { return String::new() };
-    let told = troubles.iter().map(|trouble| {
-        let (rule, case) = trouble.place();
+    let Some(mismatches) = &report.mismatches else { return String::new() };
+    let told = mismatches.iter().map(|mismatch| {
+        let (rule, case) = mismatch.place();
         let place = code(&format!("{rule} / {case}"));
-        match trouble {
+        match mismatch {
             ExpectationMismatch::New { found, .. } => format!("**new** {place}: {}", code(found)),
             ExpectationMismatch::Changed { listed, found, .. } => {
                 format!("**changed** {place}: was {}, now {}", code(listed), code(found))
@@ -87,12 +87,12 @@ fn changes(report: &Report<'_>) -> String {
     let mended = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
     let told: Vec<_> = told.chain(mended.map(|it| format!("**mended** {}", code(it)))).collect();
     let count = |of: fn(&ExpectationMismatch) -> bool| {
-        troubles.iter().filter(|trouble| of(trouble)).count()
+        mismatches.iter().filter(|mismatch| of(mismatch)).count()
     };
-    let new = count(|trouble| matches!(trouble, ExpectationMismatch::New { .. }));
-    let changed = count(|trouble| matches!(trouble, ExpectationMismatch::Changed { .. }));
-    let stale = count(|trouble| matches!(trouble, ExpectationMismatch::Stale { .. }));
-    let mended = told.len() - troubles.len();
+    let new = count(|mismatch| matches!(mismatch, ExpectationMismatch::New { .. }));
+    let changed = count(|mismatch| matches!(mismatch, ExpectationMismatch::Changed { .. }));
+    let stale = count(|mismatch| matches!(mismatch, ExpectationMismatch::Stale { .. }));
+    let mended = told.len() - mismatches.len();
     let stale = if stale == 0 { String::new() } else { format!(", {stale} stale") };
     let title = "Against what is known";
     section(&format!("{title}: {new} new, {changed} changed{stale}, {mended} mended"), &told)
@@ -134,18 +134,18 @@ fn rules(report: &Report<'_>) -> String {
 /// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing
 /// explains first.
 fn divergences(report: &Report<'_>, room: usize) -> String {
-    let troubles = report.troubles.as_ref();
+    let mismatches = report.mismatches.as_ref();
     let is_known = |result: &CaseResult<'_>| {
         let place = (result.rule.id.as_str(), result.name);
-        troubles.is_some_and(|all| !all.iter().any(|trouble| trouble.place() == place))
+        mismatches.is_some_and(|all| !all.iter().any(|mismatch| mismatch.place() == place))
     };
-    let mut all = causes::groups(report);
+    let mut all = grouping::group_divergences(report);
     all.iter_mut().for_each(|group| group.cases.retain(|(result, _)| !is_known(result)));
     all.retain(|group| !group.cases.is_empty());
     if all.is_empty() {
         return String::new();
     }
-    let title = match troubles {
+    let title = match mismatches {
         None => "What differs, and the smallest program of each",
         Some(_) => "What differs and is new or has changed, and the smallest program of each",
     };
@@ -164,7 +164,7 @@ fn divergences(report: &Report<'_>, room: usize) -> String {
 
 /// The smallest of what differs alike, folded.
 fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
-    let Some((result, departure)) = group.cases.first() else { return String::new() };
+    let Some((result, divergence)) = group.cases.first() else { return String::new() };
     let CaseResult { rule, name, .. } = result;
     let summary = escaped(&format!("{} / {name}", rule.id));
     let size = group.size();
@@ -175,17 +175,17 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
     let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
     let sources: Vec<_> = sources.collect();
     text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
-    text.push_str(&program(causes::program(result, departure), result.rule.language));
+    text.push_str(&program(grouping::program(result, divergence), result.rule.language));
     text.push('\n');
-    if let Some((said, found)) = &departure.assertion {
+    if let Some((said, found)) = &divergence.assertion {
         let said = without_guard(said);
         text.push_str(&format!("- expected {}\n- found {}\n", code(said), code(found)));
     }
-    if let Some(divergence) = &departure.divergence {
+    if let Some(divergence) = &divergence.difference {
         text.push_str(&format!("- first difference {}\n", code(divergence)));
     }
-    if let Some(explained) = explained(&report.header.controller, departure) {
-        text.push_str(&format!("- {}\n", code(&explained.says)));
+    if let Some(explanation) = explain(&report.header.controller, divergence) {
+        text.push_str(&format!("- {}\n", code(&explanation.text)));
     }
     text.push_str("\n</details>\n");
     text
@@ -206,7 +206,7 @@ fn program(program: &str, language: Language) -> String {
 
 fn not_judged(report: &Report<'_>) -> String {
     let told = report.run.cases.iter().filter_map(|result| {
-        let why = result.verdict.open()?;
+        let why = result.verdict.undetermined_reason()?;
         let place = code(&format!("{} / {}", result.rule.id, result.name));
         Some(format!("{place}: {}, {}", result.verdict.word(), code(why)))
     });

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-use gaugeblock_compare::{Basis, Tally};
+use gaugeblock_compare::{ComparedKind, Tally};
 use gaugeblock_suite::ledger::{Item, Ledger, Section};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -208,7 +208,7 @@ impl<'a> Matrix<'a> {
     }
 
     fn legend(&self, text: &mut String) {
-        let letters: Vec<String> = Basis::ALL
+        let letters: Vec<String> = ComparedKind::ALL
             .iter()
             .map(|basis| format!("{} {}", basis.letter(), basis.words()))
             .collect();

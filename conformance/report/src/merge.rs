@@ -139,7 +139,7 @@ pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
         {
             return Err(format!(
                 "{first_name} and {name} are not of one run: {}",
-                unlike(first, part)
+                first_mismatch(first, part)
             ));
         }
         if let Some(other) = by_index.insert(shard.index, name) {
@@ -162,7 +162,7 @@ pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
 }
 
 /// In what two parts differ.
-fn unlike(a: &Stored, b: &Stored) -> String {
+fn first_mismatch(a: &Stored, b: &Stored) -> String {
     let (first, second) = (&a.header, &b.header);
     let of = |what: &str, one: &str, other: &str| {
         (one != other).then(|| format!("{what} {one:?} and {other:?}"))

@@ -92,7 +92,7 @@ impl Counts {
             Verdict::Waived(..) => &mut self.waived,
             Verdict::Unsupported(_) => &mut self.unsupported,
             Verdict::Inconclusive(_) => &mut self.inconclusive,
-            Verdict::NotJudged(unjudged) => match unjudged.cause {
+            Verdict::NotJudged(not_judged) => match not_judged.cause {
                 Cause::Nondeterministic => &mut self.nondeterministic,
                 Cause::Crash => &mut self.crash,
                 Cause::Timeout => &mut self.timeout,
@@ -104,7 +104,7 @@ impl Counts {
     }
 
     /// Why cases that were to be judged are not, each with its word.
-    pub fn unjudged(self) -> [(&'static str, usize); 6] {
+    pub fn not_judged_by_verdict(self) -> [(&'static str, usize); 6] {
         [
             ("inconclusive", self.inconclusive),
             ("nondeterministic", self.nondeterministic),
@@ -122,7 +122,7 @@ impl Counts {
 
     /// Cases that were to be judged and are not.
     pub fn not_judged(self) -> usize {
-        self.unjudged().into_iter().map(|(_, count)| count).sum()
+        self.not_judged_by_verdict().into_iter().map(|(_, count)| count).sum()
     }
 
     /// Cases of which something is known: they pass, or they depart, whoever knows of it.

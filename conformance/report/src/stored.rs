@@ -58,9 +58,9 @@ pub enum StoredVerdict {
     #[serde(rename = "charged elsewhere")]
     AttributedElsewhere(StoredDivergence),
     /// Otherwise, exactly as is known.
-    Known(Excused),
+    Known(AcceptedDivergence),
     /// Otherwise, and somebody answers for it.
-    Waived(Excused),
+    Waived(AcceptedDivergence),
     /// Not run: the controller does not have this.
     Unsupported(Reason),
     /// The documents or the model leave it open.
@@ -88,12 +88,12 @@ pub struct Reason {
 
 /// What a controller does otherwise, and why that does not fail.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct Excused {
+pub struct AcceptedDivergence {
     /// Who knows of it, or answers for it.
     pub reason: String,
     /// What it does.
     #[serde(flatten)]
-    pub departure: StoredDivergence,
+    pub divergence: StoredDivergence,
 }
 
 /// What a controller does otherwise.
@@ -104,7 +104,8 @@ pub struct StoredDivergence {
     /// The first assertion that does not hold, with what was found.
     pub assertion: Option<(String, String)>,
     /// The first difference from the model.
-    pub divergence: Option<String>,
+    #[serde(rename = "divergence")]
+    pub difference: Option<String>,
     /// The quirks and options that explain it.
     pub explanation: Vec<String>,
     /// The main program.
@@ -122,25 +123,25 @@ pub struct StoredDivergence {
 
 impl StoredVerdict {
     fn of(result: &CaseResult<'_>) -> Self {
-        let departure = |departure: &RuleDivergence| StoredDivergence {
-            found: departure.line(),
-            assertion: departure.assertion.clone(),
-            divergence: departure.divergence.clone(),
-            explanation: departure.explanation.clone(),
+        let divergence = |divergence: &RuleDivergence| StoredDivergence {
+            found: divergence.summary(),
+            assertion: divergence.assertion.clone(),
+            difference: divergence.difference.clone(),
+            explanation: divergence.explanation.clone(),
             program: result.program.to_owned(),
-            traces: departure.traces.clone(),
-            state: departure.state.clone(),
-            shrunk: departure.shrunk.clone(),
+            traces: divergence.traces.clone(),
+            state: divergence.state.clone(),
+            shrunk: divergence.shrunk.clone(),
         };
-        let excused = |known: &RuleDivergence, reason: &String| Excused {
+        let excused = |known: &RuleDivergence, reason: &String| AcceptedDivergence {
             reason: reason.clone(),
-            departure: departure(known),
+            divergence: divergence(known),
         };
         let reason = |why: &String| Reason { reason: why.clone() };
         match &result.verdict {
             Verdict::Pass => Self::Pass,
-            Verdict::Diverges(found) => Self::Diverges(departure(found)),
-            Verdict::AttributedElsewhere(found) => Self::AttributedElsewhere(departure(found)),
+            Verdict::Diverges(found) => Self::Diverges(divergence(found)),
+            Verdict::AttributedElsewhere(found) => Self::AttributedElsewhere(divergence(found)),
             Verdict::Known(found, why) => Self::Known(excused(found, why)),
             Verdict::Waived(found, why) => Self::Waived(excused(found, why)),
             Verdict::Unsupported(why) => Self::Unsupported(reason(why)),
@@ -161,10 +162,10 @@ impl StoredVerdict {
     }
 
     /// What the controller does otherwise, whoever knows of it.
-    pub fn departure(&self) -> Option<&StoredDivergence> {
+    pub fn divergence(&self) -> Option<&StoredDivergence> {
         match self {
-            Self::Diverges(departure) | Self::AttributedElsewhere(departure) => Some(departure),
-            Self::Known(excused) | Self::Waived(excused) => Some(&excused.departure),
+            Self::Diverges(divergence) | Self::AttributedElsewhere(divergence) => Some(divergence),
+            Self::Known(excused) | Self::Waived(excused) => Some(&excused.divergence),
             Self::Pass
             | Self::Unsupported(_)
             | Self::Inconclusive(_)
@@ -178,30 +179,32 @@ impl StoredVerdict {
 
     /// The verdict of the run alone: what it was held against then is not held against it now.
     fn verdict(&self) -> Verdict {
-        let departure = |stored: &StoredDivergence| RuleDivergence {
+        let divergence = |stored: &StoredDivergence| RuleDivergence {
             assertion: stored.assertion.clone(),
-            divergence: stored.divergence.clone(),
+            difference: stored.difference.clone(),
             explanation: stored.explanation.clone(),
             traces: stored.traces.clone(),
             state: stored.state.clone(),
             shrunk: stored.shrunk.clone(),
         };
-        let unjudged = |cause, why: &Reason| {
+        let not_judged = |cause, why: &Reason| {
             Verdict::NotJudged(NotJudgedReason { cause, why: why.reason.clone() })
         };
         match self {
             Self::Pass => Verdict::Pass,
-            Self::Diverges(found) => Verdict::Diverges(departure(found)),
-            Self::AttributedElsewhere(found) => Verdict::AttributedElsewhere(departure(found)),
-            Self::Known(Excused { departure: found, .. })
-            | Self::Waived(Excused { departure: found, .. }) => Verdict::Diverges(departure(found)),
+            Self::Diverges(found) => Verdict::Diverges(divergence(found)),
+            Self::AttributedElsewhere(found) => Verdict::AttributedElsewhere(divergence(found)),
+            Self::Known(AcceptedDivergence { divergence: found, .. })
+            | Self::Waived(AcceptedDivergence { divergence: found, .. }) => {
+                Verdict::Diverges(divergence(found))
+            }
             Self::Unsupported(why) => Verdict::Unsupported(why.reason.clone()),
             Self::Inconclusive(why) => Verdict::Inconclusive(why.reason.clone()),
-            Self::Nondeterministic(why) => unjudged(Cause::Nondeterministic, why),
-            Self::Crash(why) => unjudged(Cause::Crash, why),
-            Self::Timeout(why) => unjudged(Cause::Timeout, why),
-            Self::HarnessError(why) => unjudged(Cause::HarnessError, why),
-            Self::NotRun(why) => unjudged(Cause::NotRun, why),
+            Self::Nondeterministic(why) => not_judged(Cause::Nondeterministic, why),
+            Self::Crash(why) => not_judged(Cause::Crash, why),
+            Self::Timeout(why) => not_judged(Cause::Timeout, why),
+            Self::HarnessError(why) => not_judged(Cause::HarnessError, why),
+            Self::NotRun(why) => not_judged(Cause::NotRun, why),
         }
     }
 }
@@ -215,8 +218,8 @@ impl StoredCase {
             verdict: StoredVerdict::of(result),
             compared: result.compared.clone(),
             masked: result.masked.clone(),
-            repeated: result.repeated,
-            before: result.before.clone(),
+            repeated: result.rerun,
+            before: result.leaked_failure.clone(),
             sketch: result.sketch.clone(),
         }
     }
@@ -243,8 +246,8 @@ impl StoredCase {
             verdict: self.verdict.verdict(),
             masked: self.masked.clone(),
             compared: self.compared.clone(),
-            repeated: self.repeated,
-            before: self.before.clone(),
+            rerun: self.repeated,
+            leaked_failure: self.before.clone(),
             sketch: self.sketch.clone(),
             cost: Duration::ZERO,
         })

@@ -6,8 +6,8 @@ use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, Verdict};
 use gaugeblock_vocabulary::Language;
 
-use super::causes::{explained, groups, without_guard};
-use super::{Report, RuleVerdict, inert, inert_line};
+use super::grouping::{explain, group_divergences, without_guard};
+use super::{Report, RuleVerdict, escape_line, escape_text};
 
 const BOLD: Style = Style::new().bold();
 const RED: Style = AnsiColor::Red.on_default().bold();
@@ -31,7 +31,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     let mut text = String::new();
     head(&mut text, report);
     chapters(&mut text, report);
-    let known = report.troubles.is_some();
+    let known = report.mismatches.is_some();
     for result in report.divergences() {
         let is_new = matches!(result.verdict, Verdict::Diverges(_));
         if verbose || is_new && !known {
@@ -41,7 +41,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     causes(&mut text, report, verbose);
     not_judged(&mut text, report);
     waived(&mut text, report);
-    troubles(&mut text, report);
+    mismatches(&mut text, report);
     profiles(&mut text, report);
     unseen(&mut text, report, verbose);
     verdict(&mut text, report);
@@ -50,11 +50,11 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
 
 fn head(text: &mut String, report: &Report<'_>) {
     let controller = format!("{} {}", report.header.controller, report.header.version);
-    let controller = inert_line(&controller);
+    let controller = escape_line(&controller);
     line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     for note in &report.notes {
-        line!(text, "{} {}", styled(YELLOW, "note"), inert(note));
+        line!(text, "{} {}", styled(YELLOW, "note"), escape_text(note));
     }
     line!(text);
 }
@@ -93,9 +93,9 @@ fn chapters(text: &mut String, report: &Report<'_>) {
         );
     }
     line!(text);
-    if !report.run.void.is_empty() {
+    if !report.run.not_applicable.is_empty() {
         line!(text, "void in this edition:");
-        for (rule, why) in &report.run.void {
+        for (rule, why) in &report.run.not_applicable {
             line!(text, "  {:<36} {}", rule.id, styled(DIM, why));
         }
         line!(text);
@@ -104,7 +104,7 @@ fn chapters(text: &mut String, report: &Report<'_>) {
 
 /// A divergence: the rule, where it stands, the program, what was expected and found.
 fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
-    let Some(departure) = result.verdict.departure() else { return };
+    let Some(divergence) = result.verdict.divergence() else { return };
     let word = result.verdict.word();
     line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
     line!(text, "  {}", result.rule.sentence);
@@ -112,24 +112,24 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
         line!(text, "  {}", styled(DIM, &format!("{source}")));
     }
     program(text, result.program, result.rule.language);
-    if let Some((assertion, found)) = &departure.assertion {
+    if let Some((assertion, found)) = &divergence.assertion {
         line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
-        line!(text, "  found     {}", styled(RED, &inert(found)));
+        line!(text, "  found     {}", styled(RED, &escape_text(found)));
     }
-    if let Some(divergence) = &departure.divergence {
-        line!(text, "  first difference  {}", inert(divergence));
+    if let Some(divergence) = &divergence.difference {
+        line!(text, "  first difference  {}", escape_text(divergence));
     }
-    if let Some(shrunk) = &departure.shrunk {
+    if let Some(shrunk) = &divergence.shrunk {
         line!(text, "  the smallest program that does so");
         result
             .rule
             .language
             .lines(shrunk)
-            .for_each(|line| line!(text, "         {}", inert_line(line)));
+            .for_each(|line| line!(text, "         {}", escape_line(line)));
     }
-    if let Some(explained) = explained(&report.header.controller, departure) {
-        let style = if explained.is_its_own { YELLOW } else { DIM };
-        line!(text, "  {}", styled(style, &explained.says));
+    if let Some(explanation) = explain(&report.header.controller, divergence) {
+        let style = if explanation.applies_to_controller { YELLOW } else { DIM };
+        line!(text, "  {}", styled(style, &explanation.text));
     }
     line!(text);
 }
@@ -137,14 +137,15 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
 /// What nobody knows of, alike departures together.
 fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
     const SHOWN: usize = 12;
-    let groups: Vec<_> = groups(report).into_iter().filter(|group| !group.is_known).collect();
+    let groups: Vec<_> =
+        group_divergences(report).into_iter().filter(|group| !group.is_known).collect();
     if groups.is_empty() {
         return;
     }
     line!(text, "what differs, most rules first; what differs alike may be one mistake:");
     let most = if verbose { usize::MAX } else { SHOWN };
     for group in groups.iter().take(most) {
-        line!(text, "  {}: {}", group.size(), styled(BOLD, &inert_line(&group.what)));
+        line!(text, "  {}: {}", group.size(), styled(BOLD, &escape_line(&group.what)));
         if let Some((smallest, _)) = group.cases.first() {
             line!(text, "      smallest: {} / {}", smallest.rule.id, smallest.name);
         }
@@ -160,7 +161,7 @@ fn program(text: &mut String, program: &str, language: Language) {
     let lines: Vec<&str> = language.lines(program).collect();
     const SHOWN: usize = 24;
     for (place, line) in lines.iter().take(SHOWN).enumerate() {
-        let line = shortened(&inert_line(line));
+        let line = shortened(&escape_line(line));
         line!(text, "  {} {line}", styled(DIM, &format!("{:>4} |", place + 1)));
     }
     if lines.len() > SHOWN {
@@ -180,12 +181,12 @@ pub(super) fn shortened(line: &str) -> String {
 
 fn not_judged(text: &mut String, report: &Report<'_>) {
     for result in &report.run.cases {
-        let Some(why) = result.verdict.open() else { continue };
+        let Some(why) = result.verdict.undetermined_reason() else { continue };
         let word = styled(YELLOW, result.verdict.word());
-        line!(text, "{word} {} / {}: {}", result.rule.id, result.name, inert(why));
+        line!(text, "{word} {} / {}: {}", result.rule.id, result.name, escape_text(why));
     }
     for (result, how) in report.leaks() {
-        let (rule, how) = (&result.rule.id, inert(how));
+        let (rule, how) = (&result.rule.id, escape_text(how));
         let word = styled(YELLOW, "leaked state");
         line!(text, "{word} {rule} / {}: judged alone; after other programs {how}", result.name);
     }
@@ -193,17 +194,17 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
 
 fn waived(text: &mut String, report: &Report<'_>) {
     for result in &report.run.cases {
-        let Verdict::Waived(departure, why) = &result.verdict else { continue };
-        let line = inert(&departure.line()).into_owned();
+        let Verdict::Waived(divergence, why) = &result.verdict else { continue };
+        let line = escape_text(&divergence.summary()).into_owned();
         let word = styled(YELLOW, result.verdict.word());
         line!(text, "{word} {} / {}: {why}: {line}", result.rule.id, result.name);
     }
 }
 
-fn troubles(text: &mut String, report: &Report<'_>) {
-    for trouble in report.troubles.iter().flatten() {
-        let trouble = trouble.to_string();
-        line!(text, "{} {}", styled(RED, "expectation"), inert(&trouble));
+fn mismatches(text: &mut String, report: &Report<'_>) {
+    for mismatch in report.mismatches.iter().flatten() {
+        let mismatch = mismatch.to_string();
+        line!(text, "{} {}", styled(RED, "expectation"), escape_text(&mismatch));
     }
 }
 
@@ -246,7 +247,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     if !unsupported.is_empty() {
         line!(text, "unsupported, by reason:");
         for (reason, cases) in unsupported {
-            line!(text, "  {cases:>5}  {}", inert(reason));
+            line!(text, "  {cases:>5}  {}", escape_text(reason));
         }
     }
     let masked = report.masked();
@@ -265,7 +266,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
             );
         }
     }
-    let repeated = report.run.cases.iter().filter(|result| result.repeated);
+    let repeated = report.run.cases.iter().filter(|result| result.rerun);
     let repeated: Vec<_> =
         repeated.map(|result| format!("{} / {}", result.rule.id, result.name)).collect();
     if !repeated.is_empty() {
@@ -297,15 +298,15 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         counts.unsupported,
         counts.not_judged()
     );
-    let open = counts.unjudged().into_iter().filter(|(_, count)| *count > 0);
+    let open = counts.not_judged_by_verdict().into_iter().filter(|(_, count)| *count > 0);
     let open: Vec<_> = open.map(|(word, count)| format!("{count} {word}")).collect();
     if !open.is_empty() {
         line!(text, "not judged: {}", styled(YELLOW, &open.join(", ")));
     }
-    let (style, words) = match (report.exit_status(), &report.troubles) {
+    let (style, words) = match (report.exit_status(), &report.mismatches) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
-        (1, Some(troubles)) if !troubles.is_empty() => (RED, "departs otherwise than is known"),
+        (1, Some(mismatches)) if !mismatches.is_empty() => (RED, "departs otherwise than is known"),
         (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
             (RED, "departs from its documents")
         }

@@ -72,7 +72,7 @@ impl Printed<'_> {
             (Phase::Speed, Self::speed),
             (Phase::Tool, Self::tool),
             (Phase::Outputs, Self::outputs),
-            (Phase::Change, Self::change),
+            (Phase::Change, Self::tool_change),
             (Phase::Spindle, Self::spindle),
             (Phase::Saved, Self::saved),
             (Phase::Coolant, Self::coolant),

@@ -26,6 +26,7 @@ mod block;
 mod calls;
 mod codes;
 mod ini;
+mod io_calls;
 mod machine;
 mod modes;
 mod motion;
@@ -34,9 +35,8 @@ mod parameters;
 mod plane;
 mod printer;
 mod refusals;
-mod settled;
+mod setting_calls;
 mod source;
-mod switched;
 mod text;
 mod threads;
 mod words;
@@ -54,14 +54,14 @@ use gaugeblock_vocabulary::{End, Fault, FaultKind};
 use ini::Ini;
 use output::Output;
 use printer::Printer;
-use refusals::Refused;
+use refusals::RefusedBlock;
 use source::{Files, Texts};
 
 /// How many blocks are executed between looks at what they came to.
 const BLOCKS: u64 = 1 << 20;
 
 /// Why it does not begin, or does not end as it should; for people.
-type Trouble = String;
+type ErrorMessage = String;
 
 /// A run of the command.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ struct Run {
 ///
 /// # Errors
 /// A file of the call that cannot be read or written, or an option that is refused; for people.
-pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, Trouble> {
+pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, ErrorMessage> {
     if arguments.plug.is_some() {
         return Err("-p: no other interpreter can be loaded".to_owned());
     }
@@ -130,7 +130,7 @@ pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, Trouble> {
     let folders = machine::folders(&ini, arguments.program.as_deref());
     let status = match program {
         Some(text) => run.program(text, folders, arguments.ini.is_some()),
-        None => run.by_hand(&folders),
+        None => run.run_mdi(&folders),
     };
     run.printer.out.flush();
     if let Some(error) = run.printer.out.failure() {
@@ -207,10 +207,10 @@ impl Run {
     /// Prints what a refused block did, and says why it is refused.
     fn refused(&mut self, fault: &Fault) {
         let place = fault.block.as_ref().map(|block| (block.file.as_ref(), block.line));
-        let reached = refusals::reached(fault, self.printer.words(), self.printer.motion());
+        let reached = refusals::phase_reached(fault, self.printer.words(), self.printer.motion());
         let words = self.printer.words().clone();
         let (position, plane) = self.printer.place();
-        let begun = refusals::begun(fault, &words);
+        let begun = refusals::cycle_progress(fault, &words);
         self.printer.refused(place, (reached, begun), &self.interpreter.settings());
         let line = match place {
             Some((file, line)) if fault.kind != Some(FaultKind::MissingEnd) => {
@@ -219,19 +219,19 @@ impl Run {
             _ => self.texts.last_line(),
         };
         let line = String::from_utf8_lossy(&line);
-        if refusals::searched(fault) && self.texts.has_second_percent() {
+        if refusals::file_not_found(fault) && self.texts.has_second_percent() {
             // The search has come by the second percent line.
             self.printer.out.call("FINISH");
         }
         self.printer.out.flush();
         let percent = self.texts.begins_with_percent();
-        let refused = Refused { fault, words: &words, line: &line, position, plane, percent };
+        let refused = RefusedBlock { fault, words: &words, line: &line, position, plane, percent };
         complain(&refused.sentence());
-        complain(&refused.shown());
+        complain(&refused.message());
     }
 
     /// Runs blocks from standard input, each on its own, up to `quit`.
-    fn by_hand(&mut self, folders: &[std::path::PathBuf]) -> u8 {
+    fn run_mdi(&mut self, folders: &[std::path::PathBuf]) -> u8 {
         for line in std::io::stdin().lock().split(b'\n') {
             let Ok(line) = line else { break };
             if line.trim_ascii() == b"quit" {
@@ -284,7 +284,7 @@ fn unsupported(end: &End) -> Fault {
     Fault { kind: None, block, span: None, message }
 }
 
-fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, Trouble> {
+fn sink(path: Option<&Path>) -> Result<Box<dyn Write>, ErrorMessage> {
     Ok(match path {
         Some(path) => {
             Box::new(open_output(path).map_err(|error| format!("{}: {error}", path.display()))?)
@@ -299,7 +299,7 @@ fn is_same(one: &Path, other: &Path) -> bool {
     file(one).is_some() && file(one) == file(other)
 }
 
-fn read_text(path: &Path) -> Result<String, Trouble> {
+fn read_text(path: &Path) -> Result<String, ErrorMessage> {
     let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

@@ -8,7 +8,7 @@ use super::block::Printed;
 use super::codes::INCH;
 use super::modes::Modes;
 use super::plane::in_plane;
-use super::refusals::Begun;
+use super::refusals::CycleProgress;
 
 /// What a cycle switches to on its way.
 const EXACT_PATH: &str = "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)";
@@ -74,7 +74,7 @@ impl Printed<'_> {
     }
 
     /// The same of a cycle that is refused when it has begun, by its words.
-    pub(super) fn begun(&mut self, begun: Begun) {
+    pub(super) fn begun(&mut self, begun: CycleProgress) {
         let plane = self.after.plane;
         let letters = match plane {
             Plane::Xy => [b'X', b'Y'],
@@ -100,10 +100,10 @@ impl Printed<'_> {
         }
         let exact = self.after.path == PathControlMode::ExactPath;
         match begun {
-            Begun::Above => {
+            CycleProgress::Above => {
                 self.above(&hole, exact);
             }
-            Begun::OverHole => self.over_hole(hole, exact),
+            CycleProgress::OverHole => self.over_hole(hole, exact),
         }
     }
 

@@ -7,7 +7,7 @@ use super::block::{Fixed, Printed};
 use super::codes::{CYCLES, MOTIONS};
 use super::modes::Modes;
 use super::output::Output;
-use super::refusals::Begun;
+use super::refusals::CycleProgress;
 use super::source::Texts;
 use super::text;
 use super::words::{Phase, Words};
@@ -94,7 +94,7 @@ impl Printer {
     pub(super) fn refused(
         &mut self,
         place: Option<(&str, u32)>,
-        (reached, begun): (Phase, Option<Begun>),
+        (reached, begun): (Phase, Option<CycleProgress>),
         settings: &Settings,
     ) {
         let events = std::mem::take(&mut self.events);

@@ -11,7 +11,7 @@ use super::words::{Phase, Words};
 
 /// A refused block, as far as a sentence about it needs it.
 #[derive(Debug)]
-pub(super) struct Refused<'a> {
+pub(super) struct RefusedBlock<'a> {
     pub(super) fault: &'a Fault,
     pub(super) words: &'a Words,
     /// Its text.
@@ -42,7 +42,7 @@ const WITH_MOTION: [&str; 7] = [
 ];
 
 /// Up to which phase a refused block is executed; `modal` is the motion code in force before it.
-pub(super) fn reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
+pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
     let explicit = words.g_of(&MOTIONS);
     let motion = explicit.unwrap_or(modal);
     let probes = (382..=385).contains(&motion);
@@ -101,7 +101,7 @@ fn under_compensation(message: &str) -> Phase {
 
 /// How far a canned cycle comes that is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Begun {
+pub(super) enum CycleProgress {
     /// To the R plane, where the point was below it, and to another path mode.
     Above,
     /// To the R plane over its hole.
@@ -109,22 +109,22 @@ pub(super) enum Begun {
 }
 
 /// How far the canned cycle has come that is refused; none where it is refused before it moves.
-pub(super) fn begun(fault: &Fault, words: &Words) -> Option<Begun> {
+pub(super) fn cycle_progress(fault: &Fault, words: &Words) -> Option<CycleProgress> {
     words.g_of(&CYCLES)?;
     match fault.message.as_str() {
         "a cycle that dwells without P" | "a cycle that pecks without Q" | "P is negative" => {
-            Some(Begun::Above)
+            Some(CycleProgress::Above)
         }
         // A Q of -1 is taken for none.
         "Q is negative or zero"
             if words.get(b'Q').is_some_and(|q| q.to_bits() == (-1.0_f64).to_bits()) =>
         {
-            Some(Begun::Above)
+            Some(CycleProgress::Above)
         }
         "Q is negative or zero"
         | "G86 while the spindle stands"
         | "tapping while the spindle stands"
-        | "tapping while the spindle turns the other way" => Some(Begun::OverHole),
+        | "tapping while the spindle turns the other way" => Some(CycleProgress::OverHole),
         _ => None,
     }
 }
@@ -142,7 +142,7 @@ fn fault_of_compensation(fault: &Fault, words: &Words) -> bool {
 }
 
 /// Whether a label was looked for up to the end of the file.
-pub(super) fn searched(fault: &Fault) -> bool {
+pub(super) fn file_not_found(fault: &Fault) -> bool {
     match fault.kind {
         Some(FaultKind::UnknownSub | FaultKind::UnknownLabel) => true,
         Some(FaultKind::MissingEnd) => fault.message == "the sub does not end",
@@ -150,7 +150,7 @@ pub(super) fn searched(fault: &Fault) -> bool {
     }
 }
 
-impl Refused<'_> {
+impl RefusedBlock<'_> {
     /// What is said of it.
     pub(super) fn sentence(&self) -> String {
         self.observed().unwrap_or_else(|| self.fault.message.clone())
@@ -236,7 +236,7 @@ impl Refused<'_> {
     }
 
     /// The text that is shown with the sentence. Where a call is of the wrong style it is that of the definition.
-    pub(super) fn shown(&self) -> String {
+    pub(super) fn message(&self) -> String {
         if self.fault.kind == Some(FaultKind::MixedStyles) {
             let line = self.line.trim();
             if let Some(at) = line.to_lowercase().find("call") {

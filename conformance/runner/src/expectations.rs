@@ -13,7 +13,7 @@ use crate::certify::{Run, Verdict};
 /// A divergence that is known.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Known {
+pub struct KnownDivergence {
     /// The rule.
     pub rule: String,
     /// Its case.
@@ -37,7 +37,7 @@ pub struct Expectations {
     pub edition: String,
     /// The divergences, ordered by rule and case.
     #[serde(default)]
-    pub known: Vec<Known>,
+    pub known: Vec<KnownDivergence>,
 }
 
 /// How a run and the expectations disagree.
@@ -117,12 +117,12 @@ impl Expectations {
     /// What a run shows, as expectations.
     pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
         let known = run.cases.iter().filter_map(|result| {
-            let departure = result.verdict.own_departure()?;
-            Some(Known {
+            let divergence = result.verdict.own_divergence()?;
+            Some(KnownDivergence {
                 rule: result.rule.id.clone(),
                 case: result.name.to_owned(),
-                found: departure.line(),
-                explanation: joined(&departure.explanation),
+                found: divergence.summary(),
+                explanation: joined(&divergence.explanation),
             })
         });
         Self {
@@ -144,8 +144,8 @@ impl Expectations {
     /// Where a run and these expectations disagree; nothing when the run shows exactly what is listed.
     ///
     /// A listed case that the run did not select is stale only when `whole` says that everything was selected.
-    pub fn hold<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<ExpectationMismatch> {
-        let mut listed: BTreeMap<(&str, &str), &Known> = self
+    pub fn compare<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<ExpectationMismatch> {
+        let mut listed: BTreeMap<(&str, &str), &KnownDivergence> = self
             .known
             .iter()
             .map(|known| ((known.rule.as_str(), known.case.as_str()), known))
@@ -156,47 +156,55 @@ impl Expectations {
             .filter_map(|known| known.explanation.as_deref())
             .flat_map(parts)
             .collect();
-        let mut troubles = Vec::new();
+        let mut mismatches = Vec::new();
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let known = listed.remove(&(result.rule.id.as_str(), result.name));
-            let own = result.verdict.own_departure();
+            let own = result.verdict.own_divergence();
             match (&result.verdict, own, known) {
-                (_, Some(departure), None) => {
-                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
+                (_, Some(divergence), None) => {
+                    mismatches.push(ExpectationMismatch::New {
+                        rule,
+                        case,
+                        found: divergence.summary(),
+                    });
                 }
-                (_, Some(departure), Some(known)) if departure.line() != known.found => {
-                    let (listed, found) = (known.found.clone(), departure.line());
-                    troubles.push(ExpectationMismatch::Changed { rule, case, listed, found });
+                (_, Some(divergence), Some(known)) if divergence.summary() != known.found => {
+                    let (listed, found) = (known.found.clone(), divergence.summary());
+                    mismatches.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
-                (Verdict::AttributedElsewhere(departure), _, None)
-                    if !departure
+                (Verdict::AttributedElsewhere(divergence), _, None)
+                    if !divergence
                         .explanation
                         .iter()
                         .all(|part| explained.contains(part.as_str())) =>
                 {
-                    troubles.push(ExpectationMismatch::New { rule, case, found: departure.line() });
+                    mismatches.push(ExpectationMismatch::New {
+                        rule,
+                        case,
+                        found: divergence.summary(),
+                    });
                 }
                 (_, Some(_), Some(_)) | (_, None, None) => {}
                 (Verdict::Pass | Verdict::AttributedElsewhere(_), None, Some(_)) => {
                     let why = "the case passes: take the entry out".to_owned();
-                    troubles.push(ExpectationMismatch::Stale { rule, case, why });
+                    mismatches.push(ExpectationMismatch::Stale { rule, case, why });
                 }
                 (verdict, None, Some(_)) => {
-                    let why = verdict.why().unwrap_or_default();
+                    let why = verdict.reason().unwrap_or_default();
                     let why = format!("the case is not judged: {}: {why}", verdict.word());
-                    troubles.push(ExpectationMismatch::Stale { rule, case, why });
+                    mismatches.push(ExpectationMismatch::Stale { rule, case, why });
                 }
             }
         }
         for known in listed.into_values().filter(|_| whole) {
-            troubles.push(ExpectationMismatch::Stale {
+            mismatches.push(ExpectationMismatch::Stale {
                 rule: known.rule.clone(),
                 case: known.case.clone(),
                 why: "the suite has no such case in this edition".to_owned(),
             });
         }
-        troubles
+        mismatches
     }
 }
 

@@ -47,7 +47,7 @@ impl<'a> DivergenceContext<'a> {
     /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the
     /// controller is known for, then one that the rule names together with another one. Nothing is explained where
     /// the outcomes are equal and an assertion fails.
-    pub(crate) fn explanation(self) -> Vec<AlternativeOption<'a>> {
+    pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
         let observables = self.controller.observables(self.scenario);
         let explains = |tried: &[AlternativeOption<'_>]| {
@@ -62,20 +62,20 @@ impl<'a> DivergenceContext<'a> {
         if let Some(one) = all.iter().find(|one| explains(&[**one])) {
             return vec![*one];
         }
-        let known = self.known();
+        let known = self.observed_options();
         if explains(&known) {
-            let mut few = fewest(known, explains);
-            few.sort_by_key(|other| !self.is_named(other));
+            let mut few = minimal(known, explains);
+            few.sort_by_key(|other| !self.rule_names(other));
             return few;
         }
-        let named = all.iter().filter(|one| self.is_named(one));
+        let named = all.iter().filter(|one| self.rule_names(one));
         let pairs = named.flat_map(|one| all.iter().map(move |other| [*one, *other]));
         let mut pairs = pairs.filter(|[one, other]| one.choice.id != other.choice.id);
         pairs.find(|pair| explains(pair)).map(Vec::from).unwrap_or_default()
     }
 
     /// Whether the rule is about this.
-    pub(crate) fn is_named(&self, other: &AlternativeOption<'_>) -> bool {
+    pub(crate) fn rule_names(&self, other: &AlternativeOption<'_>) -> bool {
         self.rule.options.contains(&other.choice.id)
     }
 
@@ -86,24 +86,24 @@ impl<'a> DivergenceContext<'a> {
         let named = choices.clone().filter(is_named);
         let quirks = choices.filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
         let in_force = &self.scenario.options;
-        named.chain(quirks).flat_map(|choice| others(choice, in_force)).collect()
+        named.chain(quirks).flat_map(|choice| alternatives(choice, in_force)).collect()
     }
 
     /// What the controller is known for beyond the edition, those that the rule names last.
-    fn known(&self) -> Vec<AlternativeOption<'a>> {
+    fn observed_options(&self) -> Vec<AlternativeOption<'a>> {
         let observed = self.controller.observed_edition().and_then(|id| self.suite.edition(id));
         let Some(observed) = observed else { return Vec::new() };
         let options = self.suite.options(observed);
         let choices = self.suite.choices.iter();
-        let others = choices.flat_map(|choice| others(choice, &self.scenario.options));
+        let others = choices.flat_map(|choice| alternatives(choice, &self.scenario.options));
         let mut known: Vec<_> =
             others.filter(|other| options.is(&other.choice.id, other.option)).collect();
-        known.sort_by_key(|other| self.is_named(other));
+        known.sort_by_key(|other| self.rule_names(other));
         known
     }
 
     /// Whether the edition that says what the controller really does says this.
-    pub(crate) fn is_known(&self, edition: &str) -> bool {
+    pub(crate) fn matches_observed_edition(&self, edition: &str) -> bool {
         let observed = self.controller.observed_edition().filter(|id| *id != edition);
         let Some(observed) = observed.and_then(|id| self.suite.edition(id)) else { return false };
         let scenario = scenario_of(self.case, &self.suite.options(observed), observed);
@@ -114,7 +114,7 @@ impl<'a> DivergenceContext<'a> {
 }
 
 /// Leaves out one after the other what is not needed, the last ones first.
-fn fewest<'a>(
+fn minimal<'a>(
     mut all: Vec<AlternativeOption<'a>>,
     explains: impl Fn(&[AlternativeOption<'_>]) -> bool,
 ) -> Vec<AlternativeOption<'a>> {
@@ -128,7 +128,7 @@ fn fewest<'a>(
     all
 }
 
-fn others<'a>(
+fn alternatives<'a>(
     choice: &'a Choice,
     in_force: &Options,
 ) -> impl Iterator<Item = AlternativeOption<'a>> {

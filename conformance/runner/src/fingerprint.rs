@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// What a controller shows of a choice.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Shown {
+pub enum ObservedOption {
     /// Exactly this option.
     Option(String),
     /// None of the options: it does something else.
@@ -27,7 +27,7 @@ pub enum Shown {
     NotRun(String),
 }
 
-impl std::fmt::Display for Shown {
+impl std::fmt::Display for ObservedOption {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Option(option) => write!(f, "{option}"),
@@ -44,44 +44,46 @@ pub struct FingerprintEntry {
     /// The choice or quirk.
     pub choice: String,
     /// The option that it is held to.
-    pub held_to: String,
+    #[serde(rename = "held_to")]
+    pub expected: String,
     /// Whether that is its own declaration, and not the edition's.
     pub declared: bool,
     /// What it shows.
-    pub shown: Shown,
+    #[serde(rename = "shown")]
+    pub observed: ObservedOption,
 }
 
 impl FingerprintEntry {
     /// Whether it shows for sure what it is held to.
     pub fn agrees(&self) -> bool {
-        matches!(&self.shown, Shown::Option(option) if *option == self.held_to)
+        matches!(&self.observed, ObservedOption::Option(option) if *option == self.expected)
     }
 
     /// Whether it shows for sure something else than what it is held to.
-    pub fn departs(&self) -> bool {
-        match &self.shown {
-            Shown::Option(option) => *option != self.held_to,
-            Shown::Several(options) => !options.contains(&self.held_to),
-            Shown::Nothing(_) => true,
-            Shown::NotRun(_) => false,
+    pub fn differs(&self) -> bool {
+        match &self.observed {
+            ObservedOption::Option(option) => *option != self.expected,
+            ObservedOption::Several(options) => !options.contains(&self.expected),
+            ObservedOption::Nothing(_) => true,
+            ObservedOption::NotRun(_) => false,
         }
     }
 }
 
 /// What a controller shows of every choice, beside what it is held to.
-pub fn traits(
+pub fn fingerprint_entries(
     suite: &Suite,
     options: &Options,
     environment: Option<&str>,
     controller: &dyn Adapter,
 ) -> Vec<FingerprintEntry> {
     let declared = controller.options();
-    let shown = fingerprint(suite, options, environment, controller).into_iter();
-    let beside = shown.map(|(choice, shown)| FingerprintEntry {
+    let observed = fingerprint(suite, options, environment, controller).into_iter();
+    let beside = observed.map(|(choice, observed)| FingerprintEntry {
         choice: choice.id.clone(),
-        held_to: options.get(&choice.id).unwrap_or_default().to_owned(),
+        expected: options.get(&choice.id).unwrap_or_default().to_owned(),
         declared: declared.get(&choice.id).is_some(),
-        shown,
+        observed,
     });
     beside.collect()
 }
@@ -92,65 +94,69 @@ pub fn fingerprint<'a>(
     options: &Options,
     environment: Option<&str>,
     controller: &dyn Adapter,
-) -> Vec<(&'a Choice, Shown)> {
+) -> Vec<(&'a Choice, ObservedOption)> {
     let known = controller.observed_edition().and_then(|id| suite.edition(id));
     let known = known.map(|edition| suite.options(edition));
     let of = |choice: &'a Choice| {
-        let used = shown(choice, options, environment, controller, false);
+        let used = observe_choice(choice, options, environment, controller, false);
         // What is new about a controller must show on one that nothing ran on before.
         let is_known = known.as_ref().is_none_or(
-            |known| matches!(&used, Shown::Option(option) if known.is(&choice.id, option)),
+            |known| matches!(&used, ObservedOption::Option(option) if known.is(&choice.id, option)),
         );
-        let shown =
-            if is_known { used } else { shown(choice, options, environment, controller, true) };
-        (choice, shown)
+        let observed = if is_known {
+            used
+        } else {
+            observe_choice(choice, options, environment, controller, true)
+        };
+        (choice, observed)
     };
     // Choices in another language than the controller's are no options of its edition.
     let listed = suite.choices.iter().filter(|choice| options.get(&choice.id).is_some());
     let mut all: Vec<_> = listed.map(of).collect();
-    hide_what_does_not_tell(&mut all);
+    widen_inconclusive(&mut all);
     all
 }
 
 /// A page that tells its options apart only under an option of another choice tells nothing of a controller that shows
 /// another one there.
-fn hide_what_does_not_tell(all: &mut [(&Choice, Shown)]) {
-    let others: BTreeMap<String, Shown> =
-        all.iter().map(|(choice, shown)| (choice.id.clone(), shown.clone())).collect();
-    for (choice, shown) in all {
+fn widen_inconclusive(all: &mut [(&Choice, ObservedOption)]) {
+    let others: BTreeMap<String, ObservedOption> =
+        all.iter().map(|(choice, observed)| (choice.id.clone(), observed.clone())).collect();
+    for (choice, observed) in all {
         let told = choice.under.iter().all(|(id, option)| {
-            others.get(id).is_none_or(|other| *other == Shown::Option(option.clone()))
+            others.get(id).is_none_or(|other| *other == ObservedOption::Option(option.clone()))
         });
-        if !told && matches!(shown, Shown::Option(_) | Shown::Nothing(_)) {
-            *shown = Shown::Several(choice.options.iter().map(|o| o.name.clone()).collect());
+        if !told && matches!(observed, ObservedOption::Option(_) | ObservedOption::Nothing(_)) {
+            *observed =
+                ObservedOption::Several(choice.options.iter().map(|o| o.name.clone()).collect());
         }
     }
 }
 
 /// What a controller shows of one choice.
-pub fn shown(
+pub fn observe_choice(
     choice: &Choice,
     options: &Options,
     environment: Option<&str>,
     controller: &dyn Adapter,
     anew: bool,
-) -> Shown {
+) -> ObservedOption {
     let mut scenario = choice.setup.scenario(&choice.program, options);
     scenario.program.language = choice.language;
     if scenario.environment == Environment::default() {
         scenario.environment.name = environment.map(str::to_owned);
     }
     if let Err(why) = controller.supports(&scenario) {
-        return Shown::NotRun(why);
+        return ObservedOption::NotRun(why);
     }
     let on_a_new_one = if anew { controller.run_fresh(&scenario) } else { None };
     let outcome = match on_a_new_one.unwrap_or_else(|| controller.run(&scenario)) {
         Ok(outcome) => outcome,
-        Err(error) => return Shown::NotRun(error.to_string()),
+        Err(error) => return ObservedOption::NotRun(error.to_string()),
     };
     if let End::Unsupported { what, .. } = &outcome.end {
         // What it leaves alone it neither accepts nor refuses.
-        return Shown::NotRun(what.clone());
+        return ObservedOption::NotRun(what.clone());
     }
     let run = Observed::of(&outcome);
     let observables = controller.observables(&scenario);
@@ -171,19 +177,21 @@ pub fn shown(
         }
     }
     match holding.len() {
-        0 => Shown::Nothing(reasons),
-        1 => Shown::Option(holding.remove(0)),
-        _ => Shown::Several(holding),
+        0 => ObservedOption::Nothing(reasons),
+        1 => ObservedOption::Option(holding.remove(0)),
+        _ => ObservedOption::Several(holding),
     }
 }
 
 /// The editions by how many of the shown options they have, the nearest first.
-pub fn nearest(suite: &Suite, shown: &[(&Choice, Shown)]) -> Vec<(String, usize)> {
-    let shown: BTreeMap<&str, &str> = shown
+pub fn nearest(suite: &Suite, observed: &[(&Choice, ObservedOption)]) -> Vec<(String, usize)> {
+    let observed: BTreeMap<&str, &str> = observed
         .iter()
-        .filter_map(|(choice, shown)| match shown {
-            Shown::Option(option) => Some((choice.id.as_str(), option.as_str())),
-            Shown::Nothing(_) | Shown::Several(_) | Shown::NotRun(_) => None,
+        .filter_map(|(choice, observed)| match observed {
+            ObservedOption::Option(option) => Some((choice.id.as_str(), option.as_str())),
+            ObservedOption::Nothing(_) | ObservedOption::Several(_) | ObservedOption::NotRun(_) => {
+                None
+            }
         })
         .collect();
     let mut ranked: Vec<_> = suite
@@ -191,7 +199,7 @@ pub fn nearest(suite: &Suite, shown: &[(&Choice, Shown)]) -> Vec<(String, usize)
         .iter()
         .map(|edition| {
             let options = suite.options(edition);
-            let agree = shown.iter().filter(|(id, option)| options.is(id, option)).count();
+            let agree = observed.iter().filter(|(id, option)| options.is(id, option)).count();
             (edition.id.clone(), agree)
         })
         .collect();

@@ -4,7 +4,7 @@
 //! A seed and a number give one motion program ([`motion_program`]); programs can be judged in any order. The laws take
 //! the programmed path from production's outcome: other tests compare how model and production read programs.
 
-use gaugeblock_controllers::drive::{Planned, RunConditions, Stopped, plan_under};
+use gaugeblock_controllers::simulate::{Planned, RunConditions, Stopped, plan_with};
 use gaugeblock_fuzz::generate::Entropy;
 use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_fuzz::motion::{MotionProgram, Step, draw, shrink};
@@ -20,7 +20,7 @@ const SHARE: f64 = 1e-3;
 const ENDLESS: &str = "no-end";
 
 /// Interprets a motion program.
-pub type Runs<'a> = &'a (dyn Fn(&MotionProgram) -> Outcome + Sync);
+pub type Interpret<'a> = &'a (dyn Fn(&MotionProgram) -> Outcome + Sync);
 
 /// What is broken: the law or the change under which time differs, and words for a person.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,8 +46,8 @@ pub struct MotionResult {
 
 impl MotionResult {
     /// Takes up that a program was not planned: a breach where the planner comes to no end though nothing holds it.
-    fn unplanned(&mut self, program: &MotionProgram, stopped: Stopped) {
-        if stopped.endless && goes_on(&program.script) {
+    fn record_unplanned(&mut self, program: &MotionProgram, stopped: Stopped) {
+        if stopped.endless && motion_continues(&program.script) {
             self.broken.push(Breach { what: ENDLESS.to_owned(), words: stopped.why });
         } else {
             self.not_planned = Some(stopped.why);
@@ -63,13 +63,13 @@ pub fn motion_program(seed: u64, number: u64) -> (MotionProgram, Transformation)
 }
 
 /// Judges a program: as it is, and changed without an operator.
-pub fn judged(
+pub fn judge_program(
     of: (u64, u64),
     (program, changes): (&MotionProgram, &[Transformation]),
-    runs: Runs<'_>,
+    runs: Interpret<'_>,
 ) -> MotionResult {
     let mut result = MotionResult::default();
-    match planned(program, runs) {
+    match plan_program(program, runs) {
         Ok((outcome, planned)) => {
             result.cycles = planned.samples.len();
             let path = programmed(&outcome, program.position());
@@ -86,19 +86,19 @@ pub fn judged(
                 }
             }
         }
-        Err(stopped) => result.unplanned(program, stopped),
+        Err(stopped) => result.record_unplanned(program, stopped),
     }
     for change in changes {
-        match timed(of, program, *change, runs) {
+        match check_time(of, program, *change, runs) {
             Ok(breach) => result.broken.extend(breach),
-            Err((program, stopped)) => result.unplanned(&program, stopped),
+            Err((program, stopped)) => result.record_unplanned(&program, stopped),
         }
     }
     result
 }
 
 /// What is broken where time differs under a change.
-pub fn broken_by(change: Transformation) -> String {
+pub fn time_breach_id(change: Transformation) -> String {
     format!("time.{}", change.name())
 }
 
@@ -107,13 +107,13 @@ pub fn shrunk(
     of: (u64, u64),
     (program, changes): (&MotionProgram, &[Transformation]),
     what: &str,
-    (attempts, runs): (u32, Runs<'_>),
+    (attempts, runs): (u32, Interpret<'_>),
 ) -> MotionProgram {
     let breaks = |program: &MotionProgram, changes: &[Transformation]| {
-        judged(of, (program, changes), runs).broken.iter().any(|breach| breach.what == what)
+        judge_program(of, (program, changes), runs).broken.iter().any(|breach| breach.what == what)
     };
     // One of them is enough, or none.
-    let alone = changes.iter().copied().find(|change| what == broken_by(*change));
+    let alone = changes.iter().copied().find(|change| what == time_breach_id(*change));
     let changes = match &alone {
         Some(change) => std::slice::from_ref(change),
         None if breaks(program, &[]) => &[],
@@ -123,7 +123,7 @@ pub fn shrunk(
 }
 
 /// Whether nothing holds the motion in the end.
-fn goes_on(script: &MotionScript) -> bool {
+fn motion_continues(script: &MotionScript) -> bool {
     let (mut feed, mut rapid, mut adaptive, mut stop, mut hold) = (1.0, 1.0, 1.0, false, false);
     for event in &script.events {
         match event.action {
@@ -140,7 +140,10 @@ fn goes_on(script: &MotionScript) -> bool {
     feed > 0.0 && rapid > 0.0 && adaptive > 0.0 && !stop && !hold
 }
 
-fn planned(program: &MotionProgram, runs: Runs<'_>) -> Result<(Outcome, Planned), Stopped> {
+fn plan_program(
+    program: &MotionProgram,
+    runs: Interpret<'_>,
+) -> Result<(Outcome, Planned), Stopped> {
     let outcome = runs(program);
     if outcome.end != End::ProgramEnd {
         let why = if let End::Fault(fault) = &outcome.end { &fault.message } else { "" };
@@ -152,7 +155,7 @@ fn planned(program: &MotionProgram, runs: Runs<'_>) -> Result<(Outcome, Planned)
         every: program.every,
         script: program.script.clone(),
     };
-    let planned = plan_under(&outcome, &program.limits, &circumstances)?;
+    let planned = plan_with(&outcome, &program.limits, &circumstances)?;
     Ok((outcome, planned))
 }
 
@@ -174,16 +177,16 @@ pub fn compared(
 }
 
 /// Whether a changed program takes the time that it should; which program was not planned, if one is not.
-fn timed(
+fn check_time(
     of: (u64, u64),
     program: &MotionProgram,
     change: Transformation,
-    runs: Runs<'_>,
+    runs: Interpret<'_>,
 ) -> Result<Option<Breach>, (Box<MotionProgram>, Stopped)> {
     let Some((alone, changed)) = compared(of, program, change) else { return Ok(None) };
     let cycles = |program: &MotionProgram| {
         let (_, planned) =
-            planned(program, runs).map_err(|stopped| (Box::new(program.clone()), stopped))?;
+            plan_program(program, runs).map_err(|stopped| (Box::new(program.clone()), stopped))?;
         Ok::<f64, (Box<MotionProgram>, Stopped)>(f64::from(
             u32::try_from(planned.samples.len()).unwrap_or(u32::MAX),
         ))
@@ -192,7 +195,7 @@ fn timed(
     let allowed = if change.may_save() { CYCLES.max(SHARE * before) } else { CYCLES };
     let more = if change.may_save() { after - before } else { (after - before).abs() };
     Ok((more > allowed).then(|| Breach {
-        what: broken_by(change),
+        what: time_breach_id(change),
         words: format!("{before} cycles, {after} where it is {}", change.name()),
     }))
 }
@@ -206,7 +209,10 @@ mod tests {
         let event = |action| MotionEvent { cycle: 1, action };
         program.script.events = script.into_iter().map(event).collect();
         let mut result = MotionResult::default();
-        result.unplanned(&program, Stopped { block: None, why: "it rests".to_owned(), endless });
+        result.record_unplanned(
+            &program,
+            Stopped { block: None, why: "it rests".to_owned(), endless },
+        );
         result
     }
 

@@ -95,7 +95,7 @@ pub struct Waiver {
 }
 
 impl Waiver {
-    fn is_of(&self, rule: &str, case: &str) -> bool {
+    fn covers(&self, rule: &str, case: &str) -> bool {
         self.rule == rule && self.case.as_deref().is_none_or(|own| own == case)
     }
 }
@@ -145,7 +145,7 @@ impl Waivers {
     }
 
     /// The first waiver of a rule, or of a case of one, that the suite does not have, in a sentence.
-    pub fn unknown(&self, suite: &Suite) -> Option<String> {
+    pub fn first_unknown(&self, suite: &Suite) -> Option<String> {
         self.waiver.iter().find_map(|waiver| {
             let Waiver { rule, case, owner, .. } = waiver;
             let Some(known) = suite.rule(rule) else {
@@ -162,23 +162,23 @@ impl Waivers {
     /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run
     /// where it was held against nothing else. A waiver waives what departs, never what was not judged. One of a rule
     /// or case that the run was not asked for is left alone.
-    pub fn hold(
+    pub fn apply(
         &self,
         run: &Run<'_>,
-        troubles: Option<Vec<ExpectationMismatch>>,
+        mismatches: Option<Vec<ExpectationMismatch>>,
         today: Day,
     ) -> (Vec<ExpectationMismatch>, Vec<Waived>) {
-        let troubles = troubles.unwrap_or_else(|| divergences(run));
+        let mismatches = mismatches.unwrap_or_else(|| divergences(run));
         let departs = |rule: &str, case: &str| {
             let mut of_place = run.cases.iter().filter(|it| it.rule.id == rule && it.name == case);
-            of_place.any(|result| result.verdict.departure().is_some())
+            of_place.any(|result| result.verdict.divergence().is_some())
         };
         let (mut left, mut held) = (Vec::new(), Vec::new());
         let mut used = vec![false; self.waiver.len()];
-        for trouble in troubles {
-            let (rule, case) = trouble.place();
+        for mismatch in mismatches {
+            let (rule, case) = mismatch.place();
             let mut all = self.waiver.iter().zip(&mut used);
-            let waived = all.find(|(waiver, _)| waiver.is_of(rule, case));
+            let waived = all.find(|(waiver, _)| waiver.covers(rule, case));
             match waived {
                 Some((waiver, used)) if departs(rule, case) => {
                     *used = true;
@@ -193,12 +193,12 @@ impl Waivers {
                         held.push(Waived { rule, case, why });
                     }
                 }
-                _ => left.push(trouble),
+                _ => left.push(mismatch),
             }
         }
         let was_asked = |waiver: &Waiver| {
-            run.cases.iter().any(|result| waiver.is_of(&result.rule.id, result.name))
-                || run.void.iter().any(|(rule, _)| rule.id == waiver.rule)
+            run.cases.iter().any(|result| waiver.covers(&result.rule.id, result.name))
+                || run.not_applicable.iter().any(|(rule, _)| rule.id == waiver.rule)
         };
         let unused = self.waiver.iter().zip(used).filter(|(_, used)| !used);
         for (waiver, _) in unused.filter(|(waiver, _)| was_asked(waiver)) {
@@ -216,7 +216,7 @@ fn divergences(run: &Run<'_>) -> Vec<ExpectationMismatch> {
         Some(ExpectationMismatch::New {
             rule: result.rule.id.clone(),
             case: result.name.to_owned(),
-            found: result.verdict.departure()?.line(),
+            found: result.verdict.divergence()?.summary(),
         })
     });
     departed.collect()

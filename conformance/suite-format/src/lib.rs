@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
-pub use motion::{MotionAssertion, MotionCase, Piece, PlantedFault};
+pub use motion::{MotionAssertion, MotionCase, Piece, SampleDefect};
 pub use page::{
     Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
     Rule, RuleOutcome, Setup, Source,
@@ -105,7 +105,7 @@ impl Suite {
                 expect_id(&choice.id, name.trim_end_matches(".toml"))?;
                 choice.motion.check_form()?;
                 for option in &choice.options {
-                    motion::check_sayings(&option.says)?;
+                    motion::check_assertions(&option.assertions)?;
                 }
                 self.motion_choices.push(choice);
             }

@@ -53,10 +53,10 @@ pub struct MotionCase {
     pub resolution: f64,
     /// What is done to the samples after they are made.
     #[serde(default)]
-    pub fault: Option<PlantedFault>,
-    /// What the laws say, by hand; the options say it where it is the case of a choice.
-    #[serde(default)]
-    pub says: Vec<String>,
+    pub fault: Option<SampleDefect>,
+    /// What the laws decide, written by hand. Cases of choices have it in their options.
+    #[serde(default, rename = "assert")]
+    pub assertions: Vec<String>,
 }
 
 /// A stretch of constant acceleration.
@@ -77,7 +77,7 @@ pub struct Piece {
 /// Something that is wrong with samples that were right.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum PlantedFault {
+pub enum SampleDefect {
     /// Some samples are elsewhere.
     Displaced {
         /// The first of them.
@@ -149,7 +149,7 @@ pub enum MotionAssertion {
         at: Option<usize>,
     },
     /// The program asks for nothing that a law could be held to.
-    NotAsked {
+    NotApplicable {
         /// Its id.
         law: String,
     },
@@ -171,7 +171,7 @@ impl FromStr for MotionAssertion {
         let law = law.to_owned();
         match rest {
             "breaks" => Ok(Self::Breaks { law, at: None }),
-            "is not asked" => Ok(Self::NotAsked { law }),
+            "is not asked" => Ok(Self::NotApplicable { law }),
             "is not judged" => Ok(Self::NotJudged { law }),
             _ => match rest.strip_prefix("breaks at ").and_then(|at| at.parse().ok()) {
                 Some(at) => Ok(Self::Breaks { law, at: Some(at) }),
@@ -190,8 +190,8 @@ impl MotionCase {
     }
 
     /// What it says, which was checked when the page was read.
-    pub fn sayings(&self) -> Vec<MotionAssertion> {
-        self.says.iter().filter_map(|text| text.parse().ok()).collect()
+    pub fn parsed(&self) -> Vec<MotionAssertion> {
+        self.assertions.iter().filter_map(|text| text.parse().ok()).collect()
     }
 
     /// What its axes can do.
@@ -212,13 +212,12 @@ impl MotionCase {
 
     /// Takes over from another case what this one does not say.
     fn inherit(&mut self, other: &Self) {
-        fn take<T: Clone>(mine: &mut T, theirs: &T, is_unsaid: bool) {
-            if is_unsaid {
+        fn take<T: Clone>(mine: &mut T, theirs: &T, is_missing: bool) {
+            if is_missing {
                 mine.clone_from(theirs);
             }
         }
-        let undetermined = |text: &str| text.is_empty();
-        let (program, script) = (undetermined(&self.program), self.script.is_empty());
+        let (program, script) = (self.program.is_empty(), self.script.is_empty());
         let (pieces, columns) = (self.pieces.is_empty(), self.columns.is_empty());
         let (limits, every) = (self.limits.is_none(), self.every.is_none());
         take(&mut self.program, &other.program, program);
@@ -230,7 +229,7 @@ impl MotionCase {
     }
 
     fn check(&self) -> Result<(), String> {
-        check_sayings(&self.says)?;
+        check_assertions(&self.assertions)?;
         self.check_form()
     }
 
@@ -251,7 +250,7 @@ impl MotionCase {
 }
 
 /// Whether each of the sayings is one, and there is any.
-pub(super) fn check_sayings(says: &[String]) -> Result<(), String> {
+pub(super) fn check_assertions(says: &[String]) -> Result<(), String> {
     if says.is_empty() {
         return Err("it says nothing".to_owned());
     }

@@ -239,8 +239,9 @@ pub struct MotionChoiceOption {
     pub name: String,
     /// What it means.
     pub means: String,
-    /// What the laws say of the samples under it.
-    pub says: Vec<String>,
+    /// What the laws decide about the samples under it.
+    #[serde(rename = "assert")]
+    pub assertions: Vec<String>,
 }
 
 /// A set of documents with an option for each choice.

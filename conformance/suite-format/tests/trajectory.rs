@@ -23,7 +23,7 @@ fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
 
 fn breaks(case: &MotionCase, law: &str) -> bool {
     let of_law = |saying: &MotionAssertion| matches!(saying, MotionAssertion::Breaks { law: id, .. } if id == law);
-    case.is_recorded() && case.sayings().iter().any(of_law)
+    case.is_recorded() && case.parsed().iter().any(of_law)
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn each_law_has_a_page_with_good_and_bad_samples_and_a_program() {
         let (recorded, planned): (Vec<_>, Vec<_>) =
             rule.motion.iter().partition(|case| case.is_recorded());
         assert!(!planned.is_empty(), "{id} has no program for a planner");
-        let good = recorded.iter().filter(|case| case.sayings().contains(&MotionAssertion::Holds));
+        let good = recorded.iter().filter(|case| case.parsed().contains(&MotionAssertion::Holds));
         assert!(good.count() > 0, "{id} has no samples that keep it");
         assert!(recorded.iter().any(|case| breaks(case, id)), "{id} has no samples that break it");
         assert_eq!(rule.profile, "motion");
@@ -48,10 +48,9 @@ fn each_law_has_a_page_with_good_and_bad_samples_and_a_program() {
 fn a_law_that_is_named_is_one() {
     let suite = suite();
     let cases = suite.rules.iter().flat_map(|rule| &rule.motion);
-    for (case, saying) in cases.flat_map(|case| case.sayings().into_iter().map(move |s| (case, s)))
-    {
+    for (case, saying) in cases.flat_map(|case| case.parsed().into_iter().map(move |s| (case, s))) {
         let (MotionAssertion::Breaks { law, .. }
-        | MotionAssertion::NotAsked { law }
+        | MotionAssertion::NotApplicable { law }
         | MotionAssertion::NotJudged { law }) = saying
         else {
             continue;
@@ -82,7 +81,7 @@ fn the_table_of_planted_faults_is_that_of_the_pages() {
     let mut faults = 0;
     for (rule, law) in pages(&suite) {
         for case in rule.motion.iter().filter(|case| breaks(case, law.id())) {
-            let found = case.says.join("; ").replace("trajectory.", "");
+            let found = case.assertions.join("; ").replace("trajectory.", "");
             writeln!(table, "| `{}` | {} | {found} |", law.id(), case.name).expect("a text");
             faults += 1;
         }

@@ -183,7 +183,7 @@ impl Observables {
             hidden_parameters: observables.hidden_parameters.iter().map(range).collect(),
             pins: observables.pins.clone(),
             blocks: observables.blocks,
-            carried: observables.carried.clone(),
+            carried: observables.unconverted_lengths.clone(),
             fault_blocks: observables.faults_have_blocks,
         }
     }
@@ -205,10 +205,10 @@ impl Observables {
             return Err("a resolution is below zero".to_owned());
         }
         Ok(Capabilities {
-            carried: self.carried.clone(),
+            unconverted_lengths: self.carried.clone(),
             fields: self.fields.clone(),
             fields_at_effects: self.fields_at_effects.clone(),
-            tells_all_fields: false,
+            reports_all_fields: false,
             effects: self.effects.clone(),
             moves_in_place: self.moves_in_place,
             blocks: self.blocks,

@@ -7,8 +7,8 @@ use gaugeblock_adapter::protocol;
 use gaugeblock_adapter::templates::{C, PYTHON};
 use gaugeblock_suite::Suite;
 
-use super::{check, place};
-use crate::refused::CliError;
+use super::{check, user_files};
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -104,12 +104,12 @@ fn new(arguments: &New) -> Result<u8, CliError> {
     match &arguments.file {
         None => write_out(template),
         Some(file) if file.exists() => {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("{}: the file exists", file.display()),
                 "choose another file; existing files are never overwritten",
             ));
         }
-        Some(file) => place::write_whole(file, template)?,
+        Some(file) => user_files::write_whole(file, template)?,
     }
     Ok(0)
 }

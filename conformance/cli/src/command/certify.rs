@@ -15,15 +15,15 @@ use gaugeblock_runner::certify::{
     CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
-use gaugeblock_runner::fingerprint::traits;
+use gaugeblock_runner::fingerprint::fingerprint_entries;
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Suite, options_of};
 
-use super::against::ComparisonArguments;
-use super::{controller, place};
+use super::comparison::ComparisonArguments;
+use super::{controller, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::{write_out, write_out_in_colours};
 
 const EXAMPLES: &str = "Examples:
@@ -98,7 +98,7 @@ pub(crate) struct Arguments {
     /// Whether to detect the option of each choice and quirk for the report [default: always with --report, unless the
     /// controller runs in real time]
     #[arg(long, value_name = "WHEN", value_enum)]
-    fingerprint: Option<When>,
+    fingerprint: Option<FingerprintWhen>,
     /// Run every program a second time without instrumentation, to check that it changes nothing [default: a sample]
     #[arg(long)]
     check_observation: bool,
@@ -115,7 +115,7 @@ pub(crate) struct Arguments {
 
 /// Whether the fingerprint is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum When {
+enum FingerprintWhen {
     /// Take it
     Always,
     /// Do not take it
@@ -129,22 +129,22 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     known_profiles(&arguments.profile, suite)?;
     let known = arguments.against.read()?;
     if let Some(folder) = &arguments.report {
-        place::folder(folder)?;
+        user_files::create_folder(folder)?;
     }
     let time = Duration::from_secs(arguments.time_limit);
     let limits = Limits { time, start: time, ..Limits::default() };
     let mut controller =
-        controller::controller_within(&arguments.controller, limits, suite.defaults())?;
+        controller::controller_with_limits(&arguments.controller, limits, suite.defaults())?;
     if let Some(like) = &arguments.restrict_to {
-        controller = controller::narrowed(controller, like)?;
+        controller = controller::restricted(controller, like)?;
     }
     let own = controller::own_edition(controller.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
-    controller::observed(controller.as_ref(), suite)?;
-    controller::belongs(controller.as_ref(), suite, edition)?;
+    controller::check_observed_edition(controller.as_ref(), suite)?;
+    controller::check_exported_from(controller.as_ref(), suite, edition)?;
     controller::declared_options(controller.as_ref(), suite)?;
-    controller::honours(controller.as_ref(), &suite.options(edition))?;
-    controller::speaks(controller.as_ref(), edition)?;
+    controller::check_options(controller.as_ref(), &suite.options(edition))?;
+    controller::check_language(controller.as_ref(), edition)?;
     if arguments.check_observation {
         controller.check_observation();
     }
@@ -155,28 +155,29 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     let is_unknown =
         |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
     if let Some(only) = arguments.only.iter().find(is_unknown) {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!("invalid `--only {only}`: no rule has an id that begins with it"),
             "`gaugeblock rules` lists the ids",
         ));
     }
     if cases(plan, laws, Shard::WHOLE).is_empty() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             "no case is selected",
             "`gaugeblock rules` lists the rules; remove --only, or choose another edition",
         ));
     }
     let twice = arguments.repeat_percent;
     let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
-    let newer = known.fits(&header, suite)?;
+    let newer = known.check_header(&header, suite)?;
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     if is_fingerprinted(arguments, controller.as_ref()) {
         let options = options_of(suite, edition, &controller.options());
         let environment = edition.environment.as_deref();
-        run.fingerprint = Some(traits(suite, &options, environment, controller.as_ref()));
+        run.fingerprint =
+            Some(fingerprint_entries(suite, &options, environment, controller.as_ref()));
     }
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
-    let (troubles, mended) = known.hold(&mut run, whole);
+    let (mismatches, mended) = known.compare(&mut run, whole);
     let mut notes = controller.notes();
     notes.extend(newer);
     notes.extend(mended);
@@ -186,7 +187,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     if let Some(file) = &arguments.write_expectations {
         write_expectations(file, &run, controller.capabilities())?;
     }
-    let report = Report { run: &run, header, notes, profiles, troubles };
+    let report = Report { run: &run, header, notes, profiles, mismatches };
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;
         // The report has all that the journal had.
@@ -199,7 +200,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
 /// A fingerprint takes minutes on a controller in real time, and a second at most on others.
 fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     match arguments.fingerprint {
-        Some(when) => when == When::Always,
+        Some(when) => when == FingerprintWhen::Always,
         None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
     }
 }
@@ -210,7 +211,7 @@ pub(crate) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), C
         None => Ok(()),
         Some(unknown) => {
             let known: Vec<_> = suite.profiles.iter().map(|profile| profile.id.as_str()).collect();
-            Err(CliError::wrong(
+            Err(CliError::usage(
                 format!("unknown profile `{unknown}`"),
                 format!("expected one of: {}", known.join(", ")),
             ))
@@ -235,34 +236,40 @@ fn run_with_journal<'a>(
     let shard = header.shard;
     let (mut journal, done) = match &arguments.report {
         Some(folder) => {
-            let (journal, done) = begun(folder, header, arguments.resume, plan.suite)?;
+            let (journal, done) = open_journal(folder, header, arguments.resume, plan.suite)?;
             (Some(journal), done)
         }
         None => (None, Vec::new()),
     };
     let bar = progress(cases(plan, header.laws, shard).len());
     bar.inc(u64::try_from(done.len()).unwrap_or_default());
-    let mut trouble = None;
+    let mut mismatch = None;
     let mut each = |result: &CaseResult<'_>| {
         bar.inc(1);
         if let Some(Err(why)) =
             journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
         {
-            trouble.get_or_insert(why);
+            mismatch.get_or_insert(why);
         }
     };
     let twice = RepeatSampling(header.twice);
-    let course = RunOptions { shard, done, twice, shrink: arguments.shrink, each: &mut each };
+    let course = RunOptions {
+        shard,
+        finished: done,
+        repeat: twice,
+        shrink_attempts: arguments.shrink,
+        on_result: &mut each,
+    };
     let run = run_plan(plan, controller, course);
     bar.finish_and_clear();
-    match trouble {
-        Some(why) => Err(CliError::unfinished(format!("the journal: {why}"), "is the disk full?")),
+    match mismatch {
+        Some(why) => Err(CliError::failure(format!("the journal: {why}"), "is the disk full?")),
         None => Ok(run),
     }
 }
 
 /// The journal of a run in a folder, and what was run before.
-fn begun<'a>(
+fn open_journal<'a>(
     folder: &Path,
     header: &Header,
     resume: bool,
@@ -271,10 +278,10 @@ fn begun<'a>(
     let mut done = Vec::new();
     let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
     let journal = journal.map_err(|why| {
-        CliError::wrong(why, "--resume continues an interrupted run; or choose another folder")
+        CliError::usage(why, "--resume continues an interrupted run; or choose another folder")
     })?;
     let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
-    let done = done.map_err(|why| CliError::wrong(why, "the journal belongs to another suite"))?;
+    let done = done.map_err(|why| CliError::usage(why, "the journal belongs to another suite"))?;
     Ok((journal, done))
 }
 
@@ -295,23 +302,23 @@ fn write_expectations(
     observables: &Capabilities,
 ) -> Result<(), CliError> {
     let text = Expectations::of(run, &observables.name, &observables.version).to_text().map_err(
-        |error| CliError::unfinished(error, "this is a bug in gaugeblock; please report it"),
+        |error| CliError::failure(error, "this is a bug in gaugeblock; please report it"),
     )?;
-    place::write_whole(file, &text)
+    user_files::write_whole(file, &text)
 }
 
 pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), CliError> {
     let xml = junit::junit(report).map_err(|error| {
-        CliError::unfinished(error, "this is a bug in gaugeblock; please report it")
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
     })?;
     let page = html::html(report).map_err(|error| {
-        CliError::unfinished(error, "this is a bug in gaugeblock; please report it")
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
     })?;
     let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
-    place::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
-    place::write_whole(&folder.join("report.html"), &page)?;
-    place::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
-    place::write_whole(&folder.join("junit.xml"), &xml)?;
-    place::write_whole(&folder.join("report.txt"), &text)?;
-    place::write_whole(&folder.join("summary.md"), markdown::markdown(report))
+    user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
+    user_files::write_whole(&folder.join("report.html"), &page)?;
+    user_files::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
+    user_files::write_whole(&folder.join("junit.xml"), &xml)?;
+    user_files::write_whole(&folder.join("report.txt"), &text)?;
+    user_files::write_whole(&folder.join("summary.md"), markdown::markdown(report))
 }

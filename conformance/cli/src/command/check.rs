@@ -2,11 +2,11 @@
 
 use clap::Args;
 use gaugeblock_adapter::exec::Limits;
-use gaugeblock_runner::check::{Came, checks};
+use gaugeblock_runner::check::{CheckResult, checks};
 use gaugeblock_suite::Suite;
 
 use super::controller;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 #[derive(Debug, Args)]
@@ -28,24 +28,24 @@ pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError
         Some(("exec" | "tcp", _)) => named.clone(),
         _ => format!("exec:{named}"),
     };
-    let adapter = controller::behind(&named, Limits::default())
+    let adapter = controller::external_controller(&named, Limits::default())
         .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
     let begun = gaugeblock_adapter::clock::now();
     let found = checks(&adapter, suite, &|| begun.elapsed().as_secs_f64());
     let mut wrong = 0;
     let mut text = String::new();
     for check in &found {
-        let (mark, says) = match &check.came {
-            Came::Fine(says) => ("ok", says),
-            Came::Wrong(says) => {
+        let (mark, says) = match &check.result {
+            CheckResult::Passed(says) => ("ok", says),
+            CheckResult::Failed(says) => {
                 wrong += 1;
                 ("ERROR", says)
             }
-            Came::LeftOut(says) => ("skipped", says),
+            CheckResult::Skipped(says) => ("skipped", says),
         };
         let mut lines = says.lines();
         let first = lines.next().unwrap_or_default();
-        text.push_str(&format!("{mark:8}  {:19}  {first}\n", check.what));
+        text.push_str(&format!("{mark:8}  {:19}  {first}\n", check.name));
         lines.for_each(|line| text.push_str(&format!("{:31}{line}\n", "")));
     }
     text.push_str(&match wrong {

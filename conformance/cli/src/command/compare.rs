@@ -13,9 +13,9 @@ use gaugeblock_vocabulary::{End, Outcome, Position, Undetermined};
 use serde_json::json;
 
 use super::controller;
-use super::run::How;
+use super::run::RunSetup;
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -42,7 +42,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
     against: String,
     #[command(flatten)]
-    how: How,
+    how: RunSetup,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,

@@ -10,7 +10,7 @@ use gaugeblock_offline::Offline;
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// The names of controllers, for the long help.
 pub(crate) const NAMES: &str = "The controller:
@@ -35,17 +35,17 @@ const FORMS: [&str; 7] = [
 
 /// The controller of a name.
 pub(crate) fn controller(name: &str) -> Result<Box<dyn Adapter>, CliError> {
-    controller_within(name, Limits::default(), Options::default())
+    controller_with_limits(name, Limits::default(), Options::default())
 }
 
 /// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these
 /// defaults.
-pub(crate) fn controller_within(
+pub(crate) fn controller_with_limits(
     name: &str,
     limits: Limits,
     defaults: Options,
 ) -> Result<Box<dyn Adapter>, CliError> {
-    if let Some(behind) = behind(name, limits) {
+    if let Some(behind) = external_controller(name, limits) {
         return Ok(Box::new(behind?.assume_options(defaults)));
     }
     match name.split_once(':') {
@@ -56,18 +56,18 @@ pub(crate) fn controller_within(
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
         Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
-        None if Path::new(name).is_file() => Err(CliError::wrong(
+        None if Path::new(name).is_file() => Err(CliError::usage(
             format!("unknown controller `{name}`"),
             format!(
                 "to run this file as an adapter write \"exec:./{name}\" or \"exec:python3 {name}\""
             ),
         )),
-        _ => Err(CliError::wrong(format!("unknown controller `{name}`"), expected(name))),
+        _ => Err(CliError::usage(format!("unknown controller `{name}`"), unknown_controller(name))),
     }
 }
 
 /// The name that was probably meant, or all forms of a name.
-fn expected(name: &str) -> String {
+fn unknown_controller(name: &str) -> String {
     let near = FORMS.iter().find(|form| {
         let form = form.split(':').next().unwrap_or_default();
         strsim::damerau_levenshtein(form, name.split(':').next().unwrap_or_default()) <= 2
@@ -82,14 +82,14 @@ fn expected(name: &str) -> String {
 fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
     use gaugeblock_controllers::faulty::{Faulty, named};
     let fault = named(fault).ok_or_else(|| {
-        CliError::wrong(
+        CliError::usage(
             format!("unknown planted fault `{fault}`"),
             "`gaugeblock suite faults` lists them",
         )
     })?;
     match Faulty::new(fault) {
         Some(faulty) => Ok(Box::new(faulty)),
-        None => Err(CliError::wrong(
+        None => Err(CliError::usage(
             "only one planted fault can be active",
             "compare it with another controller",
         )),
@@ -98,7 +98,7 @@ fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
 
 #[cfg(not(feature = "faulty"))]
 fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
-    Err(CliError::wrong(
+    Err(CliError::usage(
         format!("this build has no planted fault `{fault}`"),
         "build with planted faults: cargo build --release --features faulty",
     ))
@@ -107,22 +107,22 @@ fn faulty(fault: &str) -> Result<Box<dyn Adapter>, CliError> {
 fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, CliError> {
     match Rs274::find(path) {
         Ok(found) => Ok(Box::new(found)),
-        Err(error @ ControllerError::Missing { .. }) => Err(CliError::unfinished(
+        Err(error @ ControllerError::Missing { .. }) => Err(CliError::failure(
             error.to_string(),
             "install it (Debian: apt-get install linuxcnc-uspace), or give the path of its binary: rs274:PATH",
         )),
-        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::unfinished(
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::failure(
             error.to_string(),
             "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
         Err(error @ ControllerError::Broken(_)) => {
-            Err(CliError::unfinished(error.to_string(), "run it by hand: rs274 -g FILE"))
+            Err(CliError::failure(error.to_string(), "run it by hand: rs274 -g FILE"))
         }
     }
 }
 
 /// A controller behind an adapter, where this names one.
-pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, CliError>> {
+pub(crate) fn external_controller(name: &str, limits: Limits) -> Option<Result<Exec, CliError>> {
     match name.split_once(':')? {
         ("exec", command) => Some(exec(command, limits)),
         ("tcp", address) => Some(tcp(address, limits)),
@@ -133,13 +133,13 @@ pub(crate) fn behind(name: &str, limits: Limits) -> Option<Result<Exec, CliError
 /// A controller behind a command.
 pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
     if command.trim().is_empty() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             "missing command after `exec:`",
             "for example exec:./my-adapter or \"exec:python3 adapter.py\"",
         ));
     }
     Exec::start(command, limits).map_err(|error| {
-        CliError::unfinished(
+        CliError::failure(
             format!("exec:{command}: {error}"),
             "`gaugeblock adapter check` finds errors of an adapter; `gaugeblock adapter protocol` prints the protocol",
         )
@@ -150,13 +150,13 @@ pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
 fn tcp(address: &str, limits: Limits) -> Result<Exec, CliError> {
     let port = address.rsplit_once(':').and_then(|(_, port)| port.parse::<u16>().ok());
     if port.is_none() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!("invalid controller `tcp:{address}`: expected tcp:HOST:PORT"),
             "for example tcp:127.0.0.1:4100",
         ));
     }
     Exec::connect(address, limits).map_err(|error| {
-        CliError::unfinished(
+        CliError::failure(
             format!("tcp:{address}: {error}"),
             "start the adapter first, for example: gaugeblock serve --controller production --tcp HOST:PORT",
         )
@@ -172,15 +172,15 @@ fn offline(folder: &Path) -> Result<Offline, CliError> {
 pub(crate) fn linuxcnc() -> Result<LinuxCnc, CliError> {
     match LinuxCnc::find() {
         Ok(found) => Ok(found),
-        Err(error @ ControllerError::Missing { .. }) => Err(CliError::unfinished(
+        Err(error @ ControllerError::Missing { .. }) => Err(CliError::failure(
             error.to_string(),
             "install it (Debian: apt-get install linuxcnc-uspace)",
         )),
-        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::unfinished(
+        Err(error @ ControllerError::WrongVersion { .. }) => Err(CliError::failure(
             error.to_string(),
             "this edition documents version 2.9; results of another version would be compared with the wrong manual",
         )),
-        Err(error @ ControllerError::Broken(_)) => Err(CliError::unfinished(
+        Err(error @ ControllerError::Broken(_)) => Err(CliError::failure(
             error.to_string(),
             "it needs process, mount, network and IPC namespaces: run as root, or allow user namespaces",
         )),
@@ -188,7 +188,7 @@ pub(crate) fn linuxcnc() -> Result<LinuxCnc, CliError> {
 }
 
 /// A controller that shows no more than the named one, and runs no more than that one can.
-pub(crate) fn narrowed(
+pub(crate) fn restricted(
     controller: Box<dyn Adapter>,
     like: &str,
 ) -> Result<Box<dyn Adapter>, CliError> {
@@ -196,7 +196,7 @@ pub(crate) fn narrowed(
 }
 
 /// Refuses what was asked by another suite or edition than the one that it would be held to.
-pub(crate) fn belongs(
+pub(crate) fn check_exported_from(
     controller: &dyn Adapter,
     suite: &Suite,
     edition: &Edition,
@@ -204,13 +204,13 @@ pub(crate) fn belongs(
     let Some((digest, asked)) = controller.exported_from() else { return Ok(()) };
     let name = &controller.capabilities().name;
     if asked != edition.id {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!("{name}: the answers were collected for edition {asked}, not {}", edition.id),
             "remove --edition, or export again for the other edition",
         ));
     }
     if digest != suite.digest {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!(
                 "{name}: the answers were exported from another suite (digest {digest}, this suite {})",
                 suite.digest
@@ -222,10 +222,10 @@ pub(crate) fn belongs(
 }
 
 /// Refuses an edition that a controller cannot be held to, before anything runs.
-pub(crate) fn honours(controller: &dyn Adapter, options: &Options) -> Result<(), CliError> {
+pub(crate) fn check_options(controller: &dyn Adapter, options: &Options) -> Result<(), CliError> {
     controller.accepts_options(options).map_err(|why| {
         let name = &controller.capabilities().name;
-        CliError::wrong(
+        CliError::usage(
             format!("{name} does not support this edition: {why}"),
             "an edition that ends in -observed describes one real controller; choose an edition of documents",
         )
@@ -241,7 +241,7 @@ pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
     });
     match unknown {
         None => Ok(()),
-        Some((id, option)) => Err(CliError::unfinished(
+        Some((id, option)) => Err(CliError::failure(
             format!(
                 "{} declares an unknown option `{option}` for choice `{id}`",
                 controller.capabilities().name
@@ -253,7 +253,7 @@ pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
 
 /// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is
 /// no certificate.
-pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), CliError> {
+pub(crate) fn check_language(controller: &dyn Adapter, edition: &Edition) -> Result<(), CliError> {
     if edition.language == Language::Rs274 {
         return Ok(());
     }
@@ -261,7 +261,7 @@ pub(crate) fn speaks(controller: &dyn Adapter, edition: &Edition) -> Result<(), 
     scenario.program.language = edition.language;
     controller.supports(&scenario).map_err(|why| {
         let name = &controller.capabilities().name;
-        CliError::unfinished(
+        CliError::failure(
             format!("unsupported: {name} does not run edition {}: {why}", edition.id),
             "no program was run; `--controller reference` supports this language",
         )
@@ -274,7 +274,10 @@ pub(crate) fn own_edition(controller: &dyn Adapter) -> &str {
 }
 
 /// Refuses a controller whose departures are said to be those of an edition that the suite does not have.
-pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), CliError> {
+pub(crate) fn check_observed_edition(
+    controller: &dyn Adapter,
+    suite: &Suite,
+) -> Result<(), CliError> {
     controller
         .observed_edition()
         .map_or(Ok(()), |id| crate::documents::edition(suite, id).map(|_| ()))
@@ -282,5 +285,5 @@ pub(crate) fn observed(controller: &dyn Adapter, suite: &Suite) -> Result<(), Cl
 
 /// Refuses a folder that holds no campaign.
 pub(crate) fn not_a_campaign(why: String) -> CliError {
-    CliError::wrong(why, "`gaugeblock offline export` writes such a folder")
+    CliError::usage(why, "`gaugeblock offline export` writes such a folder")
 }

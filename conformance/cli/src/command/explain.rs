@@ -7,7 +7,7 @@ use gaugeblock_suite::{Choice, ChoiceKind, Rule, Source, Suite};
 use serde_json::json;
 
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -36,9 +36,9 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     let (text, document) = match (rule, choice, Code::read(subject)) {
         (None, None, None) => return Err(unknown(subject, suite)),
         (None, None, Some(code)) => {
-            let about = About::of(&code, suite);
+            let about = Explanation::of(&code, suite);
             if about.is_empty() {
-                return Err(CliError::wrong(
+                return Err(CliError::usage(
                     format!("no rule concerns {code}"),
                     "`gaugeblock rules` lists all rules",
                 ));
@@ -92,7 +92,7 @@ fn unknown(subject: &str, suite: &Suite) -> CliError {
     } else {
         format!("did you mean `{}`?", near.join("`, `"))
     };
-    CliError::wrong(format!("unknown rule, choice, quirk or code `{subject}`"), hint)
+    CliError::usage(format!("unknown rule, choice, quirk or code `{subject}`"), hint)
 }
 
 fn rule_text(rule: &Rule) -> String {
@@ -225,13 +225,13 @@ fn without_comments(line: &str) -> String {
 }
 
 /// What concerns a code: by the title of a section that is a source, or by a program that has the code.
-struct About<'a> {
+struct Explanation<'a> {
     documented: Vec<(&'a str, &'a str)>,
     used: Vec<&'a str>,
     choices: Vec<(&'a Choice, bool)>,
 }
 
-impl<'a> About<'a> {
+impl<'a> Explanation<'a> {
     fn of(code: &Code, suite: &'a Suite) -> Self {
         let by_title =
             |sources: &[Source]| sources.iter().any(|source| code.is_in_title(&source.section));

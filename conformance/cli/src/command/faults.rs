@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::certify::progress;
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 /// The editions that notice what is wrong with post-processors and with custom macros.
@@ -39,7 +39,7 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
                 None => edition,
             };
             let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
-            let departs = |case: &&CaseResult<'_>| case.verdict.departure().is_some();
+            let departs = |case: &&CaseResult<'_>| case.verdict.divergence().is_some();
             let failing: Vec<_> = run.cases.iter().filter(departs).collect();
             let rules = failing.iter().map(|case| case.rule.id.as_str()).collect();
             bar.inc(1);

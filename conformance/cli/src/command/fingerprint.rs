@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use gaugeblock_runner::fingerprint::{Shown, fingerprint as take, nearest};
+use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint as take, nearest};
 use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::controller;
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -37,13 +37,14 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
     let controller = controller::controller(&arguments.controller)?;
     let own = controller::own_edition(controller.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
-    controller::observed(controller.as_ref(), suite)?;
+    controller::check_observed_edition(controller.as_ref(), suite)?;
     let options = suite.options(edition);
-    controller::honours(controller.as_ref(), &options)?;
-    controller::speaks(controller.as_ref(), edition)?;
+    controller::check_options(controller.as_ref(), &options)?;
+    controller::check_language(controller.as_ref(), edition)?;
     let shown = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
     let nearest = nearest(suite, &shown);
-    let known = shown.iter().filter(|(_, shown)| matches!(shown, Shown::Option(_))).count();
+    let known =
+        shown.iter().filter(|(_, shown)| matches!(shown, ObservedOption::Option(_))).count();
     match arguments.format {
         Format::Json => {
             let options: serde_json::Map<_, _> =
@@ -70,6 +71,6 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
             write_out(&text);
         }
     }
-    let unknown = shown.iter().any(|(_, shown)| matches!(shown, Shown::Nothing(_)));
+    let unknown = shown.iter().any(|(_, shown)| matches!(shown, ObservedOption::Nothing(_)));
     Ok(if unknown { 3 } else { 0 })
 }

@@ -21,9 +21,9 @@ use gaugeblock_suite::{Choice, Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
-use super::{controller, fuzz_report, place};
+use super::{controller, fuzz_report, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::{write_error, write_out};
 
 /// How many programs that could not be judged are told of, the first ones.
@@ -120,14 +120,14 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     let (options, random) = options(arguments, suite, edition)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
-        place::folder(folder)?;
+        user_files::create_folder(folder)?;
     }
     let against = controller::controller(&arguments.against)?;
     for controller in [&iut, &against] {
-        controller::speaks(controller.as_ref(), edition)?;
+        controller::check_language(controller.as_ref(), edition)?;
     }
-    controller::honours(iut.as_ref(), &options)?;
-    controller::honours(against.as_ref(), &options)?;
+    controller::check_options(iut.as_ref(), &options)?;
+    controller::check_options(against.as_ref(), &options)?;
     let options = without_defaults(options, suite);
     let mut plan = Plan {
         iut: iut.as_ref(),
@@ -153,14 +153,14 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         plan.spliced = arguments.spliced.unwrap_or(share);
     }
     let header = header(arguments, &plan, edition);
-    let mut so_far = SoFar::default();
+    let mut so_far = FuzzProgress::default();
     let journal = match &arguments.report {
         Some(folder) => {
             let journal = Journal::open(folder, &header, arguments.resume, &mut |chunk| {
                 so_far.add(chunk);
             });
             Some(journal.map_err(|why| {
-                CliError::wrong(
+                CliError::usage(
                     why,
                     "--resume continues the same call; another run needs another folder",
                 )
@@ -197,14 +197,14 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
 
 /// What was done so far, in this call and the ones before.
 #[derive(Default)]
-struct SoFar {
+struct FuzzProgress {
     done: BTreeSet<u64>,
     statistics: Statistics,
     groups: Groups,
     not_judged: BTreeMap<u64, NotJudged>,
 }
 
-impl SoFar {
+impl FuzzProgress {
     fn add(&mut self, chunk: gaugeblock_runner::fuzz::journal::Chunk) {
         if self.done.insert(chunk.chunk) {
             self.statistics.add(&chunk.statistics);
@@ -221,7 +221,7 @@ fn generate(
     arguments: &Arguments,
     plan: &Plan<'_>,
     mut journal: Option<Journal>,
-    so_far: &mut SoFar,
+    so_far: &mut FuzzProgress,
 ) -> Result<(), CliError> {
     let seconds = match (arguments.seconds, arguments.programs) {
         (None, None) => Some(60),
@@ -232,7 +232,7 @@ fn generate(
     let bar = indicatif::ProgressBar::new_spinner();
     let (end, stop) =
         (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
-    let mut trouble = None;
+    let mut mismatch = None;
     let done = so_far.done.clone();
     let extent = Extent {
         shard: arguments.shard,
@@ -244,18 +244,18 @@ fn generate(
     run(plan, &extent, &mut |mut chunk| {
         if let Some(journal) = &mut journal {
             chunk.statistics.settle();
-            trouble = journal.done(&chunk).err().or(trouble.take());
+            mismatch = journal.done(&chunk).err().or(mismatch.take());
         }
         so_far.add(chunk);
         let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
         bar.set_message(format!("{programs} programs, {groups} kinds of divergences"));
         bar.tick();
-        trouble.is_none() && end.is_none_or(|end| now() < end)
+        mismatch.is_none() && end.is_none_or(|end| now() < end)
     });
     bar.finish_and_clear();
     so_far.statistics.settle();
-    match trouble {
-        Some(why) => Err(CliError::unfinished(
+    match mismatch {
+        Some(why) => Err(CliError::failure(
             format!("the journal: {why}"),
             "free space on the disk, then repeat the call with --resume",
         )),
@@ -287,7 +287,7 @@ fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec
 fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, CliError> {
     if edition.language != Language::Rs274 && !arguments.only.is_empty() {
         let message = format!("--only is not available for {}", edition.language);
-        return Err(CliError::wrong(message, "remove --only"));
+        return Err(CliError::usage(message, "remove --only"));
     }
     let stand_alone = |name: &str| name.starts_with("rs274");
     let setups = if stand_alone(&arguments.controller) || stand_alone(&arguments.against) {
@@ -299,7 +299,7 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, C
     for only in &arguments.only {
         if !statements().any(|statement| statement.name.starts_with(only.as_str())) {
             let known: Vec<&str> = statements().map(|statement| statement.name).collect();
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("invalid `--only {only}`: no statement of the generator begins with it"),
                 format!("expected one of: {}", known.join(", ")),
             ));
@@ -328,7 +328,7 @@ fn options(
                 shown(Path::new(file), suite, &mut options)?;
                 Ok((options, false))
             }
-            None => Err(CliError::wrong(
+            None => Err(CliError::usage(
                 format!("invalid `--options {how}`"),
                 "expected edition, random or from:FILE",
             )),
@@ -355,19 +355,19 @@ fn without_defaults(mut options: Options, suite: &Suite) -> Options {
 fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), CliError> {
     let name = file.display();
     let hint = "`gaugeblock fingerprint --controller CONTROLLER --format json` writes such a file";
-    let text = place::text(file, "fingerprint (--options from:FILE)")?;
+    let text = user_files::read_text(file, "fingerprint (--options from:FILE)")?;
     let document: serde_json::Value = serde_json::from_str(&text)
-        .map_err(|error| CliError::wrong(format!("{name}: {error}"), hint))?;
+        .map_err(|error| CliError::usage(format!("{name}: {error}"), hint))?;
     let shown = document["options"]
         .as_object()
-        .ok_or_else(|| CliError::wrong(format!("{name}: it has no member `options`"), hint))?;
+        .ok_or_else(|| CliError::usage(format!("{name}: it has no member `options`"), hint))?;
     for (id, shown) in shown {
         if let Some(option) = shown["option"].as_str() {
             let choice = suite.choices.iter().find(|choice| choice.id == *id);
             let known =
                 choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
             if !known {
-                return Err(CliError::wrong(
+                return Err(CliError::usage(
                     format!("{name}: unknown option `{option}` for choice `{id}`"),
                     "run `gaugeblock fingerprint` again with this version",
                 ));

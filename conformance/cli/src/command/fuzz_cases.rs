@@ -1,10 +1,10 @@
 //! What `gaugeblock fuzz` takes from the suite: cases to make programs of, and outcomes of rules to reach.
 
 use gaugeblock_reference::RuleOutcome as Reached;
-use gaugeblock_runner::catalogue::editions_of;
 use gaugeblock_runner::fuzz::Plan;
-use gaugeblock_runner::fuzz::shown::NotShown;
+use gaugeblock_runner::fuzz::comparability::NotComparable;
 use gaugeblock_runner::fuzz::statistics::Statistics;
+use gaugeblock_runner::suite_check::editions_of;
 use gaugeblock_suite::{Edition, Rule, RuleOutcome, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Scenario};
 
@@ -50,16 +50,16 @@ pub(crate) fn rarely_reached(
     edition: &Edition,
     plan: &Plan<'_>,
     statistics: &Statistics,
-) -> (Vec<(String, u64)>, NotShown) {
+) -> (Vec<(String, u64)>, NotComparable) {
     if !plan.config.only.is_empty() {
         return Default::default();
     }
     let mut rare = statistics.rarely_reached(outcomes(suite, edition));
     if rare.iter().all(|(_, programs)| *programs > 0) {
-        return (rare, NotShown::new());
+        return (rare, NotComparable::new());
     }
     let mut not_shown =
-        plan.not_shown(outcomes(suite, edition), cases(suite, edition, &plan.options));
+        plan.not_comparable(outcomes(suite, edition), cases(suite, edition, &plan.options));
     not_shown.retain(|name, _| rare.iter().any(|(rare, programs)| rare == name && *programs == 0));
     rare.retain(|(name, _)| !not_shown.contains_key(name));
     (rare, not_shown)

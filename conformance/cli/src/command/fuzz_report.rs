@@ -5,16 +5,16 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaugeblock_report::inert;
+use gaugeblock_report::escape_text;
+use gaugeblock_runner::fuzz::comparability::NotComparable;
 use gaugeblock_runner::fuzz::groups::Finding;
 use gaugeblock_runner::fuzz::journal::{Header, NotJudged};
-use gaugeblock_runner::fuzz::shown::NotShown;
 use gaugeblock_runner::fuzz::statistics::{Counts, ENOUGH, Statistics};
 use gaugeblock_vocabulary::Scenario;
 use serde_json::json;
 
-use super::place;
-use crate::refused::CliError;
+use super::user_files;
+use crate::error::CliError;
 
 /// How many divergences are shown with their programs.
 const SHOWN: usize = 40;
@@ -30,7 +30,7 @@ pub(crate) struct Report<'a> {
     /// Outcomes of the suite's rules that few programs or none reached, and how many.
     pub(crate) rare: &'a [(String, u64)],
     /// Those that none reached, and no case does that can be compared here, and why.
-    pub(crate) not_shown: &'a NotShown,
+    pub(crate) not_shown: &'a NotComparable,
     /// The first programs of which nothing can be said.
     pub(crate) not_judged: &'a BTreeMap<u64, NotJudged>,
     pub(crate) seconds: f64,
@@ -174,10 +174,10 @@ impl Report<'_> {
             0 => String::new(),
             count => format!(" ({count} kinds are known)"),
         };
-        self.what_is_new() + &known
+        self.new_findings() + &known
     }
 
-    fn what_is_new(&self) -> String {
+    fn new_findings(&self) -> String {
         let Statistics { diverging, compared, not_judged, .. } = self.statistics;
         match (self.findings.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
@@ -191,8 +191,11 @@ impl Report<'_> {
 
     /// Writes report.json, report.txt and a folder for each divergence.
     pub(crate) fn write(&self, folder: &Path) -> Result<(), CliError> {
-        place::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
-        place::write_whole(&folder.join("report.txt"), inert(&self.text(true)).as_bytes())?;
+        user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
+        user_files::write_whole(
+            &folder.join("report.txt"),
+            escape_text(&self.text(true)).as_bytes(),
+        )?;
         for (at, finding) in self.findings.iter().enumerate() {
             let name: String = finding
                 .signature
@@ -204,13 +207,13 @@ impl Report<'_> {
             let folder = folder.join(format!("{:03}-{name}", at + 1));
             write_program(&folder, &finding.scenario)?;
             let told = describe(at + 1, finding);
-            place::write_whole(&folder.join("divergence.txt"), inert(&told).as_bytes())?;
+            user_files::write_whole(&folder.join("divergence.txt"), escape_text(&told).as_bytes())?;
         }
         for NotJudged { number, why, scenario } in self.not_judged.values() {
             let folder = folder.join(format!("not-judged-{number}"));
             write_program(&folder, scenario)?;
-            let told = inert(why) + "\n";
-            place::write_whole(&folder.join("why.txt"), told.as_bytes())?;
+            let told = escape_text(why) + "\n";
+            user_files::write_whole(&folder.join("why.txt"), told.as_bytes())?;
         }
         Ok(())
     }
@@ -218,23 +221,23 @@ impl Report<'_> {
 
 /// Writes a program, its files and the scenario into a folder of their own.
 fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), CliError> {
-    place::folder(folder)?;
-    place::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
+    user_files::create_folder(folder)?;
+    user_files::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
     let files = scenario.program.files.iter();
     for (name, text) in files.filter(|(name, _)| !name.contains(['/', '\\'])) {
-        place::write_whole(&folder.join(name), text)?;
+        user_files::write_whole(&folder.join(name), text)?;
     }
     let text = scenario.to_text().map_err(|error| {
-        CliError::unfinished(error.message, "this is a bug in gaugeblock; please report it")
+        CliError::failure(error.message, "this is a bug in gaugeblock; please report it")
     })?;
-    place::write_whole(&folder.join("scenario.toml"), &text)
+    user_files::write_whole(&folder.join("scenario.toml"), &text)
 }
 
 /// The divergences that an earlier report tells.
 pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, CliError> {
-    let text = place::text(path, "earlier report (--known)")?;
+    let text = user_files::read_text(path, "earlier report (--known)")?;
     let refused = |why: String| {
-        CliError::wrong(
+        CliError::usage(
             format!("{} is not a report of `gaugeblock fuzz` (JSON): {why}", path.display()),
             "name the report.json of an earlier run, which `gaugeblock fuzz --report DIR` writes",
         )

@@ -11,9 +11,9 @@ use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::Ledger;
 
-use super::{place, stored};
+use super::{stored_report, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 /// Prints, per document and section, its rules and their verdicts in the model and in each report.
@@ -35,8 +35,8 @@ pub(crate) fn matrix(
 }
 
 fn read(path: &Path) -> Result<Judged, CliError> {
-    let text = place::text(path, "report (--report)")?;
-    stored::read(path, &text, Judged::read)
+    let text = user_files::read_text(path, "report (--report)")?;
+    stored_report::read(path, &text, Judged::read)
 }
 
 /// The model's verdicts for the edition of each document.
@@ -50,7 +50,7 @@ fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
             let run = certify(plan, &controller, &|| {});
             let header = Header::of(plan, &controller, Shard::WHOLE);
             let (notes, profiles) = (Vec::new(), Vec::new());
-            Judged::of(&Report { run: &run, header, notes, profiles, troubles: None })
+            Judged::of(&Report { run: &run, header, notes, profiles, mismatches: None })
         });
     }
     model

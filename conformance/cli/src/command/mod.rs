@@ -1,10 +1,10 @@
 //! The commands, each in its file.
 
 pub(crate) mod adapter;
-pub(crate) mod against;
 pub(crate) mod certify;
 pub(crate) mod check;
 pub(crate) mod compare;
+pub(crate) mod comparison;
 pub(crate) mod controller;
 pub(crate) mod explain;
 #[cfg(feature = "faulty")]
@@ -18,7 +18,6 @@ pub(crate) mod motion_check;
 pub(crate) mod motion_fuzz;
 pub(crate) mod offline;
 pub(crate) mod pictures;
-pub(crate) mod place;
 pub(crate) mod plan;
 pub(crate) mod report;
 pub(crate) mod rs274;
@@ -27,5 +26,6 @@ pub(crate) mod run;
 pub(crate) mod schema;
 pub(crate) mod serve;
 pub(crate) mod shrink;
-pub(crate) mod stored;
+pub(crate) mod stored_report;
 pub(crate) mod suite;
+pub(crate) mod user_files;

@@ -9,8 +9,8 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
-use super::{place, plan, run};
-use crate::refused::CliError;
+use super::{plan, run, user_files};
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -47,14 +47,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]
-    how: run::How,
+    how: run::RunSetup,
 }
 
 pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let mut inputs = arguments.how.inputs(&arguments.program);
     inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
     inputs.extend(arguments.script.clone());
-    place::spare(&inputs, &[("--svg", arguments.svg.as_deref())])?;
+    user_files::check_outputs_spare_inputs(&inputs, &[("--svg", arguments.svg.as_deref())])?;
     let limits = plan::limits(&arguments.machine)?;
     let samples = read(&arguments.samples)?;
     let script = plan::script(arguments.script.as_deref())?;
@@ -69,27 +69,27 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
         let (samples, path, limits, script) = (&samples, &path, &limits, &script);
         Drawing { title, samples, path, limits, script, told: None }.write(file)?;
     }
-    write_out(&plan::told(&summary, &arguments.program));
+    write_out(&plan::summary_text(&summary, &arguments.program));
     Ok(plan::exit_status(&summary))
 }
 
 fn read(file: &Path) -> Result<Samples, CliError> {
     let name = file.display();
     let bytes = std::fs::read(file).map_err(|error| {
-        CliError::wrong(format!("{name}: {error}"), "check the path of the samples")
+        CliError::usage(format!("{name}: {error}"), "check the path of the samples")
     })?;
     let samples = match std::str::from_utf8(&bytes) {
         Ok(text) if text.starts_with('#') => Samples::from_csv(text),
         Ok(_) | Err(_) => Samples::from_bytes(&bytes),
     };
     let samples = samples.map_err(|error| {
-        CliError::wrong(
+        CliError::usage(
             format!("{name}: {error}"),
             "`gaugeblock motion check --help` shows the form",
         )
     })?;
     if samples.is_empty() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!("{name}: no sample after the header"),
             "record one sample per servo cycle; `gaugeblock motion check --help` shows the form",
         ));

@@ -14,16 +14,16 @@ use gaugeblock_adapter::clock::now;
 use gaugeblock_controllers::Production;
 use gaugeblock_fuzz::motion::MotionProgram;
 use gaugeblock_fuzz::motion::transformation::Transformation;
-use gaugeblock_report::inert;
+use gaugeblock_report::escape_text;
 use gaugeblock_runner::motion_programs::{
-    MotionResult, broken_by, compared, judged, motion_program, shrunk,
+    MotionResult, compared, judge_program, motion_program, shrunk, time_breach_id,
 };
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
-use super::place;
-use crate::refused::CliError;
+use super::user_files;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -70,7 +70,7 @@ pub(crate) struct Arguments {
 
 /// Breaches of one kind: how many, and of the program with the lowest number what was seen.
 #[derive(Clone, Debug)]
-struct Found {
+struct Finding {
     count: u64,
     number: u64,
     words: String,
@@ -83,7 +83,7 @@ struct Tally {
     /// How often, and the first program.
     not_planned: BTreeMap<String, (u64, u64)>,
     not_judged: BTreeMap<String, (u64, u64)>,
-    found: BTreeMap<String, Found>,
+    found: BTreeMap<String, Finding>,
 }
 
 impl Tally {
@@ -102,7 +102,7 @@ impl Tally {
             count(&mut self.not_judged, format!("{}, {why}", law.id()));
         }
         for breach in result.broken {
-            let new = Found { count: 0, number: u64::MAX, words: String::new() };
+            let new = Finding { count: 0, number: u64::MAX, words: String::new() };
             let found = self.found.entry(breach.what).or_insert(new);
             found.count += 1;
             if number < found.number {
@@ -146,7 +146,7 @@ impl Tally {
 
 pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     if let Some(folder) = &arguments.report {
-        place::folder(folder)?;
+        user_files::create_folder(folder)?;
     }
     let edition = crate::documents::edition(suite, gaugeblock_suite::DEFAULT_EDITION)?;
     let mut scenario = Scenario { options: suite.options(edition), ..Scenario::default() };
@@ -159,7 +159,7 @@ pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
         |change| if arguments.every_change { Transformation::ALL.to_vec() } else { vec![change] };
     let tally = generate(arguments, &|number| {
         let (program, change) = motion_program(seed, number);
-        judged((seed, number), (&program, &changes(change)), &runs)
+        judge_program((seed, number), (&program, &changes(change)), &runs)
     });
     let mut text = String::new();
     for (what, found) in &tally.found {
@@ -170,7 +170,8 @@ pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
         } else {
             shrunk(of, (&drawn, &changes(change)), what, (arguments.shrink, &runs))
         };
-        let change = Transformation::ALL.into_iter().find(|change| *what == broken_by(*change));
+        let change =
+            Transformation::ALL.into_iter().find(|change| *what == time_breach_id(*change));
         let (smallest, changed) = match change {
             Some(change) => compared(of, &smallest, change)
                 .map_or((smallest, None), |(alone, changed)| (alone, Some(changed))),
@@ -197,7 +198,7 @@ pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
     }
     text.push_str(&tally.counts());
     if let Some(folder) = &arguments.report {
-        place::write_whole(&folder.join("report.txt"), inert(&text).as_bytes())?;
+        user_files::write_whole(&folder.join("report.txt"), escape_text(&text).as_bytes())?;
     }
     write_out(&text);
     Ok(tally.exit_status())
@@ -260,17 +261,20 @@ fn write(
     scenario: &Scenario,
 ) -> Result<String, CliError> {
     let unwritable = |error: gaugeblock_vocabulary::TextError| {
-        CliError::unfinished(error.message, "leave --report out")
+        CliError::failure(error.message, "leave --report out")
     };
     let file = |ending: &str| folder.join(format!("{name}.{ending}"));
-    place::write_whole(&file("ngc"), program.text())?;
-    place::write_whole(&file("machine.toml"), program.limits.to_text().map_err(unwritable)?)?;
-    place::write_whole(&file("scenario.toml"), scenario.to_text().map_err(unwritable)?)?;
+    user_files::write_whole(&file("ngc"), program.text())?;
+    user_files::write_whole(&file("machine.toml"), program.limits.to_text().map_err(unwritable)?)?;
+    user_files::write_whole(&file("scenario.toml"), scenario.to_text().map_err(unwritable)?)?;
     let mut call = format!(
         "gaugeblock plan {name}.ngc --machine {name}.machine.toml --scenario {name}.scenario.toml"
     );
     if program.script != MotionScript::default() {
-        place::write_whole(&file("script.toml"), program.script.to_text().map_err(unwritable)?)?;
+        user_files::write_whole(
+            &file("script.toml"),
+            program.script.to_text().map_err(unwritable)?,
+        )?;
         let _infallible = write!(call, " --script {name}.script.toml");
     }
     if let Some(every) = program.every {

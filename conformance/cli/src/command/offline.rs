@@ -10,13 +10,13 @@ use gaugeblock_adapter::Adapter;
 use gaugeblock_filesystem::PartialFolder;
 use gaugeblock_offline::{
     Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
-    answer, blank, can_ask, control_text, operator, questions, read_blocks, readme,
+    answer, blank_files, check_language, control_text, operator, questions, read_blocks, readme,
 };
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
 use super::controller::not_a_campaign;
-use super::{certify, controller, place};
-use crate::refused::CliError;
+use super::{certify, controller, user_files};
+use crate::error::CliError;
 use crate::streams::{write_error, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -92,11 +92,11 @@ pub(crate) fn offline(command: &Offline, suite: &Suite) -> Result<u8, CliError> 
 fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, &arguments.edition)?;
     certify::known_profiles(&arguments.profile, suite)?;
-    can_ask(edition)
-        .map_err(|why| CliError::wrong(why, "choose an edition of RS-274, such as linuxcnc-2.9"))?;
+    check_language(edition)
+        .map_err(|why| CliError::usage(why, "choose an edition of RS-274, such as linuxcnc-2.9"))?;
     // Without a slash at its end, so that something can be put beside it.
     let out: PathBuf = arguments.out.components().collect();
-    is_free(&out)?;
+    check_folder_free(&out)?;
     let (questions, left_out) = questions(suite, edition, &arguments.profile);
     let manifest = Manifest {
         format: FORMAT,
@@ -108,7 +108,7 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
         left_out,
     };
     if questions.is_empty() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             "no case of these profiles can run offline",
             "remove --profile, or choose another edition",
         ));
@@ -129,18 +129,18 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
 }
 
 /// Refuses a folder that is not empty, and a path that is not a folder.
-fn is_free(folder: &Path) -> Result<(), CliError> {
+fn check_folder_free(folder: &Path) -> Result<(), CliError> {
     let name = folder.display();
     let mut entries = match std::fs::read_dir(folder) {
         Ok(entries) => entries,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
         Err(error) => {
-            return Err(CliError::wrong(format!("{name}: {error}"), "--out expects a folder"));
+            return Err(CliError::usage(format!("{name}: {error}"), "--out expects a folder"));
         }
     };
     match entries.next() {
         None => Ok(()),
-        Some(_) => Err(CliError::wrong(
+        Some(_) => Err(CliError::usage(
             format!("{name}: the folder is not empty"),
             "choose another folder with --out; existing files are never overwritten",
         )),
@@ -155,10 +155,10 @@ fn write_campaign(
 ) -> Result<(), CliError> {
     let refused = |error: std::io::Error| {
         let message = format!("{}: {error}", folder.display());
-        CliError::wrong(message, "check that the folder exists and is writable")
+        CliError::usage(message, "check that the folder exists and is writable")
     };
     let json = serde_json::to_string_pretty(manifest).map_err(|error| {
-        CliError::unfinished(error.to_string(), "this is a bug in gaugeblock; please report it")
+        CliError::failure(error.to_string(), "this is a bug in gaugeblock; please report it")
     })?;
     let partial = PartialFolder::new(folder).map_err(refused)?;
     let write = |name: PathBuf, text: &str| partial.write(name, text).map_err(refused);
@@ -173,7 +173,7 @@ fn write_campaign(
             write(folder.join(name), text)?;
         }
         write(folder.join(OPERATOR), &operator(question))?;
-        for (name, text) in blank(asked) {
+        for (name, text) in blank_files(asked) {
             write(folder.join(name), &text)?;
         }
     }
@@ -184,7 +184,7 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
     let manifest = Manifest::read(&arguments.folder).map_err(not_a_campaign)?;
     let edition = crate::documents::edition(suite, &manifest.edition)?;
     if manifest.suite != suite.digest {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!(
                 "the sheets were exported from another suite (digest {}, this suite {})",
                 manifest.suite, suite.digest
@@ -193,7 +193,7 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
         ));
     }
     let controller = controller::controller(&arguments.controller)?;
-    controller::honours(controller.as_ref(), &suite.options(edition))?;
+    controller::check_options(controller.as_ref(), &suite.options(edition))?;
     let open = open(arguments, &manifest, suite, edition)?;
     let answered = run_all(&open, controller.as_ref(), arguments.blocks);
     let mut failed = 0;
@@ -201,7 +201,7 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
         match answered {
             Some(Ok(files)) => {
                 for (name, text) in files {
-                    place::write_whole(
+                    user_files::write_whole(
                         &arguments.folder.join(&question.asked.folder).join(name),
                         text,
                     )?;
@@ -216,7 +216,7 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
     }
     let observables = controller.capabilities();
     let text = control_text(&observables.name, &observables.version, observables.resolution);
-    place::write_whole(&arguments.folder.join(CONTROL), text)?;
+    user_files::write_whole(&arguments.folder.join(CONTROL), text)?;
     write_out(&format!(
         "{} sheets filled in, {} were filled in before, {failed} failed\n",
         open.len() - failed,

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use gaugeblock_motion::{Picture, drawn};
+use gaugeblock_motion::{Picture, polyline};
 use gaugeblock_reference::motion::laws::deviations;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{Column, MotionLimits, MotionScript, ProgrammedPath, Samples};
 
-use super::place;
-use crate::refused::CliError;
+use super::user_files;
+use crate::error::CliError;
 
 /// What is drawn.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ impl Drawing<'_> {
         let acceleration = accelerations(self.samples, self.limits);
         let picture = Picture {
             title: &self.title,
-            programmed: &drawn(self.path),
+            programmed: &polyline(self.path),
             commanded: &commanded,
             deviation: &deviation,
             period: self.samples.period(),
@@ -44,8 +44,8 @@ impl Drawing<'_> {
         };
         let svg = picture
             .svg()
-            .map_err(|error| CliError::unfinished(error.to_string(), "leave --svg out"))?;
-        place::write_whole(file, &svg)
+            .map_err(|error| CliError::failure(error.to_string(), "leave --svg out"))?;
+        user_files::write_whole(file, &svg)
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_adapter::{Adapter, NoSamples};
-use gaugeblock_controllers::drive::{RunConditions, plan_under};
+use gaugeblock_controllers::simulate::{RunConditions, plan_with};
 use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_motion::Summary;
 use gaugeblock_reference::motion::laws::Verdict;
@@ -15,8 +15,8 @@ use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{place, run};
-use crate::refused::CliError;
+use super::{run, user_files};
+use crate::error::CliError;
 use crate::streams::{write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -56,7 +56,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     machine: PathBuf,
     #[command(flatten)]
-    how: run::How,
+    how: run::RunSetup,
     /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated machine
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production")]
     controller: String,
@@ -80,7 +80,7 @@ pub(crate) struct Arguments {
 pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let outputs =
         [("--samples", arguments.samples.as_deref()), ("--svg", arguments.svg.as_deref())];
-    place::spare(&inputs(arguments), &outputs)?;
+    user_files::check_outputs_spare_inputs(&inputs(arguments), &outputs)?;
     let limits = limits(&arguments.machine)?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let circumstances = RunConditions {
@@ -90,10 +90,10 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
     };
     let path = path(&scenario, &arguments.file, circumstances.start)?;
     let moved = match arguments.controller.as_str() {
-        "production" => planned(&scenario, &limits, &circumstances, &arguments.file)?,
-        "linuxcnc" => recorded(&scenario, &limits, arguments)?,
+        "production" => plan_samples(&scenario, &limits, &circumstances, &arguments.file)?,
+        "linuxcnc" => record_samples(&scenario, &limits, arguments)?,
         other => {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("invalid `--controller {other}`: it reports no servo samples"),
                 "expected production or linuxcnc; `gaugeblock motion check` accepts samples of any controller",
             ));
@@ -115,7 +115,7 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
         let (samples, path, limits) = (&moved.samples, &path, &limits);
         Drawing { title, samples, path, limits, script, told }.write(file)?;
     }
-    write_out(&told(&summary, &arguments.file));
+    write_out(&summary_text(&summary, &arguments.file));
     Ok(exit_status(&summary))
 }
 
@@ -138,7 +138,7 @@ fn start(given: &[f64]) -> Result<Position, CliError> {
     match start.get_mut(..given.len()) {
         Some(places) => places.copy_from_slice(given),
         None => {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("invalid `--start`: {} numbers for nine axes", given.len()),
                 "expected X,Y,Z,A,B,C,U,V,W; missing numbers at the end are zero",
             ));
@@ -148,77 +148,81 @@ fn start(given: &[f64]) -> Result<Position, CliError> {
 }
 
 /// What the laws say, with the name of the program file where the vocabulary calls it the main program.
-pub(crate) fn told(summary: &Summary, file: &Path) -> String {
+pub(crate) fn summary_text(summary: &Summary, file: &Path) -> String {
     let main = format!("{}:", Program::MAIN);
     summary.to_string().replace(&main, &format!("{}:", file.display()))
 }
 
 /// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.
-struct Moved {
+struct PlannedMotion {
     samples: Samples,
     told: Option<(Vec<f64>, Vec<f64>)>,
 }
 
-fn planned(
+fn plan_samples(
     scenario: &Scenario,
     limits: &MotionLimits,
     circumstances: &RunConditions,
     file: &Path,
-) -> Result<Moved, CliError> {
-    let outcome = ended(&Production::default(), scenario, file)?;
-    let planned = plan_under(&outcome, limits, circumstances).map_err(|stopped| {
+) -> Result<PlannedMotion, CliError> {
+    let outcome = check_program_end(&Production::default(), scenario, file)?;
+    let planned = plan_with(&outcome, limits, circumstances).map_err(|stopped| {
         let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
-        CliError::unfinished(
+        CliError::failure(
             format!("{}: {place}{}", file.display(), stopped.why),
             "the part before this block can be planned",
         )
     })?;
-    Ok(Moved { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
+    Ok(PlannedMotion { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
 }
 
 /// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
-fn recorded(
+fn record_samples(
     scenario: &Scenario,
     limits: &MotionLimits,
     arguments: &Arguments,
-) -> Result<Moved, CliError> {
+) -> Result<PlannedMotion, CliError> {
     if arguments.feed_interval.is_some()
         || arguments.script.is_some()
         || !arguments.start.is_empty()
     {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             "--feed-interval, --script and --start do not apply to linuxcnc",
             "remove them: linuxcnc is recorded at its own pace and from its origin",
         ));
     }
     let refused = |error: NoSamples| match error {
         NoSamples::Unsupported(why) => {
-            CliError::wrong(why, "`gaugeblock plan --help` describes the supported programs")
+            CliError::usage(why, "`gaugeblock plan --help` describes the supported programs")
         }
         NoSamples::Failed(why) => {
-            CliError::unfinished(why.to_string(), "`gaugeblock run` shows what the program does")
+            CliError::failure(why.to_string(), "`gaugeblock run` shows what the program does")
         }
     };
     let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
-    Ok(Moved { samples, told: None })
+    Ok(PlannedMotion { samples, told: None })
 }
 
 /// What a machine's axes can do.
 pub(crate) fn limits(file: &Path) -> Result<MotionLimits, CliError> {
     let hint = "`gaugeblock plan --help` shows a machine file";
-    place::form(file, "machine file (--machine)", hint, MotionLimits::from_text)
+    user_files::read_form(file, "machine file (--machine)", hint, MotionLimits::from_text)
 }
 
 /// What the operator does; nothing without a file.
 pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, CliError> {
     let Some(file) = file else { return Ok(MotionScript::default()) };
     let hint = "`gaugeblock plan --help` shows a script";
-    place::form(file, "script (--script)", hint, MotionScript::from_text)
+    user_files::read_form(file, "script (--script)", hint, MotionScript::from_text)
 }
 
 /// The outcome of a program that comes to its end.
-fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<Outcome, CliError> {
-    let refused = |why: String| CliError::unfinished(why, "`gaugeblock run` shows what it does");
+fn check_program_end(
+    controller: &dyn Adapter,
+    scenario: &Scenario,
+    file: &Path,
+) -> Result<Outcome, CliError> {
+    let refused = |why: String| CliError::failure(why, "`gaugeblock run` shows what it does");
     controller.supports(scenario).map_err(refused)?;
     let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
     match &outcome.end {
@@ -235,9 +239,9 @@ fn ended(controller: &dyn Adapter, scenario: &Scenario, file: &Path) -> Result<O
                     write_error_in_colours(&pointer);
                     outcome.end.name().to_owned()
                 }
-                None => run::cause(&outcome, file),
+                None => run::describe_stop(&outcome, file),
             };
-            Err(CliError::wrong(
+            Err(CliError::usage(
                 format!("{} does not reach its end: {why}", file.display()),
                 "only a program that reaches its end can be planned",
             ))
@@ -251,15 +255,15 @@ pub(crate) fn path(
     file: &Path,
     start: Position,
 ) -> Result<ProgrammedPath, CliError> {
-    let outcome = ended(&Reference::default(), scenario, file)?;
+    let outcome = check_program_end(&Reference::default(), scenario, file)?;
     Ok(gaugeblock_reference::motion::path::programmed(&outcome, start))
 }
 
 fn write_samples(file: &Path, samples: &Samples) -> Result<(), CliError> {
     if file.extension().is_some_and(|extension| extension == "bin") {
-        place::write_whole(file, samples.to_bytes())
+        user_files::write_whole(file, samples.to_bytes())
     } else {
-        place::write_whole(file, samples.to_csv())
+        user_files::write_whole(file, samples.to_csv())
     }
 }
 

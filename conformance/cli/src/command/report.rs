@@ -7,15 +7,15 @@ use clap::{Args, Subcommand};
 use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::merge::{in_order, merged};
 use gaugeblock_report::{Report, profiles};
-use gaugeblock_runner::certify::{Plan, Run, cases, void};
+use gaugeblock_runner::certify::{Plan, Run, cases, not_applicable};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
-use super::against::ComparisonArguments;
-use super::stored::stored;
-use super::{certify, place};
+use super::comparison::ComparisonArguments;
+use super::stored_report::stored;
+use super::{certify, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// Merge the reports of shards
 #[derive(Debug, Subcommand)]
@@ -56,35 +56,35 @@ pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, CliError> {
 
 fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
-    let wrong = |why: String| CliError::wrong(why, "name the report of each shard of one run once");
+    let wrong = |why: String| CliError::usage(why, "name the report of each shard of one run once");
     let whole = merged(&parts).map_err(wrong)?;
     let header = &whole.header;
     if header.suite != suite.digest {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             "the reports belong to another suite",
             "merge them with the gaugeblock that wrote them, or name their suite with --suite",
         ));
     }
     let edition = crate::documents::edition(suite, &header.edition)?;
     let known = arguments.against.read()?;
-    let newer = known.fits(header, suite)?;
+    let newer = known.check_header(header, suite)?;
     let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
     let all = cases(plan, header.laws, Shard::WHOLE);
     let mut cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
-    cost_of(&arguments.reports)?.tell(&mut cases);
+    cost_of(&arguments.reports)?.apply_to(&mut cases);
     let fingerprint = whole.fingerprint.clone();
-    let mut run = Run { edition, cases, void: void(plan), fingerprint };
-    let (troubles, mended) = known.hold(&mut run, header.only.is_empty());
+    let mut run = Run { edition, cases, not_applicable: not_applicable(plan), fingerprint };
+    let (mismatches, mended) = known.compare(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {
         run: &run,
         header: header.clone(),
         notes: [whole.notes.clone(), newer.into_iter().collect(), mended].concat(),
         profiles,
-        troubles,
+        mismatches,
     };
     if let Some(folder) = &arguments.report {
-        place::folder(folder)?;
+        user_files::create_folder(folder)?;
         certify::write_report(folder, &report)?;
     }
     certify::print(&report, arguments.format, arguments.verbose);
@@ -99,7 +99,7 @@ fn cost_of(reports: &[PathBuf]) -> Result<Cost, CliError> {
         let file = folder.unwrap_or(Path::new(".")).join(cost::FILE);
         let Ok(text) = std::fs::read_to_string(&file) else { continue };
         let cost = Cost::read(&text).map_err(|error| {
-            CliError::wrong(format!("{}: {error}", file.display()), "remove the file")
+            CliError::usage(format!("{}: {error}", file.display()), "remove the file")
         })?;
         all = all.and(cost);
     }

@@ -1,6 +1,6 @@
 //! `gaugeblock rs274`.
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 pub(crate) use gaugeblock_rs274::Arguments;
 

@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use gaugeblock_runner::catalogue;
+use gaugeblock_runner::suite_check;
 use gaugeblock_suite::{Choice, ChoiceKind, Rule, Suite};
 use serde_json::json;
 
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -83,7 +83,7 @@ fn begins(id: &str, prefixes: &[String]) -> bool {
 }
 
 fn unknown_prefix(what: &str, prefixes: &[String], command: &str) -> CliError {
-    CliError::wrong(
+    CliError::usage(
         format!("no {what} has an id that begins with `{}`", prefixes.join("` or `")),
         format!("`gaugeblock {command}` lists all ids"),
     )
@@ -117,7 +117,7 @@ fn document(suite: &Suite, rules: &[&Rule]) -> serde_json::Value {
             json!({
                 "rule": rule.id, "sentence": rule.sentence, "profile": rule.profile,
                 "sources": rule.sources, "outcomes": rule.outcomes,
-                "reached": catalogue::reached(suite, rule), "options": rule.options,
+                "reached": suite_check::reached(suite, rule), "options": rule.options,
                 "void": rule.void, "cases": cases,
             })
         })

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use clap::Args;
-use gaugeblock_report::inert_line;
+use gaugeblock_report::escape_line;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scenario, Span};
 
-use super::{controller, place};
+use super::{controller, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::{write_error, write_error_in_colours, write_out};
 
 /// File extension of the toolpath that drives a post-processor program.
@@ -39,7 +39,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     #[command(flatten)]
-    how: How,
+    how: RunSetup,
     /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
     #[arg(long, short, value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
     controller: String,
@@ -50,7 +50,7 @@ pub(crate) struct Arguments {
 
 /// How programs are run.
 #[derive(Debug, Args)]
-pub(crate) struct How {
+pub(crate) struct RunSetup {
     /// Edition of the documents [default: linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
@@ -65,11 +65,13 @@ pub(crate) struct How {
     block_delete: bool,
 }
 
-impl How {
+impl RunSetup {
     /// The scenario of a program file, with the subroutine files beside it.
     pub(crate) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, CliError> {
-        let edition =
-            crate::documents::edition(suite, self.edition.as_deref().unwrap_or(by_name(file)))?;
+        let edition = crate::documents::edition(
+            suite,
+            self.edition.as_deref().unwrap_or(language_by_name(file)),
+        )?;
         if edition.language != Language::Rs274 && self.edition.is_none() {
             write_error(&format!(
                 "note: {}: using edition {} because of the file extension",
@@ -80,16 +82,16 @@ impl How {
         let mut scenario = match &self.scenario {
             Some(path) => {
                 let hint = "`gaugeblock schema scenario` prints the form";
-                place::form(path, "scenario (--scenario)", hint, Scenario::from_text)?
+                user_files::read_form(path, "scenario (--scenario)", hint, Scenario::from_text)?
             }
             None => Scenario::default(),
         };
         scenario.program = Program {
-            main: place::program(file)?,
+            main: user_files::read_program(file)?,
             language: edition.language,
             files: match edition.language {
                 Language::Rs274 => {
-                    let mut files = beside(file);
+                    let mut files = files_beside(file);
                     files.extend(std::mem::take(&mut scenario.program.files));
                     files
                 }
@@ -117,7 +119,7 @@ impl How {
 }
 
 /// The edition that a file's name stands for.
-fn by_name(file: &Path) -> &'static str {
+fn language_by_name(file: &Path) -> &'static str {
     match file.extension().and_then(|extension| extension.to_str()) {
         Some("gpp") => "gpp2",
         Some("nct") => "nct-99m",
@@ -131,14 +133,14 @@ fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, 
     if !beside.exists() {
         return Ok(program.files.clone());
     }
-    Ok(BTreeMap::from([(TOOLPATH.to_owned(), place::text(&beside, "toolpath")?)]))
+    Ok(BTreeMap::from([(TOOLPATH.to_owned(), user_files::read_text(&beside, "toolpath")?)]))
 }
 
 /// The other programs of the same folder; what is no readable text is left out, since it may never be called.
-fn beside(file: &Path) -> BTreeMap<String, String> {
+fn files_beside(file: &Path) -> BTreeMap<String, String> {
     let named = |path: PathBuf| {
         let name = path.file_name()?.to_str()?.to_owned();
-        Some((name, place::program(&path).ok()?))
+        Some((name, user_files::read_program(&path).ok()?))
     };
     paths_beside(file).filter_map(named).collect()
 }
@@ -159,19 +161,19 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
     let mut controller = controller::controller(&arguments.controller)?;
     controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
-        CliError::unfinished(
+        CliError::failure(
             format!("{} cannot run this program: {why}", arguments.controller),
             "try --controller reference",
         )
     })?;
     let outcome = controller
         .run(&scenario)
-        .map_err(|error| CliError::unfinished(error.to_string(), "try --controller reference"))?;
+        .map_err(|error| CliError::failure(error.to_string(), "try --controller reference"))?;
     match arguments.format {
         Format::Text => write_out(&outcome.to_text()),
         Format::Json => {
             let text = serde_json::to_string_pretty(&outcome).map_err(|error| {
-                CliError::unfinished(
+                CliError::failure(
                     error.to_string(),
                     "this is a bug in gaugeblock; please report it",
                 )
@@ -187,7 +189,7 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
 
 /// Where a run did not go on, with the line of the program.
 pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> Option<String> {
-    let (block, span, message) = stopped(outcome)?;
+    let (block, span, message) = stop_reason(outcome)?;
     let block = block?;
     let line = usize::try_from(block.line).ok()?;
     let source = scenario.program.line(block)?;
@@ -199,25 +201,25 @@ pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     let range = if source.get(range.clone()).is_some() { range } else { whole };
     let snippet = Snippet::source(source)
         .line_start(line)
-        .path(name(block, file))
+        .path(location_name(block, file))
         .annotation(AnnotationKind::Primary.span(range));
-    let group = Level::ERROR.primary_title(inert_line(&message)).element(snippet);
+    let group = Level::ERROR.primary_title(escape_line(&message)).element(snippet);
     Some(Renderer::styled().render(&[group]))
 }
 
 /// Where and why a run did not go on, in one line: the place may lie behind the last line of the program.
-pub(crate) fn cause(outcome: &Outcome, file: &Path) -> String {
-    match stopped(outcome) {
+pub(crate) fn describe_stop(outcome: &Outcome, file: &Path) -> String {
+    match stop_reason(outcome) {
         Some((Some(block), _, message)) => {
-            format!("{}:{}: {}", name(block, file), block.line, inert_line(&message))
+            format!("{}:{}: {}", location_name(block, file), block.line, escape_line(&message))
         }
-        Some((None, _, message)) => inert_line(&message),
+        Some((None, _, message)) => escape_line(&message),
         None => outcome.end.name().to_owned(),
     }
 }
 
 /// The block at which a run did not go on, the part of it, and why.
-fn stopped(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span>, String)> {
+fn stop_reason(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span>, String)> {
     match &outcome.end {
         End::Fault(fault) => Some((fault.block.as_ref(), fault.span, fault.message.clone())),
         End::Unsupported { block, what } => {
@@ -236,10 +238,10 @@ fn stopped(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span>, S
 }
 
 /// A block's file, as the caller knows it.
-fn name(block: &BlockLocation, file: &Path) -> String {
+fn location_name(block: &BlockLocation, file: &Path) -> String {
     match &*block.file {
         Program::MAIN => file.display().to_string(),
         TOOLPATH => file.with_extension(TOOLPATH).display().to_string(),
-        other => inert_line(other),
+        other => escape_line(other),
     }
 }

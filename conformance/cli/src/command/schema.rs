@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

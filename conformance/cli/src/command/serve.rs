@@ -13,7 +13,7 @@ use gaugeblock_adapter::protocol::{self, Caller, Extension, Served, SpinWait};
 use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::controller;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams;
 use crate::streams::write_out;
 
@@ -66,7 +66,7 @@ pub(crate) fn serve(arguments: &Arguments) -> Result<u8, CliError> {
     if let Some(address) = &arguments.tcp {
         return listen(&served, address);
     }
-    let unfinished = |error: Error| CliError::unfinished(error.to_string(), "its caller went away");
+    let unfinished = |error: Error| CliError::failure(error.to_string(), "its caller went away");
     // The streams themselves: a request is read at once, and an answer written at once.
     let requests = std::io::stdin().as_fd().try_clone_to_owned().map_err(unfinished)?;
     let requests = Requests { stream: File::from(requests), patience: SpinWait::default() };
@@ -92,7 +92,7 @@ impl Read for Requests {
 /// A session for each connection.
 fn listen(served: &Served, address: &str) -> Result<u8, CliError> {
     let refused = |error: Error| {
-        CliError::wrong(
+        CliError::usage(
             format!("--tcp {address}: {error}"),
             "expected a free port such as 4100, or an address of this machine such as 127.0.0.1:4100",
         )
@@ -103,7 +103,7 @@ fn listen(served: &Served, address: &str) -> Result<u8, CliError> {
     let listener = TcpListener::bind(&address).map_err(refused)?;
     let own = listener.local_addr().map_err(refused)?;
     write_out(&format!("{own}\n"));
-    streams::written()?;
+    streams::check_written()?;
     for connection in listener.incoming() {
         // Whose connection is gone by now asks again. Where descriptors run out, sessions must end first.
         let Ok(connection) = connection else {

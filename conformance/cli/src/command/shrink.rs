@@ -12,10 +12,10 @@ use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::fuzz_report::body;
-use super::run::How;
-use super::{controller, place};
+use super::run::RunSetup;
+use super::{controller, user_files};
 use crate::arguments::Format;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "CONTROLLER", default_value = "reference")]
     against: String,
     #[command(flatten)]
-    how: How,
+    how: RunSetup,
     /// Largest number of programs to try
     #[arg(long, value_name = "N", default_value_t = 20_000)]
     attempts: u32,
@@ -54,7 +54,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let inputs = arguments.how.inputs(&arguments.file);
-    place::spare(&inputs, &[("--output", arguments.output.as_deref())])?;
+    user_files::check_outputs_spare_inputs(&inputs, &[("--output", arguments.output.as_deref())])?;
     let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let iut = controller::controller(&arguments.controller)?;
     let against = controller::controller(&arguments.against)?;
@@ -90,7 +90,7 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
             let counts = [&statistics.unsupported, &statistics.unspecified, &statistics.not_judged];
             let why: Vec<&str> =
                 counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
-            return Err(CliError::unfinished(
+            return Err(CliError::failure(
                 format!("{name}: not compared: {}", why.join("; ")),
                 "`gaugeblock run` shows what each controller does with it",
             ));
@@ -98,7 +98,7 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
     };
     let finding = shrunk(&plan, &Finding::of(0, scenario, difference), arguments.attempts);
     if let Some(output) = &arguments.output {
-        place::write_whole(output, &finding.scenario.program.main)?;
+        user_files::write_whole(output, &finding.scenario.program.main)?;
     }
     match arguments.format {
         Format::Text => write_out(&format!("{}\n{}", finding.signature, body(&finding))),

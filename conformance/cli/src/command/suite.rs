@@ -4,17 +4,17 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use gaugeblock_runner::catalogue;
+use gaugeblock_runner::suite_check;
 use gaugeblock_suite::ledger::{self, Ledger};
 use gaugeblock_suite::{Rule, Suite, files};
 use toml_edit::{DocumentMut, Item};
 
 use super::matrix::matrix;
-use super::place;
 use super::rules::selected;
+use super::user_files;
 use crate::arguments::Format;
 use crate::documents::read_suite;
-use crate::refused::CliError;
+use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -81,7 +81,7 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
         Maintenance::Check(arguments) => check(&suite, folder, &arguments.document),
         Maintenance::Bless(arguments) => {
             let folder = folder.ok_or_else(|| {
-                CliError::wrong(
+                CliError::usage(
                     "`suite bless` needs the folder whose pages it writes",
                     "name it: gaugeblock --suite conformance/suite suite bless",
                 )
@@ -91,7 +91,7 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
         Maintenance::Matrix(arguments) => {
             let (ledgers, faults) = ledgers(&suite, folder)?;
             if let Some(fault) = faults.into_iter().next() {
-                return Err(CliError::wrong(fault, "`gaugeblock suite check` lists all errors"));
+                return Err(CliError::usage(fault, "`gaugeblock suite check` lists all errors"));
             }
             matrix(&suite, &ledgers, &arguments.report, arguments.format)
         }
@@ -106,14 +106,14 @@ fn faults(suite: &Suite, format: Format) -> Result<u8, CliError> {
 
 #[cfg(not(feature = "faulty"))]
 fn faults(_suite: &Suite, _format: Format) -> Result<u8, CliError> {
-    Err(CliError::wrong(
+    Err(CliError::usage(
         "this build has no planted faults",
         "build with them: cargo build --release --features faulty",
     ))
 }
 
 fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, CliError> {
-    let mut faults = catalogue::faults(suite);
+    let mut faults = suite_check::faults(suite);
     let (ledgers, wrong) = ledgers(suite, folder)?;
     faults.extend(wrong);
     for named in documents {
@@ -143,10 +143,10 @@ fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u
 fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<String>), CliError> {
     let files = match folder {
         Some(folder) => files::of_folder(folder).map_err(|error| {
-            CliError::wrong(error, "--suite takes a folder like conformance/suite")
+            CliError::usage(error, "--suite takes a folder like conformance/suite")
         })?,
         None => gaugeblock_embedded_suite::files().map_err(|error| {
-            CliError::wrong(error, "--suite takes a folder like conformance/suite")
+            CliError::usage(error, "--suite takes a folder like conformance/suite")
         })?,
     };
     let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
@@ -165,19 +165,19 @@ fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<Str
 
 fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, CliError> {
     let (id, file) = named.split_once('=').ok_or_else(|| {
-        CliError::wrong(
+        CliError::usage(
             format!("invalid `--document {named}`: expected ID=FILE"),
             "for example --document linuxcnc-2.8=m-code.txt",
         )
     })?;
     let ledger = ledgers.iter().find(|ledger| ledger.document == id).ok_or_else(|| {
         let known: Vec<_> = ledgers.iter().map(|ledger| ledger.document.as_str()).collect();
-        CliError::wrong(
+        CliError::usage(
             format!("unknown document `{id}`"),
             format!("expected one of: {}", known.join(", ")),
         )
     })?;
-    let text = place::text(&PathBuf::from(file), "document (--document)")?;
+    let text = user_files::read_text(&PathBuf::from(file), "document (--document)")?;
     Ok(match ledger::check(&text, ledger) {
         Ok(()) => Vec::new(),
         Err(mismatches) => mismatches.iter().map(|mismatch| format!("{id}: {mismatch}")).collect(),
@@ -190,9 +190,9 @@ fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, CliErr
     // A model that does not know the suite's options has no outcome to bless.
     for rule in &rules {
         if let Some(what) =
-            rule.cases.first().and_then(|case| catalogue::undetermined(suite, rule, case))
+            rule.cases.first().and_then(|case| suite_check::undetermined(suite, rule, case))
         {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("{}: the model has no outcome to bless: {what}", rule.id),
                 "build `gaugeblock` from the same commit as the pages",
             ));
@@ -200,12 +200,12 @@ fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, CliErr
     }
     for rule in rules {
         let path = folder.join(&suite.paths[&rule.id]);
-        let text = place::text(&path, "page")?;
+        let text = user_files::read_text(&path, "page")?;
         let blessed = with_goldens(suite, rule, &text).map_err(|error| {
-            CliError::wrong(format!("{}: {error}", path.display()), "correct the page")
+            CliError::usage(format!("{}: {error}", path.display()), "correct the page")
         })?;
         if blessed != text {
-            place::write_whole(&path, &blessed)?;
+            user_files::write_whole(&path, &blessed)?;
             changed += 1;
         }
     }
@@ -228,7 +228,7 @@ fn with_goldens(suite: &Suite, rule: &Rule, page: &str) -> Result<String, String
         if place > 0 && case.golden.is_none() {
             continue;
         }
-        let Some(golden) = catalogue::golden(suite, rule, case) else { continue };
+        let Some(golden) = suite_check::golden(suite, rule, case) else { continue };
         if case.golden.as_ref() == Some(&golden) {
             continue;
         }

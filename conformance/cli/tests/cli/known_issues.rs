@@ -14,7 +14,7 @@ use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_fuzz::motion::MotionProgram;
 use gaugeblock_fuzz::motion::transformation::Transformation;
 use gaugeblock_linuxcnc::Rs274;
-use gaugeblock_runner::motion_programs::{broken_by, judged, motion_program};
+use gaugeblock_runner::motion_programs::{judge_program, motion_program, time_breach_id};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::scenario::{Budget, Environment, Machine, OperatorEvent};
 use gaugeblock_vocabulary::{Axis, Options, Program, Scenario};
@@ -230,9 +230,10 @@ fn known_motion_issues_are_as_stated() {
     let mut fixed = Vec::new();
     for BreachOf { seed, number, breaks } in issue.program {
         let (program, _) = motion_program(seed, number);
-        let change = Transformation::ALL.into_iter().find(|change| breaks == broken_by(*change));
+        let change =
+            Transformation::ALL.into_iter().find(|change| breaks == time_breach_id(*change));
         let change = change.expect("a law of time");
-        let result = judged((seed, number), (&program, &[change]), &runs);
+        let result = judge_program((seed, number), (&program, &[change]), &runs);
         if result.broken.iter().all(|breach| breach.what != breaks) {
             fixed.push(format!(
                 "seed {seed}, program {number}: {breaks} is kept: {:?}",

@@ -8,7 +8,7 @@ use std::process::{Command, Output};
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Production;
-use gaugeblock_controllers::drive::{RunConditions, plan_under};
+use gaugeblock_controllers::simulate::{RunConditions, plan_with};
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use rustix::fs::{CWD, FileType, Mode};
@@ -124,7 +124,7 @@ fn the_feed_that_is_asked_for_has_overrides_in_it() {
     let outcome = Production::default().run(&scenario).expect("a run");
     let circumstances = RunConditions { script, ..RunConditions::default() };
     let limits = MotionLimits::from_text(MILL).expect("limits");
-    let planned = plan_under(&outcome, &limits, &circumstances).expect("a motion");
+    let planned = plan_with(&outcome, &limits, &circumstances).expect("a motion");
     for (cycle, speed) in [(250, 50.0), (550, 75.0), (850, 75.0), (1150, 75.0), (1450, 0.0)] {
         assert!((planned.asked[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.asked[cycle]);
         assert!((planned.speed[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.speed[cycle]);

@@ -30,7 +30,7 @@ fn offering(name: &str, offers: &str, does: &str) -> String {
 
 /// Whether a case came to what is said: not judged for this reason, or a pass where no reason is said.
 fn came_to(verdict: &Verdict, reason: &str) -> bool {
-    match verdict.open() {
+    match verdict.undetermined_reason() {
         Some(why) => !reason.is_empty() && why.contains(reason) && !why.contains(char::is_control),
         None => reason.is_empty() && *verdict == Verdict::Pass,
     }

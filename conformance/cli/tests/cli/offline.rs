@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_linuxcnc::Rs274;
-use gaugeblock_offline::{Asked, Manifest};
+use gaugeblock_offline::{ExportedProgram, Manifest};
 use gaugeblock_suite::Suite;
 use serde_json::Value;
 
@@ -173,7 +173,7 @@ fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
     let said = ends_with(3, &["certify", "--controller", &paper]);
     assert!(said.contains("0 of "), "{said}");
     // A program that is accepted and sets #31.
-    let program = |asked: &Asked| {
+    let program = |asked: &ExportedProgram| {
         let file = folder.join(&asked.folder).join("main.ngc");
         fs::read_to_string(file).expect("the program")
     };

@@ -102,7 +102,7 @@ fn is_right((verdict, alone): &(Verdict, bool), expected: &str) -> bool {
     let expected = if expected.is_empty() { "pass" } else { expected };
     let (word, reason) = expected.split_once(": ").unwrap_or((expected, ""));
     let (word, is_alone) = word.strip_suffix(", alone").map_or((word, false), |word| (word, true));
-    let why = verdict.why().unwrap_or_default();
+    let why = verdict.reason().unwrap_or_default();
     let is_inert = !why.contains(char::is_control);
     verdict.word() == word && *alone == is_alone && why.contains(reason) && is_inert
 }

@@ -7,7 +7,7 @@ use std::process::Command;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Reference;
-use gaugeblock_report::causes::groups;
+use gaugeblock_report::grouping::group_divergences;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::stored::StoredCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, terminal};
@@ -90,7 +90,7 @@ fn reported<T>(controller: &dyn Adapter, only: &[String], made: impl Fn(&Report<
     let header = Header::of(plan, controller, Shard::WHOLE);
     let header = Header { controller: EVIL.to_owned(), version: EVIL.to_owned(), ..header };
     let notes = vec![EVIL.to_owned()];
-    made(&Report { run: &run, header, notes, profiles: Vec::new(), troubles: None })
+    made(&Report { run: &run, header, notes, profiles: Vec::new(), mismatches: None })
 }
 
 /// A controller that departs in words that mean harm, and crashes with them.
@@ -137,7 +137,7 @@ fn what_differs_alike_stands_together_in_every_report() {
     let controller = Meddled { model: Reference::default(), observables, of: &[("", accepts)] };
     let only = ["modal-groups".to_owned(), "feed".to_owned()];
     reported(&controller, &only, |report| {
-        let groups = groups(report);
+        let groups = group_divergences(report);
         let cases: usize = groups.iter().map(|group| group.cases.len()).sum();
         assert_eq!(cases, report.divergences().len(), "each is somewhere");
         assert!(groups.len() < cases / 2, "{} of {cases}", groups.len());
@@ -167,11 +167,16 @@ fn the_smallest_program_of_a_divergence_is_found_where_it_is_asked_for() {
     let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let mut each = |_: &CaseResult<'_>| {};
     let twice = RepeatSampling::default();
-    let course =
-        RunOptions { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 200, each: &mut each };
+    let course = RunOptions {
+        shard: Shard::WHOLE,
+        finished: Vec::new(),
+        repeat: twice,
+        shrink_attempts: 200,
+        on_result: &mut each,
+    };
     let run = run_plan(plan, &controller, course);
     let shrunk = |case: &CaseResult<'_>| {
-        let smallest = case.verdict.departure()?.shrunk.clone()?;
+        let smallest = case.verdict.divergence()?.shrunk.clone()?;
         Some((smallest, case.program.len()))
     };
     let shrunk: Vec<_> = run.cases.iter().filter_map(shrunk).collect();
@@ -368,17 +373,17 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
     let run = certify(plan, &model, &|| {});
     let header = Header::of(plan, &model, Shard::WHOLE);
     let (notes, profiles) = (Vec::new(), Vec::new());
-    let report = Report { run: &run, header: header.clone(), notes, profiles, troubles: None };
+    let report = Report { run: &run, header: header.clone(), notes, profiles, mismatches: None };
     let stored = Stored::read(&json::json(&report).to_string()).expect("a report");
-    assert_eq!(stored.fits(&header), Ok(None));
+    assert_eq!(stored.check_header(&header), Ok(None));
     let newer = Header { version: "2".to_owned(), only: Vec::new(), ..header.clone() };
-    let note = stored.fits(&newer).expect("what a baseline is for").expect("a note");
+    let note = stored.check_header(&newer).expect("what a baseline is for").expect("a note");
     assert!(note.ends_with("this is version 2"), "{note}");
     for other in [
         Header { controller: "mill".to_owned(), ..header.clone() },
         Header { edition: "emc2-2.5".to_owned(), ..header.clone() },
     ] {
-        let why = stored.fits(&other).expect_err("it is of something else");
+        let why = stored.check_header(&other).expect_err("it is of something else");
         let (now, then) = (&other, &header);
         for name in [&now.controller, &now.edition, &then.controller, &then.edition] {
             assert!(why.contains(name.as_str()), "{name} is not in: {why}");
@@ -452,11 +457,12 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
     let cases = all.take(2000).map(|(rule, case)| {
         departed(&rule.id, &case.name).result(&suite).expect("a case of the suite")
     });
-    let run = Run { edition, cases: cases.collect(), void: Vec::new(), fingerprint: None };
+    let run =
+        Run { edition, cases: cases.collect(), not_applicable: Vec::new(), fingerprint: None };
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
     let header = Header::of(plan, &Reference::default(), Shard::WHOLE);
     let (notes, profiles) = (Vec::new(), Vec::new());
-    let page = html::html(&Report { run: &run, header, notes, profiles, troubles: None });
+    let page = html::html(&Report { run: &run, header, notes, profiles, mismatches: None });
     let page = page.expect("a page");
     assert_eq!(page.matches("<article").count(), 2000, "every one has its card");
     assert!(page.len() < 3 << 20, "{} bytes", page.len());

@@ -54,12 +54,17 @@ pub(crate) fn verdicts_on(
     let only = ["modal-groups.g-code-out-of-range".to_owned()];
     let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let mut each = |_: &CaseResult<'_>| {};
-    let course =
-        RunOptions { shard: Shard::WHOLE, done: Vec::new(), twice, shrink: 0, each: &mut each };
+    let course = RunOptions {
+        shard: Shard::WHOLE,
+        finished: Vec::new(),
+        repeat: twice,
+        shrink_attempts: 0,
+        on_result: &mut each,
+    };
     let run = run_plan(plan, controller, course);
     let (it, others): (Vec<_>, Vec<_>) =
         run.cases.into_iter().partition(|case| case.name == "g101");
     let it = it.into_iter().next().expect("the case");
     let others = others.into_iter().map(|case| case.verdict).collect();
-    ((it.verdict, it.repeated), others)
+    ((it.verdict, it.rerun), others)
 }

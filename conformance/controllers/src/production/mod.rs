@@ -6,9 +6,9 @@
 //! controllers do otherwise. A post-processor's program needs none of this but a sink (`post`), and neither do custom
 //! macros (`macros`).
 
+mod environment;
 mod macros;
 mod operator;
-mod outside;
 mod post;
 mod recorder;
 mod run;
@@ -23,7 +23,7 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 
-use crate::drive::{RunConditions, plan_under};
+use crate::simulate::{RunConditions, plan_with};
 
 /// The production controller.
 #[derive(Debug)]
@@ -75,7 +75,7 @@ impl Adapter for Production {
         let script = motion.script.clone();
         let circumstances =
             RunConditions { every: motion.feed_interval, script, ..RunConditions::default() };
-        let planned = plan_under(&outcome, motion.limits, &circumstances);
+        let planned = plan_with(&outcome, motion.limits, &circumstances);
         planned
             .map(|planned| planned.samples)
             .map_err(|stopped| NoSamples::Failed(HarnessError::NotRun(stopped.why)))

@@ -14,7 +14,7 @@ use gaugeblock_vocabulary::{
     Rs274State, Scenario, Settings, Sorted, State, Step,
 };
 
-use super::outside::Outside;
+use super::environment::SimulatedEnvironment;
 
 /// As many steps as most programs of cases and campaigns have.
 const MANY_STEPS: usize = 64;
@@ -25,7 +25,7 @@ const MANY_EVENTS: usize = 2;
 /// What has been seen so far.
 #[derive(Debug)]
 pub(super) struct Recorder<'a> {
-    outside: Outside<'a>,
+    outside: SimulatedEnvironment<'a>,
     start: Settings,
     steps: Vec<Step>,
     pins: Vec<PinChange>,
@@ -57,7 +57,7 @@ impl<'a> Recorder<'a> {
     /// Nothing has happened yet.
     pub(super) fn new(
         interpreter: &mut Interpreter,
-        outside: Outside<'a>,
+        outside: SimulatedEnvironment<'a>,
         scenario: &Scenario,
     ) -> Self {
         let numbered = interpreter.parameters().into_iter().collect();

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::{
     BlockLocation, Bound, ControllerMode, End, Indexed, Outcome, Program, Scenario,
 };
 
-use super::outside::Outside;
+use super::environment::SimulatedEnvironment;
 use super::recorder::Recorder;
 
 thread_local! {
@@ -37,7 +37,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     interpreter.set_block_delete(scenario.program.block_delete);
     // Somebody may act at a line that holds a comment only.
     interpreter.set_report_comments(!scenario.operator.is_empty());
-    let recorder = Recorder::new(&mut interpreter, Outside::new(scenario), scenario);
+    let recorder = Recorder::new(&mut interpreter, SimulatedEnvironment::new(scenario), scenario);
     let task = Task::new(interpreter, recorder);
     let mut run = Run { scenario, task };
     let end = match scenario.program.start {

@@ -9,15 +9,15 @@ use gaugeblock_vocabulary::{
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
-use crate::probing::instrument::Plan;
-use crate::probing::probe::Probe;
-use crate::probing::source::{Form, Source};
-use crate::probing::steps::{self, Steps};
-use crate::probing::{refusal, state};
+use crate::instrumentation::instrument::Plan;
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::source::{Form, Source};
+use crate::instrumentation::steps::{self, Steps};
+use crate::instrumentation::{refusal, state};
 
 /// What was seen of a run.
 #[derive(Debug)]
-pub(super) struct Seen<'a> {
+pub(super) struct CapturedRun<'a> {
     /// Standard output.
     pub(super) lines: &'a [Line],
     /// Standard error.
@@ -53,7 +53,7 @@ pub(super) fn outcome(
     scenario: &Scenario,
     source: &Source,
     plan: &Plan,
-    seen: &Seen<'_>,
+    seen: &CapturedRun<'_>,
     parameters: Option<BTreeMap<u32, f64>>,
 ) -> Result<Outcome, HarnessError> {
     let mut assembly = Assembly {
@@ -118,7 +118,7 @@ fn select_none(step: &mut Step) {
 }
 
 impl Assembly<'_> {
-    fn line(&mut self, line: &Line, seen: &Seen<'_>) -> Result<(), HarnessError> {
+    fn line(&mut self, line: &Line, seen: &CapturedRun<'_>) -> Result<(), HarnessError> {
         match line {
             Line::Text(text) => self.canon.print(text),
             Line::Probe(probe) => self.probe(probe)?,
@@ -135,7 +135,7 @@ impl Assembly<'_> {
     }
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        if !self.steps.begun() {
+        if !self.steps.has_begun() {
             self.canon.settle(probe)?;
             self.canon
                 .set(Settings { tool_offset: Some(Position::default()), ..state::others(probe) });
@@ -148,14 +148,14 @@ impl Assembly<'_> {
             self.canon.settle(probe)?;
             self.canon.arrived(state::position(probe));
             let events = self.canon.take_events();
-            self.steps.passed(probe, events, self.canon.tool)?;
+            self.steps.record_block(probe, events, self.canon.tool)?;
         }
         self.canon.position = state::position(probe);
         self.canon.block(self.source.line(probe.file, probe.line + 1));
         Ok(())
     }
 
-    fn program_end(&mut self, seen: &Seen<'_>) -> Result<(), HarnessError> {
+    fn program_end(&mut self, seen: &CapturedRun<'_>) -> Result<(), HarnessError> {
         if self.steps.next_form() == Form::Return {
             self.unsupported(
                 "M99 in the main program: it ends here, though it should begin again".to_owned(),
@@ -172,7 +172,7 @@ impl Assembly<'_> {
         }
         self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
-        self.steps.ended(probe, seen.parameters, events, self.canon.tool)?;
+        self.steps.record_end(probe, seen.parameters, events, self.canon.tool)?;
         self.end = Some(End::ProgramEnd);
         Ok(())
     }
@@ -182,11 +182,11 @@ impl Assembly<'_> {
         self.end = Some(End::Unsupported { block: self.source.block(file, line), what });
     }
 
-    fn end(&mut self, seen: &Seen<'_>) -> Result<End, HarnessError> {
+    fn end(&mut self, seen: &CapturedRun<'_>) -> Result<End, HarnessError> {
         if let Some(end) = self.end.take() {
             return Ok(end);
         }
-        if !self.steps.begun() {
+        if !self.steps.has_begun() {
             self.start = self.canon.now.clone();
         }
         if seen.refused {
@@ -220,7 +220,7 @@ mod tests {
         let plan = Plan::new(&source, &BTreeSet::new());
         let lines = output::lines(include_str!("captured/repeat.stdout"), &plan, false).unwrap();
         let stderr = include_str!("captured/repeat.stderr");
-        let seen = Seen {
+        let seen = CapturedRun {
             lines: &lines,
             stderr,
             plain_stderr: "",
@@ -239,7 +239,7 @@ mod tests {
         let scenario = Scenario::of("g4 p1\nm2\n");
         let source = Source::new(&scenario.program);
         let plan = Plan::new(&source, &BTreeSet::new());
-        let seen = Seen {
+        let seen = CapturedRun {
             lines: &[],
             stderr: "",
             plain_stderr: "",

@@ -10,7 +10,7 @@ use std::io;
 use gaugeblock_filesystem::open_lock;
 use gaugeblock_vocabulary::Machine;
 
-use crate::probing::source::Source;
+use crate::instrumentation::source::Source;
 
 /// The file that whoever uses the memory holds locked, in the folder for temporary files.
 const FILE: &str = "gaugeblock-hal.lock";

@@ -12,13 +12,13 @@
 
 mod assemble;
 mod canon;
+mod command;
 mod fork;
 mod hal;
 mod output;
 mod process;
 mod python;
 mod session;
-mod started;
 mod streams;
 mod supports;
 mod version;
@@ -31,14 +31,14 @@ use gaugeblock_adapter::{Adapter, ControllerError, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Effect, LengthUnit, Outcome, Rs274State, Scenario, Settings};
 
-use crate::probing::source::Source;
-use assemble::Seen;
+use crate::instrumentation::source::Source;
+use assemble::CapturedRun;
+use command::Started;
 use fork::Servers;
 use hal::Hal;
 use process::Limits;
 use python::Home;
 use session::{Session, Unprobed};
-use started::Started;
 use streams::Stop;
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
@@ -132,7 +132,9 @@ impl Adapter for Rs274 {
         }
         if source.has_g_code(&["g20"]) {
             let coarser = observables.resolution * 25.4;
-            observables.carried.extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
+            observables
+                .unconverted_lengths
+                .extend(CARRIED.iter().map(|field| ((*field).to_owned(), coarser)));
         }
         if scenario.machine.length_unit == LengthUnit::Millimetre {
             observables.hidden_parameters.extend([5161..=5219, 5221..=5390]);
@@ -195,7 +197,7 @@ impl Adapter for Rs274 {
                 stderr: observed.output.stderr_tail(),
             });
         }
-        let seen = Seen {
+        let seen = CapturedRun {
             lines: &observed.lines,
             stderr: &observed.output.stderr,
             plain_stderr: &observed.plain_stderr,
@@ -204,7 +206,8 @@ impl Adapter for Rs274 {
             after_end: observed.after_end.as_ref(),
             parameters: status.is_some().then_some(&observed.parameters),
         };
-        let parameters = status.is_some().then(|| shown_parameters(scenario, &observed.parameters));
+        let parameters =
+            status.is_some().then(|| hidden_parameters(scenario, &observed.parameters));
         let outcome = assemble::outcome(scenario, &source, &observed.plan, &seen, parameters);
         match (outcome, observed.output.stop) {
             (Err(_), Stop::TimedOut) => {
@@ -218,7 +221,7 @@ impl Adapter for Rs274 {
 
 /// Parameters at the end, without those of probing, which are not stored, those that only repeat position and tool,
 /// and without stored lengths on a machine whose unit is not the one in which this controller stores them.
-fn shown_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
+fn hidden_parameters(scenario: &Scenario, parameters: &BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
     let inch = scenario.machine.length_unit == LengthUnit::Inch;
     let shown = |number: &u32| match *number {
         5061..=5070 | 5400..=5428 => false,
@@ -242,9 +245,9 @@ fn capabilities(version: String) -> Capabilities {
         name: "rs274".to_owned(),
         version,
         resolution: RESOLUTION,
-        carried: BTreeMap::new(),
+        unconverted_lengths: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
-        tells_all_fields: false,
+        reports_all_fields: false,
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         moves_in_place: true,
         blocks: true,

@@ -2,8 +2,8 @@
 
 use gaugeblock_adapter::HarnessError;
 
-use crate::probing::instrument::Plan;
-use crate::probing::probe::{Probe, Reader};
+use crate::instrumentation::instrument::Plan;
+use crate::instrumentation::probe::{Probe, Reader};
 
 /// A canonical call as it is printed: `STRAIGHT_FEED(1.0000, …)`.
 #[derive(Clone, Debug, PartialEq, Eq)]

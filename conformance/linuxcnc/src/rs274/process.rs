@@ -12,9 +12,9 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_adapter::clock::now;
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
+use super::command::Started;
 use super::fork::Fork;
 use super::hal;
-use super::started::Started;
 use super::streams::{Stop, Streams};
 
 /// What a run may cost.

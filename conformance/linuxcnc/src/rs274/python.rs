@@ -8,7 +8,7 @@ use std::io;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 
-use crate::probing::workspace::Workspace;
+use crate::instrumentation::workspace::Workspace;
 
 /// Where Debian keeps the libraries of its Pythons.
 const LIBRARIES: &str = "/usr/lib";

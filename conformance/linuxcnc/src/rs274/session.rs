@@ -6,16 +6,16 @@ use std::ffi::OsString;
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{FaultKind, Machine, Program, Scenario};
 
+use super::command::Started;
 use super::fork::{Servers, Start};
 use super::output::{self, Line};
 use super::process::{Limits, Output, Process, Run};
-use super::started::Started;
 use super::streams::Stop;
-use crate::probing::instrument::{Ends, Plan, is_plain};
-use crate::probing::probe::Probe;
-use crate::probing::source::{DEBUG_SWITCH, Source};
-use crate::probing::workspace::{INI, PARAMETERS, TOOLS, Workspace, tool_table};
-use crate::probing::{faults, refusal};
+use crate::instrumentation::instrument::{Ends, Plan, is_plain};
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::source::{DEBUG_SWITCH, Source};
+use crate::instrumentation::workspace::{INI, PARAMETERS, TOOLS, Workspace, tool_table};
+use crate::instrumentation::{faults, refusal};
 
 /// What the program says when an error has stopped it and it takes blocks from standard input.
 const BY_HAND: &str = "starting MDI";
@@ -99,7 +99,7 @@ impl Session<'_> {
             ends = if others.count() < ends.count() { others } else { Ends::default() };
             observed = self.run_probed(&ends)?;
         }
-        let end_entered_anyway = observed.refused && !ends.are_bound();
+        let end_entered_anyway = observed.refused && !ends.has_substitutions();
         let exited = matches!(observed.output.stop, Stop::Exited(_));
         if exited && (end_entered_anyway || self.needs_plain(&observed)) {
             self.run_plain(&mut observed)?;
@@ -136,8 +136,8 @@ impl Session<'_> {
         let mut more = BTreeSet::new();
         loop {
             let plan = Plan::new(self.source, &more);
-            let input = plan.by_hand(ends);
-            let text = |file: usize, lines: &[String]| plan.probed(file, lines, ends);
+            let input = plan.mdi_probe(ends);
+            let text = |file: usize, lines: &[String]| plan.with_probes(file, lines, ends);
             let (output, workspace) = self.run(From::Fork, MANUAL_INPUT, &input, text)?;
             let exited = matches!(output.stop, Stop::Exited(_));
             let parameters =
@@ -245,7 +245,7 @@ fn observed(
     if let Some(at) = stopped {
         output.stderr = errors[..at].join("\n");
     }
-    let sign = plan.by_hand_sign();
+    let sign = plan.mdi_sign();
     let is_sign = |line: &&str| line.trim_end() == sign;
     let printed = output.stdout.split_inclusive('\n');
     let kept: String = match stopped {

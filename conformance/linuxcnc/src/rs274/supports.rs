@@ -3,9 +3,9 @@
 use gaugeblock_vocabulary::scenario::{Environment, Start};
 use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
-use crate::probing::host::is_ini_name;
-use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
-use crate::probing::workspace::{INI, PARAMETERS, TOOLS};
+use crate::instrumentation::host::is_ini_name;
+use crate::instrumentation::source::{LAST_PARAMETER, Source, is_sub_file};
+use crate::instrumentation::workspace::{INI, PARAMETERS, TOOLS};
 
 /// The environment that answers as this controller does.
 const OWN_ENVIRONMENT: &str = "stand-alone rs274";

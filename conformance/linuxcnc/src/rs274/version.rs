@@ -5,11 +5,11 @@ use std::{env, fs};
 
 use gaugeblock_adapter::ControllerError;
 
+use super::command::Started;
 use super::process::Limits;
 use super::python::Home;
-use super::started::Started;
 use super::streams::Stop;
-use crate::probing::workspace::Workspace;
+use crate::instrumentation::workspace::Workspace;
 
 /// The versions that this adapter understands.
 const WANTED: &str = "2.9";

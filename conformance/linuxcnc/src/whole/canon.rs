@@ -10,10 +10,10 @@ use gaugeblock_vocabulary::{
 };
 
 use super::stream::Issued;
-use crate::probing::lengths::Lengths;
-use crate::probing::probe::Probe;
-use crate::probing::source::code;
-use crate::probing::state;
+use crate::instrumentation::lengths::Lengths;
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::source::code;
+use crate::instrumentation::state;
 
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;

@@ -37,9 +37,9 @@ use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
 
-use crate::probing::instrument::{Ends, Plan, is_plain};
-use crate::probing::source::{DEBUG_SWITCH, Source};
-use crate::probing::workspace;
+use crate::instrumentation::instrument::{Ends, Plan, is_plain};
+use crate::instrumentation::source::{DEBUG_SWITCH, Source};
+use crate::instrumentation::workspace;
 use assemble::Assembly;
 use order::{after, order, plan};
 use pool::Pool;
@@ -120,7 +120,7 @@ impl LinuxCnc {
         source: &Source,
         plan: &Plan,
         new: bool,
-    ) -> Result<Seen, HarnessError> {
+    ) -> Result<RecordedRun, HarnessError> {
         let setup = Setup::of(scenario);
         let tools = workspace::tool_table(&scenario.machine);
         let names = foreign_names(source);
@@ -147,7 +147,7 @@ impl LinuxCnc {
             };
             let first = seen.items.iter().find_map(Item::probe).cloned();
             let shows_same = first.as_ref().is_none_or(|first| {
-                session.fresh.as_ref().is_none_or(|fresh| fresh.shows_same_modes(first))
+                session.fresh.as_ref().is_none_or(|fresh| fresh.has_same_modes(first))
             });
             let is_same = is_new || shows_same && seen.items.iter().all(Item::begins_as_new);
             if is_new {
@@ -170,7 +170,7 @@ impl LinuxCnc {
 
 /// What a run showed.
 #[derive(Debug)]
-struct Seen {
+struct RecordedRun {
     items: Vec<Item>,
     parameters: BTreeMap<u32, f64>,
 }
@@ -270,7 +270,7 @@ impl LinuxCnc {
                 .filter(|number| *number != DEBUG_SWITCH)
                 .collect();
             if !source.parameters().indirect || unseen.is_subset(&more) {
-                let parameters = shown_parameters(seen.parameters);
+                let parameters = hidden_parameters(seen.parameters);
                 return Assembly::outcome(scenario, &source, &plan, &seen.items, Some(parameters));
             }
             more.extend(unseen);
@@ -285,12 +285,12 @@ fn run_on(
     source: &Source,
     plan: &Plan,
     longest: Duration,
-) -> Result<Seen, HarnessError> {
+) -> Result<RecordedRun, HarnessError> {
     session.clear_programs()?;
     session.add_late_programs()?;
     let mut by_hand = Value::Null;
     for (file, (name, lines)) in source.files().iter().enumerate() {
-        let text = plan.probed(file, lines, &Ends::default());
+        let text = plan.with_probes(file, lines, &Ends::default());
         if file == 0 && scenario.program.start == Start::Mdi {
             by_hand = text.lines().filter(|line| !line.trim().is_empty()).collect();
         }
@@ -310,11 +310,11 @@ fn run_on(
     order["seconds"] = longest.as_secs_f64().into();
     let lines = session.order(&order, longest + SPARE)?;
     let items = stream::items(&lines, plan)?;
-    Ok(Seen { items, parameters: session.parameters()? })
+    Ok(RecordedRun { items, parameters: session.parameters()? })
 }
 
 /// Parameters at the end, without those that only repeat position and tool.
-fn shown_parameters(parameters: BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
+fn hidden_parameters(parameters: BTreeMap<u32, f64>) -> BTreeMap<u32, f64> {
     parameters.into_iter().filter(|(number, _)| !(5399..=5428).contains(number)).collect()
 }
 
@@ -327,9 +327,9 @@ fn capabilities(version: String) -> Capabilities {
         name: "linuxcnc".to_owned(),
         version,
         resolution: 5.0e-6,
-        carried: BTreeMap::new(),
+        unconverted_lengths: BTreeMap::new(),
         fields: owned(&fields, HIDDEN_FIELDS),
-        tells_all_fields: false,
+        reports_all_fields: false,
         effects: owned(Effect::NAMES, HIDDEN_EFFECTS),
         pins: Pin::names().map(str::to_owned).collect(),
         pin_period: PIN_PERIOD,

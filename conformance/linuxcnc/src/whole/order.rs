@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use super::reuse::has;
 use super::setup;
-use crate::probing::instrument::{GATE, Marks, Plan};
-use crate::probing::source::{Source, code, has_slash};
+use crate::instrumentation::instrument::{GATE, Marks, Plan};
+use crate::instrumentation::source::{Source, code, has_slash};
 
 /// Feed override under which programs run whose pace nobody looks at.
 const HURRY: f64 = 10_000.0;

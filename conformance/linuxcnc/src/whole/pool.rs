@@ -59,7 +59,7 @@ impl Pool {
             state = self.freed.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
         drop(state);
-        Session::start(setup, tools).inspect_err(|_| self.lost())
+        Session::start(setup, tools).inspect_err(|_| self.discard())
     }
 
     /// Gives a controller back that is as good as new.
@@ -71,10 +71,10 @@ impl Pool {
     /// Ends a controller.
     pub(super) fn end(&self, session: Session) {
         drop(session);
-        self.lost();
+        self.discard();
     }
 
-    fn lost(&self) {
+    fn discard(&self) {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).alive -= 1;
         self.freed.notify_one();
     }

@@ -15,7 +15,7 @@ use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Pin, Scenario};
 
 use super::session::Session;
 use super::setup::{self, Setup};
-use crate::probing::workspace;
+use crate::instrumentation::workspace;
 
 /// How long a program may take.
 const LONGEST: Duration = Duration::from_secs(600);
@@ -61,7 +61,7 @@ pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Sampl
     let rows = rows(&text, columns.len()).map_err(unreadable)?;
     let scale = unit(&scenario.machine);
     let rows = moving(&rows);
-    let kept = kept(&columns, rows, limits);
+    let kept = without_idle_tail(&columns, rows, limits);
     samples(limits.period, &kept, rows, scale).map_err(unreadable)
 }
 
@@ -215,7 +215,11 @@ fn moving(rows: &[Vec<f64>]) -> &[Vec<f64>] {
 }
 
 /// Columns that are kept, each with its place: not those of axes that nobody knows limits of and that never move.
-fn kept(columns: &[Column], rows: &[Vec<f64>], limits: &MotionLimits) -> Vec<(usize, Column)> {
+fn without_idle_tail(
+    columns: &[Column],
+    rows: &[Vec<f64>],
+    limits: &MotionLimits,
+) -> Vec<(usize, Column)> {
     let matters = |(place, column): &(usize, Column)| {
         let Column::Position(axis) = column else { return true };
         limits.axes.contains_key(axis) || rows.iter().any(|row| row[*place].abs() > 0.0)

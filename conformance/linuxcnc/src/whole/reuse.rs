@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::stream::Item;
-use crate::probing::source::{Source, code};
+use crate::instrumentation::source::{Source, code};
 
 /// Names that a program may find given a value by a program before it: they stay for as long as the controller runs.
 /// One that is given a value before it is looked at, and before anything jumps, is not among them.

@@ -15,8 +15,8 @@ use gaugeblock_adapter::clock::now;
 use serde_json::Value;
 
 use super::setup::Setup;
-use crate::probing::probe::Probe;
-use crate::probing::workspace::{RECORDED_SAMPLES, Workspace};
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::workspace::{RECORDED_SAMPLES, Workspace};
 
 /// What begins a line of the driver.
 pub(super) const MARK: &str = "@gaugeblock@ ";

@@ -8,8 +8,8 @@ use gaugeblock_vocabulary::scenario::{Action, AxisLimits, Folder, OrientAnswer, 
 use gaugeblock_vocabulary::{Axis, LengthUnit, Pin, Scenario};
 use serde_json::{Value, json};
 
-use crate::probing::source::Source;
-use crate::probing::workspace::{self, Sections};
+use crate::instrumentation::source::Source;
+use crate::instrumentation::workspace::{self, Sections};
 
 /// Seconds of a servo cycle: how often pins are looked at.
 pub(super) const SERVO_PERIOD: f64 = 0.001;

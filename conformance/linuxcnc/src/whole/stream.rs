@@ -4,8 +4,8 @@ use gaugeblock_adapter::HarnessError;
 use serde_json::Value;
 
 use super::session::MARK;
-use crate::probing::instrument::Plan;
-use crate::probing::probe::{Probe, Reader};
+use crate::instrumentation::instrument::Plan;
+use crate::instrumentation::probe::{Probe, Reader};
 
 /// A command that the task controller issues, as it prints it: `Issuing EMC_TRAJ_DELAY -- ( +219,+104, +0,1.5,)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -149,7 +149,7 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
             let told: Value = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
             if told.get("ends").is_some() {
                 // A run may end within a probe, and print the rest of it until it stands.
-                reader = Reader::broken_off(plan);
+                reader = Reader::is_incomplete(plan);
             }
             items.push(Item::Driver(told));
         } else if let Some(probe) = line.strip_prefix(&plan.marker) {

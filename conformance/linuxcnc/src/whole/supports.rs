@@ -4,8 +4,8 @@ use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start}
 use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
-use crate::probing::host::{is_ini_name, reaches_host};
-use crate::probing::source::{LAST_PARAMETER, Source, is_sub_file};
+use crate::instrumentation::host::{is_ini_name, reaches_host};
+use crate::instrumentation::source::{LAST_PARAMETER, Source, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
@@ -37,12 +37,12 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     if scenario.operator.iter().any(reaches) {
         return Err("a block by hand that reaches beyond the program's files".to_owned());
     }
-    by_hand(scenario)?;
-    at_one_time(scenario)
+    mdi(scenario)?;
+    simultaneous_events(scenario)
 }
 
 /// What it does not tell of blocks by hand.
-fn by_hand(scenario: &Scenario) -> Result<(), String> {
+fn mdi(scenario: &Scenario) -> Result<(), String> {
     let program = &scenario.program;
     let lines = program.language.lines(&program.main).filter(|_| program.start == Start::Mdi);
     let entered: Vec<&str> = lines
@@ -73,7 +73,7 @@ fn by_hand(scenario: &Scenario) -> Result<(), String> {
 
 /// Its clock is that of the wall, and blocks that do nothing go by unseen: what happens there, or when something else
 /// does, happens in some order.
-fn at_one_time(scenario: &Scenario) -> Result<(), String> {
+fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
     let events = &scenario.operator;
     let text = |event: &OperatorEvent| {
         let text = scenario.program.line(&event.when.block);
@@ -134,7 +134,7 @@ fn program(program: &Program) -> Result<(), String> {
     if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
         return Err("it does not show where U, V and W are".to_owned());
     }
-    if source.goes_far() {
+    if source.leaves_block_order() {
         return Err("it would be on its way for longer than anybody waits".to_owned());
     }
     if source.names_line() {

@@ -1,7 +1,7 @@
 //! Which line the interpreter has before it, by the numbers that it prints: for naming a refused block.
 
-use crate::probing::instrument::{Ends, Plan};
-use crate::probing::source::Source;
+use crate::instrumentation::instrument::{Ends, Plan};
+use crate::instrumentation::source::Source;
 
 /// The interpreter's place in the probed files.
 #[derive(Debug)]
@@ -17,7 +17,7 @@ impl Trace {
     /// At the beginning of the main program.
     pub(super) fn new(source: &Source, plan: &Plan) -> Self {
         let probed = |(file, (_, lines)): (usize, &(String, Vec<String>))| {
-            let text = plan.probed(file, lines, &Ends::default());
+            let text = plan.with_probes(file, lines, &Ends::default());
             let own = plan.own_lines(&text);
             (text, own)
         };

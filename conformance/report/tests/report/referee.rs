@@ -11,7 +11,7 @@ use gaugeblock_report::merge::Stored;
 use gaugeblock_report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock_runner::certify::{CaseResult, Plan, Run, Verdict, certify};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
-use gaugeblock_runner::fingerprint::{Shown, fingerprint};
+use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_runner::waivers::Waivers;
 use gaugeblock_suite::Suite;
@@ -92,7 +92,7 @@ fn the_order_of_work_changes_nothing() {
             header: header(&suite, &model, &only),
             notes: Vec::new(),
             profiles: Vec::new(),
-            troubles: None,
+            mismatches: None,
         };
         (
             terminal::terminal(&report, true),
@@ -118,7 +118,7 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
         header: header(&suite, &crashing, &only),
         notes: Vec::new(),
         profiles: Vec::new(),
-        troubles: None,
+        mismatches: None,
     };
     assert_eq!(report.exit_status(), 3);
 }
@@ -134,7 +134,7 @@ fn what_a_person_should_know_of_the_run_is_in_the_report() {
         header: header(&suite, &model, &only),
         notes: vec!["it was slow".to_owned()],
         profiles: Vec::new(),
-        troubles: None,
+        mismatches: None,
     };
     assert_eq!(terminal::terminal(&report, false).matches("it was slow").count(), 1);
     assert_eq!(json::json(&report)["notes"][0], "it was slow");
@@ -152,7 +152,7 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
         let passed: Vec<_> = passed.map(|profile| profile.profile.id.clone()).collect();
         let header = header(&suite, controller, &only);
         let notes = Vec::new();
-        (passed, Report { run: &run, header, notes, profiles, troubles: None }.exit_status())
+        (passed, Report { run: &run, header, notes, profiles, mismatches: None }.exit_status())
     };
     let (modal_save, task) = ("modal-save".to_owned(), "task".to_owned());
     let modest = faulty(without_faults);
@@ -181,7 +181,12 @@ fn what_a_controller_leaves_alone_it_neither_accepts_nor_refuses() {
     let shown = fingerprint(&suite, &suite.options(edition), None, &leaves_all_alone);
     assert!(!shown.is_empty());
     for (choice, shown) in shown {
-        assert_eq!(shown, Shown::NotRun("it has no such code".to_owned()), "{}", choice.id);
+        assert_eq!(
+            shown,
+            ObservedOption::NotRun("it has no such code".to_owned()),
+            "{}",
+            choice.id
+        );
     }
 }
 
@@ -269,7 +274,7 @@ fn a_field_that_is_not_told_differs_where_all_of_them_are() {
     let said = compare(&expected, &found, &all).divergence.map(|divergence| divergence.to_string());
     assert_eq!(said.as_deref(), Some("main.ngc:1: motion: expected feed, found nothing"));
 
-    let some = Capabilities { tells_all_fields: false, ..all };
+    let some = Capabilities { reports_all_fields: false, ..all };
     let comparison = compare(&expected, &found, &some);
     assert!(comparison.divergence.is_none() && comparison.masked.contains("motion"));
 }
@@ -309,23 +314,23 @@ fn expectations_are_strict() {
     assert!(diverging(&seen) > 0, "flood is left off");
     let listed = Expectations::of(&seen, "reference", "0");
     assert_eq!(Expectations::read(&listed.to_text().expect("TOML")).expect("readable"), listed);
-    assert_eq!(listed.hold(&seen, false), [], "exactly what is listed");
+    assert_eq!(listed.compare(&seen, false), [], "exactly what is listed");
 
     let mut shorter = listed.clone();
     let taken = shorter.known.pop().expect("one is listed");
-    let troubles = shorter.hold(&seen, false);
+    let mismatches = shorter.compare(&seen, false);
     assert!(
-        matches!(&troubles[..], [ExpectationMismatch::New { rule, .. }] if *rule == taken.rule),
-        "{troubles:?}"
+        matches!(&mismatches[..], [ExpectationMismatch::New { rule, .. }] if *rule == taken.rule),
+        "{mismatches:?}"
     );
 
     let mut other = listed.clone();
     other.known[0].found = "something else".to_owned();
-    assert!(matches!(&other.hold(&seen, false)[..], [ExpectationMismatch::Changed { .. }]));
+    assert!(matches!(&other.compare(&seen, false)[..], [ExpectationMismatch::Changed { .. }]));
 
     let mended = run(&suite, &Reference::default(), &only, 1);
     assert_eq!(
-        listed.hold(&mended, false).len(),
+        listed.compare(&mended, false).len(),
         listed.known.len(),
         "a mended divergence is stale"
     );
@@ -334,9 +339,9 @@ fn expectations_are_strict() {
     strange.known[0].case = "no such case".to_owned();
     assert!(
         strange
-            .hold(&seen, true)
+            .compare(&seen, true)
             .iter()
-            .any(|trouble| matches!(trouble, ExpectationMismatch::Stale { .. }))
+            .any(|mismatch| matches!(mismatch, ExpectationMismatch::Stale { .. }))
     );
 }
 
@@ -360,7 +365,7 @@ fn the_page_has_what_a_controller_says_as_text() {
     let header = Header { controller: evil.to_owned(), ..header(&suite, &controller, &only) };
     let notes = vec![evil.to_owned()];
     let profiles = profiles::profiles(&suite, &run, &only);
-    let report = Report { run: &run, header, notes, profiles, troubles: None };
+    let report = Report { run: &run, header, notes, profiles, mismatches: None };
     let page = html::html(&report).expect("a page");
     assert_eq!(page.matches("<script").count(), 1, "the page's own");
     assert!(!page.contains("<img") && page.contains("&lt;img src=x"));
@@ -385,7 +390,7 @@ fn the_page_of_a_controller_without_fault_says_so() {
         header,
         notes: Vec::new(),
         profiles: Vec::new(),
-        troubles: Some(Vec::new()),
+        mismatches: Some(Vec::new()),
     };
     let page = html::html(&report).expect("a page");
     assert!(
@@ -403,29 +408,29 @@ fn a_baseline_knows_what_was() {
         let run = run(&suite, controller, &only, 2);
         let header = header(&suite, controller, &only);
         let report =
-            Report { run: &run, header, notes: Vec::new(), profiles: Vec::new(), troubles: None };
+            Report { run: &run, header, notes: Vec::new(), profiles: Vec::new(), mismatches: None };
         Stored::read(&json::json(&report).to_string()).expect("a report")
     };
     let (before, after) = (run(&suite, &whole, &only, 2), run(&suite, &silent, &only, 2));
-    let (troubles, mended) = stored(&whole).hold(&after);
-    assert_eq!(troubles.len(), diverging(&after));
+    let (mismatches, mended) = stored(&whole).compare(&after);
+    assert_eq!(mismatches.len(), diverging(&after));
     assert!(mended.is_empty() && diverging(&after) > 10);
-    let (troubles, mended) = stored(&silent).hold(&before);
-    assert!(troubles.is_empty());
+    let (mismatches, mended) = stored(&silent).compare(&before);
+    assert!(mismatches.is_empty());
     assert_eq!(mended.len(), diverging(&after));
-    assert_eq!(stored(&silent).hold(&after), (Vec::new(), Vec::new()));
+    assert_eq!(stored(&silent).compare(&after), (Vec::new(), Vec::new()));
 
     // Unknown is no pass: what passed and is not judged any more has changed. What departed is neither mended nor
     // broken, and told.
     let without = run(&suite, &faulty(without), &only, 2);
-    let (troubles, told) = stored(&whole).hold(&without);
-    assert!(told.is_empty() && troubles.len() == before.cases.len(), "{told:?}");
-    let is_lost = |trouble: &ExpectationMismatch| {
-        let ExpectationMismatch::Changed { listed, found, .. } = trouble else { return false };
+    let (mismatches, told) = stored(&whole).compare(&without);
+    assert!(told.is_empty() && mismatches.len() == before.cases.len(), "{told:?}");
+    let is_lost = |mismatch: &ExpectationMismatch| {
+        let ExpectationMismatch::Changed { listed, found, .. } = mismatch else { return false };
         listed == "pass" && found == "unsupported: it has none"
     };
-    assert!(troubles.iter().all(is_lost), "{}", troubles[0]);
-    let (lost, told) = stored(&silent).hold(&without);
+    assert!(mismatches.iter().all(is_lost), "{}", mismatches[0]);
+    let (lost, told) = stored(&silent).compare(&without);
     assert!(lost.iter().all(is_lost));
     assert_eq!(told.len(), diverging(&after));
     assert!(
@@ -449,16 +454,16 @@ fn a_waiver_is_what_somebody_answers_for_until_a_day() {
         );
         Waivers::read(&text).expect("waivers")
     };
-    let of_rule = |troubles: &[ExpectationMismatch]| {
-        troubles.iter().filter(|trouble| trouble.place().0 == rule).count()
+    let of_rule = |mismatches: &[ExpectationMismatch]| {
+        mismatches.iter().filter(|mismatch| mismatch.place().0 == rule).count()
     };
-    let hold = |waivers: Waivers, run: &Run<'_>| waivers.hold(run, None, today);
+    let hold = |waivers: Waivers, run: &Run<'_>| waivers.apply(run, None, today);
     let (left, waived) = hold(waiver(&rule, "2026-11-23"), &after);
     assert_eq!((of_rule(&left), waived.is_empty()), (0, false), "its last day counts");
     let (left, waived) = hold(waiver(&rule, "2026-11-22"), &after);
     assert!(
         waived.is_empty()
-            && left.iter().any(|trouble| trouble.to_string().contains("which is over"))
+            && left.iter().any(|mismatch| mismatch.to_string().contains("which is over"))
     );
     let (left, _) = hold(waiver(&rule, "2027-01-01"), &before);
     assert!(left[0].to_string().contains("nothing to waive"), "{}", left[0]);
@@ -472,10 +477,10 @@ fn a_waiver_is_what_somebody_answers_for_until_a_day() {
         ExpectationMismatch::Changed { rule, case, listed, found }
     });
     let lost: Vec<_> = lost.collect();
-    let (left, waived) = waiver(&rule, "2027-01-01").hold(&without, Some(lost.clone()), today);
+    let (left, waived) = waiver(&rule, "2027-01-01").apply(&without, Some(lost.clone()), today);
     assert!(waived.is_empty() && left.len() == lost.len() + 1, "and there is nothing to waive");
-    assert_eq!(waiver(&rule, "2027-01-01").unknown(&suite), None);
-    let unknown = waiver("saved-state.no-such", "2027-01-01").unknown(&suite).expect("why");
+    assert_eq!(waiver(&rule, "2027-01-01").first_unknown(&suite), None);
+    let unknown = waiver("saved-state.no-such", "2027-01-01").first_unknown(&suite).expect("why");
     assert!(unknown.contains("saved-state.no-such: there is no such rule"), "{unknown}");
     for wrong in [
         "[[waiver]]\nrule = \"a\"\n",

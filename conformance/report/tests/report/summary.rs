@@ -70,13 +70,13 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
     let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let reference = Reference::default();
     let mut run: Run<'_> = certify(plan, &reference, &|| ());
-    let mut troubles = Vec::new();
+    let mut mismatches = Vec::new();
     for (at, result) in run.cases.iter_mut().enumerate() {
         let text = HOSTILE[at % HOSTILE.len()];
         result.verdict = change(at, text);
         let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
         let found = text.to_owned();
-        troubles.push(match at % 2 {
+        mismatches.push(match at % 2 {
             0 => ExpectationMismatch::New { rule, case, found },
             _ => ExpectationMismatch::Changed { rule, case, listed: found.clone(), found },
         });
@@ -86,13 +86,19 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
     header.version = HOSTILE[2].to_owned();
     let mended = HOSTILE.iter().map(|text| format!("mended: {text}"));
     let notes = mended.chain(HOSTILE.iter().map(|text| (*text).to_owned())).collect();
-    markdown(&Report { run: &run, header, notes, profiles: Vec::new(), troubles: Some(troubles) })
+    markdown(&Report {
+        run: &run,
+        header,
+        notes,
+        profiles: Vec::new(),
+        mismatches: Some(mismatches),
+    })
 }
 
 fn departs(_: usize, text: &str) -> Verdict {
     Verdict::Diverges(RuleDivergence {
         assertion: Some(("feed_rate = 1".to_owned(), text.to_owned())),
-        divergence: Some(text.to_owned()),
+        difference: Some(text.to_owned()),
         explanation: vec![text.to_owned()],
         ..RuleDivergence::default()
     })

@@ -1,12 +1,12 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
-mod again;
-mod excuse;
-mod moved;
+mod accepted;
+mod motion_case;
 mod plan;
+mod repeat;
+mod schedule;
 mod select;
-mod shrunk;
-mod turn;
+mod shrink;
 mod verdict;
 
 use std::cell::LazyCell;
@@ -19,71 +19,71 @@ use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_compare::{Basis, compare, state};
+use gaugeblock_compare::{ComparedKind, compare, state};
 use gaugeblock_suite::assertion::Claim;
 use gaugeblock_suite::{Case, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::explain::{AlternativeOption, DivergenceContext};
 use crate::shard::Shard;
-pub use again::RepeatSampling;
-use again::{RunAttempt, RunAttempts};
-pub use excuse::{BASELINE, EXPECTATIONS};
+pub use accepted::{BASELINE, EXPECTATIONS};
 pub use plan::Plan;
+pub use repeat::RepeatSampling;
+use repeat::{RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
-pub use select::{cases, void};
+pub use select::{cases, not_applicable};
 pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Traces, Verdict};
 
-/// What of a plan is run.
+/// How a plan is run.
 pub struct RunOptions<'a, 'c> {
-    /// The part of the cases.
+    /// The part of the cases to run.
     pub shard: Shard,
-    /// What was run before, which is not run again.
-    pub done: Vec<CaseResult<'a>>,
+    /// Results of an earlier run; these cases are not run again.
+    pub finished: Vec<CaseResult<'a>>,
     /// Which cases are run twice.
-    pub twice: RepeatSampling,
-    /// How many programs are tried to make that of a divergence smaller, where nothing explains it; none where it
-    /// stays as it is.
-    pub shrink: u32,
-    /// Told of each case that is run, one at a time.
-    pub each: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
+    pub repeat: RepeatSampling,
+    /// How many programs the minimiser may try for each unexplained divergence; 0 keeps the case's own program.
+    pub shrink_attempts: u32,
+    /// Called with each result, one call at a time.
+    pub on_result: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
 }
 
 impl fmt::Debug for RunOptions<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "shard {}, {} done before", self.shard, self.done.len())
+        write!(f, "shard {}, {} done before", self.shard, self.finished.len())
     }
 }
 
-/// Runs the suite; `done` is told of each finished case.
+/// Runs the suite; `done` is called after each case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
     let mut each = |_: &CaseResult<'a>| done();
-    let course = RunOptions {
+    let run_options = RunOptions {
         shard: Shard::WHOLE,
-        done: Vec::new(),
-        twice: RepeatSampling::default(),
-        shrink: 0,
-        each: &mut each,
+        finished: Vec::new(),
+        repeat: RepeatSampling::default(),
+        shrink_attempts: 0,
+        on_result: &mut each,
     };
-    run_plan(plan, controller, course)
+    run_plan(plan, controller, run_options)
 }
 
-/// Runs as much of the suite as is to be run.
+/// Runs the cases of a plan, in parallel, and judges them.
 pub fn run_plan<'a>(
     plan: Plan<'a>,
     controller: &dyn Adapter,
-    course: RunOptions<'a, '_>,
+    run_options: RunOptions<'a, '_>,
 ) -> Run<'a> {
     let options = options_of(plan.suite, plan.edition, &controller.options());
-    let Selected { void, cases } = select(plan, controller.has_laws_of_motion()).of(course.shard);
-    let (twice, shrink) = (course.twice, course.shrink);
-    let mut before = BTreeMap::new();
-    for result in course.done {
-        before.insert((result.rule.id.as_str(), result.name), result);
+    let Selected { not_applicable, cases } =
+        select(plan, controller.has_laws_of_motion()).shard(run_options.shard);
+    let (repeat, shrink_attempts) = (run_options.repeat, run_options.shrink_attempts);
+    let mut finished = BTreeMap::new();
+    for result in run_options.finished {
+        finished.insert((result.rule.id.as_str(), result.name), result);
     }
     let results: Vec<Option<CaseResult<'a>>> = cases
         .iter()
-        .map(|(rule, subject)| before.remove(&(rule.id.as_str(), subject.name())))
+        .map(|(rule, subject)| finished.remove(&(rule.id.as_str(), subject.name())))
         .collect();
     let key = |subject: &Subject<'_>| match subject {
         Subject::Run(case) => controller.order_key(&scenario_of(case, &options, plan.edition)),
@@ -93,23 +93,24 @@ pub fn run_plan<'a>(
     let mut order: Vec<(String, usize)> =
         open.map(|(((_, subject), place), _)| (key(subject), place)).collect();
     order.sort();
-    let results = Mutex::new((results, course.each));
+    let results = Mutex::new((results, run_options.on_result));
     let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
-                let held = CaseRunner { plan, options: &options, controller, twice, shrink };
+                let runner =
+                    CaseRunner { plan, options: &options, controller, repeat, shrink_attempts };
                 let take = || {
                     let (_, place) = order.get(next.fetch_add(1, Ordering::Relaxed))?;
                     let (rule, subject) = cases[*place];
-                    Some((*place, rule, held.turn(subject)))
+                    Some((*place, rule, runner.schedule(subject)))
                 };
                 let mut following = take();
-                while let Some((place, rule, turn)) = following {
+                while let Some((place, rule, scheduled)) = following {
                     let begun = now();
                     following = take();
-                    let next = following.as_ref().map(|(_, _, turn)| turn);
-                    let mut result = held.judged(rule, turn, next);
+                    let next = following.as_ref().map(|(_, _, scheduled)| scheduled);
+                    let mut result = runner.run_scheduled(rule, scheduled, next);
                     result.cost = begun.elapsed();
                     let mut guard = results.lock().unwrap_or_else(PoisonError::into_inner);
                     let (results, each) = &mut *guard;
@@ -123,48 +124,48 @@ pub fn run_plan<'a>(
     Run {
         edition: plan.edition,
         cases: results.into_iter().flatten().collect(),
-        void,
+        not_applicable,
         fingerprint: None,
     }
 }
 
-/// A controller, and what it is held to.
+/// Runs and judges cases of a plan on one controller.
 #[derive(Clone, Copy)]
 struct CaseRunner<'a> {
     plan: Plan<'a>,
     options: &'a Options,
     controller: &'a dyn Adapter,
-    twice: RepeatSampling,
-    shrink: u32,
+    repeat: RepeatSampling,
+    shrink_attempts: u32,
 }
 
 impl CaseRunner<'_> {
-    /// Runs a case and judges it. In between, `ahead` tells the controller what is next.
+    /// Runs a case and judges it. In between, `prefetch` lets the controller begin the next one.
     fn run_case<'r>(
         self,
         (rule, case): (&'r Rule, &'r Case),
         scenario: &Scenario,
-        ahead: impl FnOnce(),
+        prefetch: impl FnOnce(),
     ) -> CaseResult<'r> {
-        let Self { plan, controller, twice, shrink, .. } = self;
-        let mut result = CaseResult::begun(rule, &case.name, &case.program);
+        let Self { plan, controller, repeat, shrink_attempts, .. } = self;
+        let mut result = CaseResult::new(rule, &case.name, &case.program);
         let expected = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
-        let runs = RunAttempts { controller, scenario };
-        let ran = || runs.outcome(&expected, twice.chooses(&rule.id, &case.name));
-        let begun = controller.is_out_of_process().then(ran);
-        ahead();
-        if let Some(why) = left_open(&expected.end) {
+        let attempts = RunAttempts { controller, scenario };
+        let run = || attempts.run(&expected, repeat.includes(&rule.id, &case.name));
+        let begun = controller.is_out_of_process().then(run);
+        prefetch();
+        if let Some(why) = undetermined_reason(&expected.end) {
             result.verdict = Verdict::Inconclusive(why);
             return result;
         }
-        let found = match begun.unwrap_or_else(ran) {
-            Ok(RunAttempt { found, before }) => {
-                result.repeated = before.is_some();
-                result.before = before;
+        let found = match begun.unwrap_or_else(run) {
+            Ok(RunAttempt { found, leaked_failure }) => {
+                result.rerun = leaked_failure.is_some();
+                result.leaked_failure = leaked_failure;
                 found
             }
-            Err(unjudged) => {
-                result.verdict = Verdict::NotJudged(unjudged);
+            Err(not_judged) => {
+                result.verdict = Verdict::NotJudged(not_judged);
                 return result;
             }
         };
@@ -172,38 +173,39 @@ impl CaseRunner<'_> {
             result.verdict = Verdict::Unsupported(what.clone());
             return result;
         }
-        let against =
+        let case_judge =
             CaseJudge { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
-        let shows_nothing = against.shows_nothing_of(case, &found);
-        match against.lasting(case, &expected, found, &mut result) {
-            Ok(Some((departure, found))) => {
-                result.verdict = against.charged(rule, case, departure, &found);
+        let observes_nothing = case_judge.observes_nothing_asserted(case, &found);
+        match case_judge.confirm_on_fresh(case, &expected, found, &mut result) {
+            Ok(Some((divergence, found))) => {
+                result.verdict = case_judge.attribute(rule, case, divergence, &found);
             }
-            Ok(None) if shows_nothing => {
+            Ok(None) if observes_nothing => {
                 let why = "nothing was shown of what its assertions are about";
                 result.verdict = Verdict::Unsupported(why.to_owned());
             }
             Ok(None) => {}
-            Err(unjudged) => result.verdict = Verdict::NotJudged(unjudged),
+            Err(not_judged) => result.verdict = Verdict::NotJudged(not_judged),
         }
-        // A smaller program could depart by another quirk in the same way, so that what is explained stays as it is.
-        if let (Verdict::Diverges(departure), 1..) = (&mut result.verdict, shrink)
-            && departure.explanation.is_empty()
+        // An explained divergence keeps its program: a smaller one could diverge in the same way by another quirk.
+        if let (Verdict::Diverges(divergence), 1..) = (&mut result.verdict, shrink_attempts)
+            && divergence.explanation.is_empty()
         {
-            departure.shrunk = shrunk::smallest(controller, scenario, shrink);
+            divergence.shrunk = shrink::smallest(controller, scenario, shrink_attempts);
         }
         result
     }
 }
 
-/// Why the specification says nothing of a case.
-fn left_open(end: &End) -> Option<String> {
+/// Why the specification leaves a case open, if it does.
+fn undetermined_reason(end: &End) -> Option<String> {
     end.undetermined().map(|undetermined| match undetermined {
         Undetermined::Unsupported(what) => format!("the model does not specify it yet: {what}"),
         Undetermined::Unspecified(why) => format!("the documents leave it open: {why}"),
     })
 }
 
+/// Judges the outcome of one case.
 struct CaseJudge<'a> {
     suite: &'a Suite,
     scenario: &'a Scenario,
@@ -212,10 +214,11 @@ struct CaseJudge<'a> {
 }
 
 impl CaseJudge<'_> {
-    /// The departure that a controller shows on which nothing ran before, and what it did; another one may only have
-    /// kept something of an earlier program. What it is known to do needs no second run, and one that does something
-    /// else each time has no verdict.
-    fn lasting(
+    /// The divergence on a fresh controller, and the outcome it was found in.
+    ///
+    /// A used controller may have kept state of an earlier program. A divergence that the observed edition predicts
+    /// needs no second run. A controller that differs from run to run gets no verdict.
+    fn confirm_on_fresh(
         &self,
         case: &Case,
         expected: &Outcome,
@@ -223,52 +226,52 @@ impl CaseJudge<'_> {
         result: &mut CaseResult<'_>,
     ) -> Result<Option<(RuleDivergence, Outcome)>, NotJudgedReason> {
         let begun = result.clone();
-        let Some(departure) = self.departure(case, expected, &found, result) else {
+        let Some(divergence) = self.find_divergence(case, expected, &found, result) else {
             return Ok(None);
         };
-        if self.departed(result.rule, case, &found).is_known(self.edition) {
-            return Ok(Some((departure, found)));
+        if self.context(result.rule, case, &found).matches_observed_edition(self.edition) {
+            return Ok(Some((divergence, found)));
         }
-        let Some(Ok(anew)) = self.controller.run_fresh(self.scenario) else {
-            return Ok(Some((departure, found)));
+        let Some(Ok(fresh)) = self.controller.run_fresh(self.scenario) else {
+            return Ok(Some((divergence, found)));
         };
-        if anew == found {
-            return Ok(Some((departure, found)));
+        if fresh == found {
+            return Ok(Some((divergence, found)));
         }
-        *result = CaseResult { repeated: true, ..begun };
+        *result = CaseResult { rerun: true, ..begun };
         let runs = RunAttempts { controller: self.controller, scenario: self.scenario };
-        if let Ok(once_more) = runs.alone()
-            && let Some(difference) = runs.difference(&anew, &once_more)
+        if let Ok(second) = runs.run_fresh()
+            && let Some(difference) = runs.first_difference(&fresh, &second)
         {
             let why = format!("twice on a new controller: {difference}");
             return Err(NotJudgedReason { cause: Cause::Nondeterministic, why });
         }
-        let departure = self.departure(case, expected, &anew, result);
-        Ok(departure.map(|departure| (departure, anew)))
+        let divergence = self.find_divergence(case, expected, &fresh, result);
+        Ok(divergence.map(|divergence| (divergence, fresh)))
     }
 
-    /// Whose departure it is: that of the rule, or of others that are about what explains it.
-    fn charged(
+    /// The verdict: the rule's own divergence, or one of the rules about the quirk that explains it.
+    fn attribute(
         &self,
         rule: &Rule,
         case: &Case,
-        departure: RuleDivergence,
+        divergence: RuleDivergence,
         found: &Outcome,
     ) -> Verdict {
-        let departed = self.departed(rule, case, found);
-        let why = departure.divergence.as_ref().map(|_| departed.explanation()).unwrap_or_default();
+        let context = self.context(rule, case, found);
+        let why = divergence.difference.as_ref().map(|_| context.explain()).unwrap_or_default();
         let explanation = why.iter().map(AlternativeOption::name).collect();
-        let departure = RuleDivergence { explanation, ..departure };
-        if is_charged_elsewhere(departed, &departure, &why) {
-            Verdict::AttributedElsewhere(departure)
+        let divergence = RuleDivergence { explanation, ..divergence };
+        if is_attributed_elsewhere(context, &divergence, &why) {
+            Verdict::AttributedElsewhere(divergence)
         } else {
-            Verdict::Diverges(departure)
+            Verdict::Diverges(divergence)
         }
     }
 
-    /// Whether a pass would rest on nothing that the sentence is about: blocks are not told, or somebody wrote down
-    /// what was seen, and all that could be judged of the assertions is that the program was accepted.
-    fn shows_nothing_of(&self, case: &Case, found: &Outcome) -> bool {
+    /// Whether a pass would rest on nothing but the acceptance of the program: no assertion about anything else is
+    /// observable. Only controllers that report no blocks, or answers on paper, can be that silent.
+    fn observes_nothing_asserted(&self, case: &Case, found: &Outcome) -> bool {
         let observables = self.controller.observables(self.scenario);
         if observables.blocks && self.controller.exported_from().is_none() {
             return false;
@@ -281,7 +284,7 @@ impl CaseJudge<'_> {
         findings.peek().is_some() && findings.all(|found| matches!(found, Finding::Masked(_)))
     }
 
-    fn departed<'a>(
+    fn context<'a>(
         &'a self,
         rule: &'a Rule,
         case: &'a Case,
@@ -297,7 +300,7 @@ impl CaseJudge<'_> {
         }
     }
 
-    fn departure(
+    fn find_divergence(
         &self,
         case: &Case,
         expected: &Outcome,
@@ -312,7 +315,7 @@ impl CaseJudge<'_> {
             case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
         {
             match judge(claim, &found, &observables) {
-                Finding::Holds => result.compared.add(Basis::Assertions, 1),
+                Finding::Holds => result.compared.add(ComparedKind::Assertions, 1),
                 Finding::Masked(what) => {
                     result.masked.insert(what);
                 }
@@ -324,26 +327,26 @@ impl CaseJudge<'_> {
         let comparison = compare(&expected, &found, &observables);
         result.masked.extend(comparison.masked);
         result.compared.extend(&comparison.compared);
-        let divergence = comparison.divergence.map(|divergence| divergence.to_string());
-        let departs = assertion.is_some() || divergence.is_some();
-        departs.then(|| {
+        let difference = comparison.divergence.map(|divergence| divergence.to_string());
+        let differs = assertion.is_some() || difference.is_some();
+        differs.then(|| {
             let traces = Some(Traces::of(outcomes.0, outcomes.1));
             let state = state(&expected, &found, &observables);
-            RuleDivergence { assertion, divergence, traces, state, ..RuleDivergence::default() }
+            RuleDivergence { assertion, difference, traces, state, ..RuleDivergence::default() }
         })
     }
 }
 
-/// Whether all assertions hold and the difference is what other rules are about.
-fn is_charged_elsewhere(
-    departed: DivergenceContext<'_>,
-    departure: &RuleDivergence,
+/// Whether all assertions hold and other rules are about what explains the difference.
+fn is_attributed_elsewhere(
+    context: DivergenceContext<'_>,
+    divergence: &RuleDivergence,
     why: &[AlternativeOption<'_>],
 ) -> bool {
     let is_of_another_rule = |other: &AlternativeOption<'_>| {
-        departed.suite.rules.iter().any(|rule| rule.options.contains(&other.choice.id))
+        context.suite.rules.iter().any(|rule| rule.options.contains(&other.choice.id))
     };
-    departure.assertion.is_none()
+    divergence.assertion.is_none()
         && !why.is_empty()
-        && why.iter().all(|other| !departed.is_named(other) && is_of_another_rule(other))
+        && why.iter().all(|other| !context.rule_names(other) && is_of_another_rule(other))
 }

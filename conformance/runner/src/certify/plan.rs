@@ -9,7 +9,7 @@ use gaugeblock_suite::{Edition, Suite};
 pub struct Plan<'a> {
     /// The suite.
     pub suite: &'a Suite,
-    /// The edition that the controller is held to.
+    /// The edition that the controller is compared with.
     pub edition: &'a Edition,
     /// Only rules whose id begins with one of these; all when empty.
     pub only: &'a [String],

@@ -1,19 +1,20 @@
-//! Which cases a plan runs, in which order they are told.
+//! Selection of the cases that a plan runs, in the order of a report.
 
 use gaugeblock_suite::{Case, MotionCase, Rule};
 
 use super::plan::Plan;
 use crate::shard::Shard;
 
-/// Rule and name of each case that a plan runs, in order, on a controller that has laws of motion, or that moves.
+/// Rule and name of each case of a plan, in order. `laws` selects cases of motion with recorded samples, for a
+/// controller that judges them; without it, those that a controller plans.
 pub fn cases<'a>(plan: Plan<'a>, laws: bool, shard: Shard) -> Vec<(&'a str, &'a str)> {
-    let cases = select(plan, laws).of(shard).cases.into_iter();
+    let cases = select(plan, laws).shard(shard).cases.into_iter();
     cases.map(|(rule, subject)| (rule.id.as_str(), subject.name())).collect()
 }
 
 /// Rules that do not exist in the edition of a plan, and why.
-pub fn void(plan: Plan<'_>) -> Vec<(&Rule, &str)> {
-    select(plan, false).void
+pub fn not_applicable(plan: Plan<'_>) -> Vec<(&Rule, &str)> {
+    select(plan, false).not_applicable
 }
 
 /// A case of either kind.
@@ -34,23 +35,24 @@ impl<'a> Subject<'a> {
 
 #[derive(Clone, Debug)]
 pub(super) struct Selected<'a> {
-    pub(super) void: Vec<(&'a Rule, &'a str)>,
+    pub(super) not_applicable: Vec<(&'a Rule, &'a str)>,
     pub(super) cases: Vec<(&'a Rule, Subject<'a>)>,
 }
 
 impl Selected<'_> {
-    /// A part of the cases.
-    pub(super) fn of(mut self, shard: Shard) -> Self {
+    /// Keeps the cases of a shard.
+    pub(super) fn shard(mut self, shard: Shard) -> Self {
         let mut places = 0..;
         self.cases.retain(|_| places.next().is_some_and(|place| shard.has(place)));
         self
     }
 }
 
-/// What is run. Samples of a case are for who has laws, its program alone is for who moves.
+/// Selects the cases of a plan. Cases with recorded samples are for controllers with laws of motion (`laws`), the other
+/// cases of motion for controllers that plan.
 pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
     let edition = &plan.edition.id;
-    let mut void = Vec::new();
+    let mut not_applicable = Vec::new();
     let mut cases = Vec::new();
     let wanted = |rule: &&Rule| {
         plan.only.is_empty() || plan.only.iter().any(|p| rule.id.starts_with(p.as_str()))
@@ -58,7 +60,7 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
     let speaks = |rule: &&Rule| rule.language == plan.edition.language;
     for rule in plan.suite.rules.iter().filter(wanted).filter(speaks) {
         if let Some(why) = rule.void.get(edition) {
-            void.push((rule, why.as_str()));
+            not_applicable.push((rule, why.as_str()));
             continue;
         }
         let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
@@ -67,5 +69,5 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
         let motion = rule.motion.iter().filter(concerns);
         cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
     }
-    Selected { void, cases }
+    Selected { not_applicable, cases }
 }

@@ -1,6 +1,6 @@
-//! What comes of cases and of a run.
+//! Verdicts on cases, and the results of a run.
 //!
-//! **Invariant:** nothing but `Pass` and `AttributedElsewhere` says that a controller does what the documents say.
+//! **Invariant:** only `Pass` and `AttributedElsewhere` say that a controller does what the documents say.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -16,21 +16,21 @@ use serde::{Deserialize, Serialize};
 
 use crate::fingerprint::FingerprintEntry;
 
-/// What came of a case.
+/// The verdict on a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Everything that could be compared is as the documents say.
     Pass,
     /// The controller does something else.
     Diverges(RuleDivergence),
-    /// The case's own assertions hold, and the one difference is a quirk that this rule is not about: it is charged to
-    /// the rules that name the quirk. Everything else is as the documents say.
+    /// The case's own assertions hold, and a quirk that this rule is not about explains the difference. It is
+    /// attributed to the rules that name the quirk. Everything else is as the documents say.
     AttributedElsewhere(RuleDivergence),
-    /// It does something else, exactly as is known of it. Who knows: the expectations, or an earlier report.
+    /// It does something else, as listed in the expectations or in an earlier report; the text names which.
     Known(RuleDivergence, String),
-    /// It does something else, and somebody answers for it until a day: who, until when and why.
+    /// It does something else, and a waiver covers it: owner, last day and reason.
     Waived(RuleDivergence, String),
-    /// Not run: the controller declared not to have this, or not to show it.
+    /// Not run: the controller declares that it does not support this, or cannot observe it.
     Unsupported(String),
     /// The documents or the model leave it open, and why. Never a pass.
     Inconclusive(String),
@@ -39,7 +39,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// In a word or two, as every report names it.
+    /// The verdict in a word or two, as in every report.
     pub fn word(&self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -49,38 +49,38 @@ impl Verdict {
             Self::Waived(..) => "waived",
             Self::Unsupported(_) => "unsupported",
             Self::Inconclusive(_) => "inconclusive",
-            Self::NotJudged(unjudged) => unjudged.cause.word(),
+            Self::NotJudged(not_judged) => not_judged.cause.word(),
         }
     }
 
-    /// What the controller does otherwise, whoever knows of it.
-    pub fn departure(&self) -> Option<&RuleDivergence> {
+    /// The divergence, accepted or not.
+    pub fn divergence(&self) -> Option<&RuleDivergence> {
         match self {
-            Self::Diverges(departure)
-            | Self::AttributedElsewhere(departure)
-            | Self::Known(departure, _)
-            | Self::Waived(departure, _) => Some(departure),
+            Self::Diverges(divergence)
+            | Self::AttributedElsewhere(divergence)
+            | Self::Known(divergence, _)
+            | Self::Waived(divergence, _) => Some(divergence),
             Self::Pass | Self::Unsupported(_) | Self::Inconclusive(_) | Self::NotJudged(_) => None,
         }
     }
 
-    /// What the controller does otherwise in what the rule is about, whoever knows of it.
-    pub fn own_departure(&self) -> Option<&RuleDivergence> {
-        if matches!(self, Self::AttributedElsewhere(_)) { None } else { self.departure() }
+    /// The divergence in what the rule is about, accepted or not.
+    pub fn own_divergence(&self) -> Option<&RuleDivergence> {
+        if matches!(self, Self::AttributedElsewhere(_)) { None } else { self.divergence() }
     }
 
-    /// Who knows of a departure, or answers for it.
-    pub fn excuse(&self) -> Option<&str> {
+    /// What accepts the divergence: expectations, baseline or waiver.
+    pub fn accepted_by(&self) -> Option<&str> {
         if let Self::Known(_, who) | Self::Waived(_, who) = self { Some(who) } else { None }
     }
 
-    /// Why nothing can be said, where that is so.
-    pub fn open(&self) -> Option<&str> {
-        if matches!(self, Self::Unsupported(_)) { None } else { self.why() }
+    /// Why the case was left open or not judged.
+    pub fn undetermined_reason(&self) -> Option<&str> {
+        if matches!(self, Self::Unsupported(_)) { None } else { self.reason() }
     }
 
-    /// Why nothing was compared, where that is so.
-    pub fn why(&self) -> Option<&str> {
+    /// Why nothing was compared.
+    pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Unsupported(why)
             | Self::Inconclusive(why)
@@ -97,15 +97,15 @@ impl Verdict {
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.word())?;
-        let said = self.departure().map(RuleDivergence::line);
-        match self.why().map(str::to_owned).or(said) {
+        let said = self.divergence().map(RuleDivergence::summary);
+        match self.reason().map(str::to_owned).or(said) {
             Some(why) => write!(f, ": {why}"),
             None => Ok(()),
         }
     }
 }
 
-/// Why a case that was to be run has no verdict.
+/// Why a selected case has no verdict.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotJudgedReason {
     /// In a word.
@@ -136,18 +136,18 @@ impl From<&HarnessError> for NotJudgedReason {
     }
 }
 
-/// What keeps a case from being judged.
+/// What prevents a verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
-    /// Of two runs of the same case one did something else.
+    /// Two runs of the same case differ.
     Nondeterministic,
-    /// The controller died of it, also when nothing else had run before.
+    /// The controller crashed, also in a fresh session.
     Crash,
     /// The controller did not end in time.
     Timeout,
-    /// The controller could not be started or asked, or what it said is no answer.
+    /// The controller could not be started or queried, or its answer is not valid.
     HarnessError,
-    /// Nobody has run it.
+    /// It has not been run.
     NotRun,
 }
 
@@ -164,24 +164,24 @@ impl Cause {
     }
 }
 
-/// What a controller does otherwise, in words that stay the same from run to run.
+/// How a controller differs, in words that stay the same from run to run.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RuleDivergence {
     /// The first assertion that does not hold, as it is written, with what was found.
     pub assertion: Option<(String, String)>,
-    /// The first divergence from the model's outcome.
-    pub divergence: Option<String>,
-    /// The quirks and other options of choices that explain it, as few as possible; none where nothing does.
+    /// The first difference from the model's outcome.
+    pub difference: Option<String>,
+    /// The quirks and other options of choices that explain it, as few as possible.
     pub explanation: Vec<String>,
-    /// What happened, side by side; none for servo samples.
+    /// Both outcomes as texts; none for servo samples.
     pub traces: Option<Traces>,
-    /// In what the state differs, where it does so first.
+    /// The first difference in the state.
     pub state: Option<StateDifference>,
-    /// The smallest program that departs in the same way, where it was looked for.
+    /// The minimised program, if minimising was requested and successful.
     pub shrunk: Option<String>,
 }
 
-/// What the documents say that happens, and what did, as texts. Long ones are cut.
+/// The expected and the found outcome as texts. Long ones are cut.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Traces {
     /// By the documents.
@@ -191,13 +191,14 @@ pub struct Traces {
 }
 
 impl Traces {
-    /// Most bytes of one of them.
-    const MOST: usize = 8 << 10;
+    /// Longest text, in bytes.
+    const TRACE_BYTES_MAX: usize = 8 << 10;
 
     pub(super) fn of(expected: &Outcome, found: &Outcome) -> Self {
         let cut = |outcome: &Outcome| {
             let mut text = outcome.to_text();
-            if let Some((end, _)) = text.char_indices().find(|(at, _)| *at >= Self::MOST) {
+            if let Some((end, _)) = text.char_indices().find(|(at, _)| *at >= Self::TRACE_BYTES_MAX)
+            {
                 text.truncate(end);
                 text.push_str("…\n");
             }
@@ -209,8 +210,8 @@ impl Traces {
 
 impl RuleDivergence {
     /// In one line, as expectations name it.
-    pub fn line(&self) -> String {
-        match (&self.assertion, &self.divergence) {
+    pub fn summary(&self) -> String {
+        match (&self.assertion, &self.difference) {
             (Some((assertion, found)), _) => format!("{assertion} | found {found}"),
             (None, Some(divergence)) => divergence.clone(),
             (None, None) => String::new(),
@@ -227,38 +228,37 @@ pub struct CaseResult<'a> {
     pub name: &'a str,
     /// The main program of the case.
     pub program: &'a str,
-    /// What came of it.
+    /// The verdict.
     pub verdict: Verdict,
-    /// Fields, effects and assertions that the controller does not show.
+    /// Fields, effects and assertions that are not observable on the controller.
     pub masked: BTreeSet<String>,
     /// What was compared.
     pub compared: Tally,
-    /// Whether it was run again on a new controller, since the used one departed from the documents. What the new one
-    /// did is judged.
-    pub repeated: bool,
-    /// How it failed where other programs had run before. It is judged by what it did alone.
-    pub before: Option<String>,
+    /// Whether it was run again on a fresh controller, because the used one diverged. The fresh outcome is judged.
+    pub rerun: bool,
+    /// The failure in a session in which other programs had run. The outcome in a fresh session is judged.
+    pub leaked_failure: Option<String>,
     /// A small picture of its samples, where there are any.
     pub sketch: Option<Sketch>,
-    /// How long it took, with everything that was run for it. It is no part of what came of the case.
+    /// How long it took, with every run for it. Not part of the result.
     pub cost: Duration,
 }
 
 /// The suite, run.
 #[derive(Clone, Debug)]
 pub struct Run<'a> {
-    /// The edition that the controller was held to.
+    /// The edition that the controller was compared with.
     pub edition: &'a Edition,
     /// Cases in the order of rules and pages.
     pub cases: Vec<CaseResult<'a>>,
     /// Rules that do not exist in the edition, and why.
-    pub void: Vec<(&'a Rule, &'a str)>,
-    /// What the controller shows of each choice and quirk, where it was asked for.
+    pub not_applicable: Vec<(&'a Rule, &'a str)>,
+    /// The observed option of each choice and quirk, if requested.
     pub fingerprint: Option<Vec<FingerprintEntry>>,
 }
 
 impl<'a> CaseResult<'a> {
-    pub(super) fn begun(rule: &'a Rule, name: &'a str, program: &'a str) -> Self {
+    pub(super) fn new(rule: &'a Rule, name: &'a str, program: &'a str) -> Self {
         Self {
             rule,
             name,
@@ -266,8 +266,8 @@ impl<'a> CaseResult<'a> {
             verdict: Verdict::Pass,
             masked: BTreeSet::new(),
             compared: Tally::default(),
-            repeated: false,
-            before: None,
+            rerun: false,
+            leaked_failure: None,
             sketch: None,
             cost: Duration::ZERO,
         }

@@ -8,7 +8,7 @@ use gaugeblock_adapter::exec::Exec;
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Entry, Event, Outcome, Scenario, Settings, State};
 
-use super::result::{Came, Check};
+use super::result::{Check, CheckResult};
 
 /// Programs that are run for one word, at most, until one of them shows it.
 const TRIES: usize = 6;
@@ -30,7 +30,9 @@ pub(super) fn checks(adapter: &Exec, suite: &Suite) -> Vec<Check> {
     let mut looked = Looked { adapter, programs: programs(adapter, suite), came: BTreeMap::new() };
     let declared = [&observables.effects, &observables.fields, &observables.pins];
     let checks = KINDS.into_iter().zip(declared).filter(|(_, words)| !words.is_empty());
-    checks.map(|((what, told), words)| Check { what, came: looked.all(told, words) }).collect()
+    checks
+        .map(|((what, told), words)| Check { name: what, result: looked.all(told, words) })
+        .collect()
 }
 
 /// The programs that it can run and the documents say something of, the smallest first, with what happens by them.
@@ -78,22 +80,22 @@ impl Looked<'_> {
         &mut self,
         told: fn(&Outcome) -> BTreeSet<&'static str>,
         words: &BTreeSet<String>,
-    ) -> Came {
+    ) -> CheckResult {
         let (mut wrong, mut not_seen) = (BTreeSet::new(), Vec::new());
         for word in words {
             match self.word(told, word) {
-                Came::Fine(_) => {}
-                Came::Wrong(why) => {
+                CheckResult::Passed(_) => {}
+                CheckResult::Failed(why) => {
                     wrong.insert(why);
                 }
-                Came::LeftOut(word) => not_seen.push(word),
+                CheckResult::Skipped(word) => not_seen.push(word),
             }
             if wrong.len() >= TOLD {
                 break;
             }
         }
         if !wrong.is_empty() {
-            return Came::Wrong(wrong.into_iter().collect::<Vec<_>>().join("\n"));
+            return CheckResult::Failed(wrong.into_iter().collect::<Vec<_>>().join("\n"));
         }
         let (seen, all) = (words.len() - not_seen.len(), words.len());
         let but = match not_seen.as_slice() {
@@ -101,10 +103,10 @@ impl Looked<'_> {
             words => format!("; no program that it runs shows {}", words.join(", ")),
         };
         let says = format!("{seen} of {all} that it declares were told{but}");
-        if seen == 0 { Came::LeftOut(says) } else { Came::Fine(says) }
+        if seen == 0 { CheckResult::Skipped(says) } else { CheckResult::Passed(says) }
     }
 
-    fn word(&mut self, told: fn(&Outcome) -> BTreeSet<&'static str>, word: &str) -> Came {
+    fn word(&mut self, told: fn(&Outcome) -> BTreeSet<&'static str>, word: &str) -> CheckResult {
         let Self { adapter, programs, came } = self;
         let (mut lacking, mut tries) = (None, 0);
         let observables = |outcome: &Outcome| told(outcome).contains(word);
@@ -117,18 +119,20 @@ impl Looked<'_> {
             let run = || adapter.run(scenario).map_err(|error| error.to_string());
             match came.entry(place).or_insert_with(run) {
                 Ok(Outcome { end: End::Unsupported { .. }, .. }) => continue,
-                Ok(found) if told(found).contains(word) => return Came::Fine(String::new()),
+                Ok(found) if told(found).contains(word) => {
+                    return CheckResult::Passed(String::new());
+                }
                 // What it does not do, or refuses, says nothing of what it tells.
                 Ok(Outcome { end, .. }) if end.name() != expected.end.name() => {}
                 Ok(Outcome { end: End::Fault(_), .. }) => {}
                 Ok(_) => lacking = lacking.or_else(|| Some(program.to_string())),
-                Err(why) => return Came::Wrong(format!("{program:?}: {why}")),
+                Err(why) => return CheckResult::Failed(format!("{program:?}: {why}")),
             }
             tries += 1;
         }
         match lacking {
-            None => Came::LeftOut(word.to_owned()),
-            Some(program) => Came::Wrong(format!(
+            None => CheckResult::Skipped(word.to_owned()),
+            Some(program) => CheckResult::Failed(format!(
                 "`{word}` is declared, and {program:?}, which shows it by the documents, is answered without it"
             )),
         }

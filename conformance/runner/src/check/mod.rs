@@ -2,7 +2,7 @@
 //! sentence what came of it.
 
 mod declared;
-mod offered;
+mod extensions;
 mod result;
 
 use gaugeblock_adapter::exec::Exec;
@@ -10,8 +10,8 @@ use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
-use result::{CHANGES, same};
-pub use result::{Came, Check};
+use result::{CHANGES, compare_outcomes};
+pub use result::{Check, CheckResult};
 
 /// A program that every control accepts, by language, and the same with one word that no control accepts.
 const PROGRAMS: &[(Language, &str, &str)] = &[
@@ -26,13 +26,13 @@ const RUNS: u32 = 50;
 pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Check> {
     let declared = adapter.declaration();
     let told = format!("{} {}, protocol {}", declared.name, declared.version, declared.protocol);
-    let mut found = vec![Check { what: "declaration", came: Came::Fine(told) }];
-    let mut add = |what, came| found.push(Check { what, came });
+    let mut found = vec![Check { name: "declaration", result: CheckResult::Passed(told) }];
+    let mut add = |what, came| found.push(Check { name: what, result: came });
     add("unknown operation", unknown_operation(adapter));
     let program = PROGRAMS.iter().find(|(language, ..)| declared.languages.contains(language));
     let Some((language, accepted, refused)) = program else {
         let why = "of its languages none has a program that needs nothing beside it";
-        add("accepts", Came::LeftOut(why.to_owned()));
+        add("accepts", CheckResult::Skipped(why.to_owned()));
         return found;
     };
     let scenario = |text: &str| {
@@ -47,82 +47,90 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     add("refuses", refuses(&adapter.run(&scenario(refused)), refused, blocks));
     let Ok(first) = first else { return found };
     add("configuration", configuration(adapter, &scenario));
-    add("same again", same(&first, &adapter.run(&plain), "the same program gives another outcome"));
+    add(
+        "same again",
+        compare_outcomes(&first, &adapter.run(&plain), "the same program gives another outcome"),
+    );
     add("reset", reset(adapter, &first, &plain));
     add(
         "new session",
         match adapter.run_fresh(&plain) {
-            Some(anew) => {
-                same(&first, &anew, "a new session gives another outcome than one that was reset")
-            }
-            None => Came::LeftOut("each run is a new one".to_owned()),
+            Some(anew) => compare_outcomes(
+                &first,
+                &anew,
+                "a new session gives another outcome than one that was reset",
+            ),
+            None => CheckResult::Skipped("each run is a new one".to_owned()),
         },
     );
     add("speed", speed(adapter, &plain, clock));
     found.extend(declared::checks(adapter, suite));
-    found.extend(offered::checks(adapter, &plain, &first));
+    found.extend(extensions::checks(adapter, &plain, &first));
     found
 }
 
-fn unknown_operation(adapter: &Exec) -> Came {
+fn unknown_operation(adapter: &Exec) -> CheckResult {
     match adapter.check_unknown_operation() {
-        Ok(()) => Came::Fine("is refused, and the session goes on".to_owned()),
-        Err(error) => Came::Wrong(format!(
+        Ok(()) => CheckResult::Passed("is refused, and the session goes on".to_owned()),
+        Err(error) => CheckResult::Failed(format!(
             "an operation that it does not know must be answered with `refused`: {error}"
         )),
     }
 }
 
-fn accepts(outcome: &Result<Outcome, HarnessError>, program: &str) -> Came {
+fn accepts(outcome: &Result<Outcome, HarnessError>, program: &str) -> CheckResult {
     let end = match outcome {
         Ok(outcome) => &outcome.end,
-        Err(error) => return Came::Wrong(format!("{program:?}: {error}")),
+        Err(error) => return CheckResult::Failed(format!("{program:?}: {error}")),
     };
     if *end == End::ProgramEnd {
-        return Came::Fine(format!("{program:?}"));
+        return CheckResult::Passed(format!("{program:?}"));
     }
     if let End::Unsupported { what, .. } = end {
-        return Came::Wrong(format!(
+        return CheckResult::Failed(format!(
             "{program:?} is not supported ({what}): of a controller that runs nothing, nothing is certified"
         ));
     }
-    Came::Wrong(format!(
+    CheckResult::Failed(format!(
         "{program:?} ends as {}: this is a broken adapter rather than a broken controller",
         end.name()
     ))
 }
 
-fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool) -> Came {
+fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool) -> CheckResult {
     let Outcome { end, steps, .. } = match outcome {
         Ok(outcome) => outcome,
-        Err(error) => return Came::Wrong(format!("{program:?}: {error}")),
+        Err(error) => return CheckResult::Failed(format!("{program:?}: {error}")),
     };
     if let End::Fault(fault) = end {
         if blocks
             && let Some(block) = &fault.block
             && steps.iter().any(|step| step.block == *block)
         {
-            return Came::Wrong(format!(
+            return CheckResult::Failed(format!(
                 "{program:?} is refused at {block}, which stands among `steps`: a refused block has done nothing, and is no step"
             ));
         }
         let without = if fault.block.is_some() { "" } else { ", without its block" };
-        return Came::Fine(format!("{program:?}{without}"));
+        return CheckResult::Passed(format!("{program:?}{without}"));
     }
     if let End::Unsupported { what, .. } = end {
-        return Came::LeftOut(format!("{program:?} is not supported: {what}"));
+        return CheckResult::Skipped(format!("{program:?} is not supported: {what}"));
     }
-    Came::Wrong(format!("{program:?} ends as {}: an alarm has to be told as a fault", end.name()))
+    CheckResult::Failed(format!(
+        "{program:?} ends as {}: an alarm has to be told as a fault",
+        end.name()
+    ))
 }
 
 /// What the scenario stores comes back.
-fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> Came {
+fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckResult {
     let declared = adapter.declaration();
     let observables =
         declared.features.contains("parameters") && declared.observables.final_parameters;
     if !observables || !declared.languages.contains(&Language::Rs274) {
         let why = "it declares no feature `parameters`, or does not show parameters at the end";
-        return Came::LeftOut(why.to_owned());
+        return CheckResult::Skipped(why.to_owned());
     }
     let mut stored = scenario("g0 x1\nm2\n");
     stored.machine.parameters.0.insert(31, 7.5);
@@ -130,41 +138,41 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> Came {
         Ok(outcome) => {
             let found = outcome.parameters.as_ref().and_then(|all| all.0.get(&31).copied());
             if found == Some(7.5) {
-                Came::Fine("a stored parameter comes back".to_owned())
+                CheckResult::Passed("a stored parameter comes back".to_owned())
             } else {
-                Came::Wrong(format!(
+                CheckResult::Failed(format!(
                     "#31 = 7.5 was stored before the run; at the end it shows {found:?}"
                 ))
             }
         }
-        Err(error) => Came::Wrong(error.to_string()),
+        Err(error) => CheckResult::Failed(error.to_string()),
     }
 }
 
 /// Nothing is left of a program that changed much. It may be refused: it has changed something before.
-fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> Came {
+fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> CheckResult {
     if plain.program.language != Language::Rs274 {
-        return Came::LeftOut(
+        return CheckResult::Skipped(
             "only a controller of rs274 has a program that changes much".to_owned(),
         );
     }
     match adapter.run(&Scenario::of(CHANGES)) {
-        Ok(_) => same(
+        Ok(_) => compare_outcomes(
             first,
             &adapter.run(plain),
             "something of an earlier program is left after `reset`",
         ),
-        Err(error) => Came::Wrong(format!("{CHANGES:?}: {error}")),
+        Err(error) => CheckResult::Failed(format!("{CHANGES:?}: {error}")),
     }
 }
 
-fn speed(adapter: &Exec, plain: &Scenario, clock: &dyn Fn() -> f64) -> Came {
+fn speed(adapter: &Exec, plain: &Scenario, clock: &dyn Fn() -> f64) -> CheckResult {
     let begun = clock();
     for _ in 0..RUNS {
         if let Err(error) = adapter.run(plain) {
-            return Came::Wrong(error.to_string());
+            return CheckResult::Failed(error.to_string());
         }
     }
     let each = (clock() - begun) / f64::from(RUNS);
-    Came::Fine(format!("{:.1} ms a run", each * 1000.0))
+    CheckResult::Passed(format!("{:.1} ms a run", each * 1000.0))
 }

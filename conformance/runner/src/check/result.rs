@@ -7,37 +7,37 @@ use gaugeblock_vocabulary::Outcome;
 
 /// What a check came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Came {
+pub enum CheckResult {
     /// As it should be.
-    Fine(String),
+    Passed(String),
     /// Not as it should be: the adapter has to be mended before a verdict means anything.
-    Wrong(String),
+    Failed(String),
     /// It could not be looked at, and why.
-    LeftOut(String),
+    Skipped(String),
 }
 
 /// A check and what it came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Check {
     /// What is looked at.
-    pub what: &'static str,
+    pub name: &'static str,
     /// What came of it.
-    pub came: Came,
+    pub result: CheckResult,
 }
 
 /// A program that changes what a reset has to set back, and one that shows whether it was.
 pub(super) const CHANGES: &str =
     "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n";
 
-pub(super) fn same(
+pub(super) fn compare_outcomes(
     first: &Outcome,
     again: &Result<Outcome, HarnessError>,
     otherwise: &str,
-) -> Came {
+) -> CheckResult {
     match again {
-        Ok(again) if again == first => Came::Fine("the same outcome".to_owned()),
-        Ok(again) => Came::Wrong(format!("{otherwise}: {}", difference(first, again))),
-        Err(error) => Came::Wrong(error.to_string()),
+        Ok(again) if again == first => CheckResult::Passed("the same outcome".to_owned()),
+        Ok(again) => CheckResult::Failed(format!("{otherwise}: {}", difference(first, again))),
+        Err(error) => CheckResult::Failed(error.to_string()),
     }
 }
 

@@ -118,7 +118,7 @@ impl Plan<'_> {
         let mut runs_on = vec![false; self.seeds.all.len()];
         for (place, scenario) in self.seeds.all.iter().enumerate() {
             let (outcome, coverage) = run(scenario);
-            if self.left_out(scenario, &outcome).is_some() {
+            if self.reason_not_compared(scenario, &outcome).is_some() {
                 continue;
             }
             runs_on[place] =
@@ -150,7 +150,7 @@ impl Plan<'_> {
             let scenario = splice::rare(&mut Entropy::from_seed(SEED, number), &self.seeds, &rare);
             let (ended, coverage) = run(&scenario);
             made.splices += 1;
-            if self.left_out(&scenario, &ended).is_none() {
+            if self.reason_not_compared(&scenario, &ended).is_none() {
                 made.reached.add(&coverage);
             }
             if made.splices == TRIALS

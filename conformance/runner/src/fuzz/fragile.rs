@@ -1,7 +1,7 @@
 //! Programs of which nothing can be said, since the last bit of a number decides.
 
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_compare::{Capabilities, compare, surely_same};
+use gaugeblock_compare::{Capabilities, certainly_equal, compare};
 use gaugeblock_fuzz::generate::ulp_perturbed;
 use gaugeblock_reference::Rounding;
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
@@ -18,7 +18,7 @@ pub fn is_fragile(scenario: &Scenario) -> bool {
     let plain = gaugeblock_reference::run(scenario).0;
     let observables = Capabilities::everything("reference", "");
     let differs = |other: &Outcome| {
-        !surely_same(&plain, other, true)
+        !certainly_equal(&plain, other, true)
             && compare(&Observed::of(&plain), &Observed::of(other), &observables)
                 .divergence
                 .is_some()

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_compare::{Divergence, compare, surely_same};
+use gaugeblock_compare::{Divergence, certainly_equal, compare};
 use gaugeblock_reference::{RuleCoverage, RunCache};
 use gaugeblock_vocabulary::{End, Outcome, Scenario, Undetermined};
 
@@ -46,11 +46,11 @@ thread_local! {
 }
 
 /// What a side showed, and of the model its evidence too.
-pub(super) type Shown = (Outcome, Option<RuleCoverage>);
+pub(super) type CoveredOutcome = (Outcome, Option<RuleCoverage>);
 
 /// What both sides showed of a scenario, and the evidence of the model where it is one of them.
 #[derive(Debug)]
-pub(super) struct Both {
+pub(super) struct OutcomePair {
     expected: Outcome,
     found: Outcome,
     coverage: Option<RuleCoverage>,
@@ -59,74 +59,74 @@ pub(super) struct Both {
 impl Plan<'_> {
     /// Runs a scenario on both and compares.
     pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> FuzzResult {
-        let expected = self.expected(scenario, statistics);
-        let both = expected.and_then(|expected| self.found(scenario, expected, statistics));
+        let expected = self.run_expected(scenario, statistics);
+        let both = expected.and_then(|expected| self.run_tested(scenario, expected, statistics));
         match both {
-            Ok(both) => self.compared(scenario, both, statistics),
+            Ok(both) => self.compare_pair(scenario, both, statistics),
             Err(result) => result,
         }
     }
 
     /// Runs a scenario on the side that is compared with: the expected outcome, or the result if it is known
     /// already.
-    pub(super) fn expected(
+    pub(super) fn run_expected(
         &self,
         scenario: &Scenario,
         statistics: &mut Statistics,
-    ) -> Result<Shown, FuzzResult> {
+    ) -> Result<CoveredOutcome, FuzzResult> {
         statistics.programs += 1;
         for side in [self.iut, self.against] {
             if let Err(why) = side.supports(scenario) {
-                count(&mut statistics.unsupported, &format!("{}: {why}", name(side)));
+                count(&mut statistics.unsupported, &format!("{}: {why}", controller_name(side)));
                 return Err(FuzzResult::Unsupported);
             }
         }
         self.iut.prefetch(scenario);
-        let (expected, coverage) = outcome(self.against, scenario, None);
+        let (expected, coverage) = run_side(self.against, scenario, None);
         let expected = match expected {
             Ok(expected) => expected,
-            Err(error) => return Err(self.broken(self.against, &error, statistics)),
+            Err(error) => return Err(self.judge_failure(self.against, &error, statistics)),
         };
         statistics.blocks += u64::try_from(expected.steps.len()).unwrap_or_default();
-        if let Some(result) = open(self.against, &expected, statistics) {
+        if let Some(result) = undetermined_result(self.against, &expected, statistics) {
             return Err(result);
         }
         Ok((expected, coverage))
     }
 
     /// Runs a scenario on the side under test: both outcomes, or the result if it is known already.
-    pub(super) fn found(
+    pub(super) fn run_tested(
         &self,
         scenario: &Scenario,
-        (expected, coverage): Shown,
+        (expected, coverage): CoveredOutcome,
         statistics: &mut Statistics,
-    ) -> Result<Both, FuzzResult> {
-        let (found, other) = outcome(self.iut, scenario, Some(&expected));
+    ) -> Result<OutcomePair, FuzzResult> {
+        let (found, other) = run_side(self.iut, scenario, Some(&expected));
         let found = match found {
             Ok(found) => found,
             Err(HarnessError::TimedOut { .. } | HarnessError::Flooded { .. })
                 if matches!(expected.end, End::BudgetExhausted { .. }) =>
             {
-                let why = format!("{}: no end, here as there", name(self.iut));
+                let why = format!("{}: no end, here as there", controller_name(self.iut));
                 count(&mut statistics.not_judged, &why);
                 return Err(FuzzResult::NotJudged(why));
             }
-            Err(error) => return Err(self.broken(self.iut, &error, statistics)),
+            Err(error) => return Err(self.judge_failure(self.iut, &error, statistics)),
         };
-        if let Some(result) = open(self.iut, &found, statistics) {
+        if let Some(result) = undetermined_result(self.iut, &found, statistics) {
             return Err(result);
         }
-        Ok(Both { expected, found, coverage: coverage.or(other) })
+        Ok(OutcomePair { expected, found, coverage: coverage.or(other) })
     }
 
     /// Compares what both sides showed of a scenario.
-    pub(super) fn compared(
+    pub(super) fn compare_pair(
         &self,
         scenario: &Scenario,
-        both: Both,
+        both: OutcomePair,
         statistics: &mut Statistics,
     ) -> FuzzResult {
-        let Both { expected, found, coverage } = both;
+        let OutcomePair { expected, found, coverage } = both;
         statistics.count(scenario, &expected);
         if let Some(coverage) = &coverage {
             statistics.reached(coverage);
@@ -149,7 +149,7 @@ impl Plan<'_> {
     ) -> Option<Divergence> {
         let (expected, found) = comparable(expected, found);
         let show_pins = |side: &dyn Adapter| !side.capabilities().pins.is_empty();
-        if surely_same(&expected, &found, show_pins(self.iut) && show_pins(self.against)) {
+        if certainly_equal(&expected, &found, show_pins(self.iut) && show_pins(self.against)) {
             return None;
         }
         let observables = self.iut.observables(scenario).and(&self.against.observables(scenario));
@@ -158,7 +158,7 @@ impl Plan<'_> {
     }
 
     /// A controller that crashed, hung or flooded is a finding; one that was not understood is not judged.
-    fn broken(
+    fn judge_failure(
         &self,
         side: &dyn Adapter,
         error: &HarnessError,
@@ -176,12 +176,12 @@ impl Plan<'_> {
                 let line = error.to_string();
                 let short: String =
                     line.lines().next().unwrap_or_default().chars().take(100).collect();
-                count(&mut statistics.not_judged, &format!("{}: {short}", name(side)));
-                return FuzzResult::NotJudged(format!("{}: {error}", name(side)));
+                count(&mut statistics.not_judged, &format!("{}: {short}", controller_name(side)));
+                return FuzzResult::NotJudged(format!("{}: {error}", controller_name(side)));
             }
         };
         let of = |other: bool| if other { error.to_string() } else { "an end".to_owned() };
-        let is_iut = name(side) == name(self.iut);
+        let is_iut = controller_name(side) == controller_name(self.iut);
         let divergence = Divergence {
             block: None,
             field: what.to_owned(),
@@ -198,17 +198,17 @@ fn differs(divergence: Divergence, statistics: &mut Statistics) -> FuzzResult {
     FuzzResult::Differs(Box::new(Difference { divergence, signature }))
 }
 
-fn name(side: &dyn Adapter) -> &str {
+fn controller_name(side: &dyn Adapter) -> &str {
     &side.capabilities().name
 }
 
 /// The outcome of a scenario, and of the model its evidence too. What the other side showed is what is expected of it.
-fn outcome(
+fn run_side(
     side: &dyn Adapter,
     scenario: &Scenario,
     expected: Option<&Outcome>,
 ) -> (Result<Outcome, HarnessError>, Option<RuleCoverage>) {
-    if name(side) == "reference" {
+    if controller_name(side) == "reference" {
         let mut cache = MODEL.take();
         let (outcome, coverage) = gaugeblock_reference::run_with(&mut cache, scenario);
         MODEL.set(cache);
@@ -222,10 +222,14 @@ fn outcome(
 }
 
 /// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
-fn open(side: &dyn Adapter, outcome: &Outcome, statistics: &mut Statistics) -> Option<FuzzResult> {
+fn undetermined_result(
+    side: &dyn Adapter,
+    outcome: &Outcome,
+    statistics: &mut Statistics,
+) -> Option<FuzzResult> {
     Some(match outcome.end.undetermined()? {
         Undetermined::Unsupported(what) => {
-            count(&mut statistics.unsupported, &format!("{}: {what}", name(side)));
+            count(&mut statistics.unsupported, &format!("{}: {what}", controller_name(side)));
             FuzzResult::Unsupported
         }
         Undetermined::Unspecified(why) => {

@@ -4,6 +4,7 @@
 //! order and on any machine, each is [journaled](journal) when it is done, and what they found is put together in the
 //! order of numbers, so that the same plan gives the same report however often it was interrupted.
 
+pub mod comparability;
 mod comparable;
 pub mod coverage_pass;
 mod fragile;
@@ -11,7 +12,6 @@ pub mod groups;
 pub mod journal;
 mod judge;
 mod plan;
-pub mod shown;
 pub mod signature;
 pub mod statistics;
 
@@ -61,13 +61,14 @@ impl Plan<'_> {
             // Each time the one that was made last comes first: most of it is still at hand. What is counted are
             // sums, whatever the order.
             let last_first = scenarios.iter().rev();
-            let expected = last_first.map(|(_, scenario)| self.expected(scenario, &mut statistics));
+            let expected =
+                last_first.map(|(_, scenario)| self.run_expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
             let first_last = expected.into_iter().rev();
             for ((number, scenario), expected) in scenarios.into_iter().zip(first_last) {
-                let both =
-                    expected.and_then(|expected| self.found(&scenario, expected, &mut statistics));
-                let result = both.map(|both| self.compared(&scenario, both, &mut statistics));
+                let both = expected
+                    .and_then(|expected| self.run_tested(&scenario, expected, &mut statistics));
+                let result = both.map(|both| self.compare_pair(&scenario, both, &mut statistics));
                 match result.unwrap_or_else(|result| result) {
                     FuzzResult::Differs(difference) => {
                         groups.add(Finding::of(number, scenario, *difference));

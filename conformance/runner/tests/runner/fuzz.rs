@@ -302,7 +302,7 @@ fn what_no_case_can_show_is_told_apart_by_what_a_controller_declares() {
     let cases = ["g0 x1\nm2", "g91 g4 p1\nm2", "g41 d1\ng1 x1 f1\nm2"].map(Scenario::of);
     let outcomes = ["motion.traverse", "order.dwell-before-distance", "compensation.none"]
         .map(|rule| (rule, RuleOutcome::Accepted));
-    let not_shown: Vec<_> = plan.not_shown(outcomes, cases).into_iter().collect();
+    let not_shown: Vec<_> = plan.not_comparable(outcomes, cases).into_iter().collect();
     let of = |name: &str, why: &str| (name.to_owned(), why.to_owned());
     assert_eq!(
         not_shown,

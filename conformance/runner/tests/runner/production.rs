@@ -6,7 +6,7 @@ use std::num::NonZero;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Production;
 use gaugeblock_runner::certify::{Plan, Run, Verdict, certify};
-use gaugeblock_runner::fingerprint::{Shown, shown};
+use gaugeblock_runner::fingerprint::{ObservedOption, observe_choice};
 use gaugeblock_suite::{ChoiceKind, Edition, Suite};
 
 /// Why cases are unsupported: they are about what another controller only stubs.
@@ -77,10 +77,10 @@ fn it_does_what_each_option_says() {
     let (mut wrong, mut left_out) = (Vec::new(), Vec::new());
     let choices = suite.choices.iter().filter(|choice| choice.kind == ChoiceKind::Choice);
     for choice in choices {
-        let shown = |edition: &Edition, option: &str| {
+        let observed = |edition: &Edition, option: &str| {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.to_owned());
-            shown(choice, &options, None, &production, false)
+            observe_choice(choice, &options, None, &production, false)
         };
         if choice.under.values().any(|option| option == "observed") {
             left_out.push(choice.id.as_str());
@@ -89,8 +89,8 @@ fn it_does_what_each_option_says() {
         for option in &choice.options {
             // A page tells its options apart under some edition, which it does not name.
             let editions = editions.iter().filter(|edition| edition.language == choice.language);
-            let under: Vec<_> = editions.map(|edition| shown(edition, &option.name)).collect();
-            if under.contains(&Shown::Option(option.name.clone())) {
+            let under: Vec<_> = editions.map(|edition| observed(edition, &option.name)).collect();
+            if under.contains(&ObservedOption::Option(option.name.clone())) {
                 continue;
             }
             wrong.push(format!("{} = {}: {under:?}", choice.id, option.name));

@@ -1,8 +1,8 @@
 //! The suite as it is built in: in its form, complete, and in agreement with the model.
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_runner::catalogue;
-use gaugeblock_runner::fingerprint::{Shown, fingerprint};
+use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
+use gaugeblock_runner::suite_check;
 use gaugeblock_suite::Suite;
 
 fn suite() -> Suite {
@@ -12,7 +12,7 @@ fn suite() -> Suite {
 
 #[test]
 fn every_declared_outcome_is_reached_and_every_golden_is_current() {
-    let faults = catalogue::faults(&suite());
+    let faults = suite_check::faults(&suite());
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -30,7 +30,7 @@ fn the_model_shows_each_option_that_it_is_given() {
             let mut alone = suite.clone();
             alone.choices.retain(|other| other.id == choice.id);
             for (_, shown) in fingerprint(&alone, &options, None, &controller) {
-                if shown != Shown::Option(option.name.clone()) {
+                if shown != ObservedOption::Option(option.name.clone()) {
                     wrong.push(format!("{} = {}: shows {shown:?}", choice.id, option.name));
                 }
             }

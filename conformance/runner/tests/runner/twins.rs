@@ -6,8 +6,8 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_runner::catalogue::{editions_of, model_run};
 use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::suite_check::{editions_of, model_run};
 use gaugeblock_suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
 
 /// The chapters, and for each the document whose sentences its page goes through.

@@ -15,10 +15,10 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
 use super::output::Call;
-use crate::probing::lengths::Lengths;
-use crate::probing::probe::Probe;
-use crate::probing::source::{code, plain_word};
-use crate::probing::state;
+use crate::instrumentation::lengths::Lengths;
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::source::{code, plain_word};
+use crate::instrumentation::state;
 
 /// What a call means for the run.
 #[derive(Clone, Debug, PartialEq, Eq)]

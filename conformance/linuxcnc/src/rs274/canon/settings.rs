@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::{Call, Canon, Done, Mark, whole};
-use crate::probing::state;
+use crate::instrumentation::state;
 
 impl Canon {
     pub(super) fn setting(&mut self, call: &Call, numbers: &[f64]) -> Done {

@@ -16,9 +16,9 @@ use std::time::Instant;
 use gaugeblock_adapter::clock::now;
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::started::Started;
+use super::command::Started;
 use super::streams::Streams;
-use crate::probing::workspace::Workspace;
+use crate::instrumentation::workspace::Workspace;
 pub(super) use server::Start;
 use server::{Answer, PATIENCE, Server};
 

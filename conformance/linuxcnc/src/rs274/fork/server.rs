@@ -14,8 +14,8 @@ use std::time::Duration;
 use rustix::net::{SendAncillaryBuffer, SendAncillaryMessage, SendFlags, sendmsg};
 use rustix::process::Pid;
 
-use crate::probing::workspace::{TOOLS, Workspace};
-use crate::rs274::started::Started;
+use crate::instrumentation::workspace::{TOOLS, Workspace};
+use crate::rs274::command::Started;
 use crate::rs274::streams::Ends;
 
 /// All that a controller reads before it forks.

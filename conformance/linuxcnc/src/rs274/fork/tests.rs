@@ -14,8 +14,8 @@ use rustix::process::kill_process;
 use sha2::{Digest as _, Sha256};
 
 use super::*;
-use crate::probing::instrument::{Ends, Plan};
-use crate::probing::source::Source;
+use crate::instrumentation::instrument::{Ends, Plan};
+use crate::instrumentation::source::Source;
 use crate::rs274::process::{Limits, Output, Process, Run};
 use crate::rs274::session::{From, MANUAL_INPUT, Session, Unprobed};
 use crate::rs274::streams::Stop;
@@ -138,8 +138,8 @@ fn a_fork_does_what_a_start_does() {
         let ends = Ends::new(&source, scenario.program.block_delete);
         let plan = Plan::new(&source, &BTreeSet::new());
         let run = |from: From| {
-            let text = |file: usize, lines: &[String]| plan.probed(file, lines, &ends);
-            session.run(from, MANUAL_INPUT, &plan.by_hand(&ends), text)
+            let text = |file: usize, lines: &[String]| plan.with_probes(file, lines, &ends);
+            session.run(from, MANUAL_INPUT, &plan.mdi_probe(&ends), text)
         };
         match (run(From::Fork), run(From::Start)) {
             (Ok((forked, its_folder)), Ok((started, folder))) => {

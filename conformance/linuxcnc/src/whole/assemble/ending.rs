@@ -4,9 +4,9 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
 
 use super::{Assembly, is_end, unreadable};
-use crate::probing::faults;
-use crate::probing::probe::Probe;
-use crate::probing::source::{Form, form};
+use crate::instrumentation::faults;
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::source::{Form, form};
 
 impl Assembly<'_> {
     /// How the run ended, and its last block.
@@ -14,14 +14,14 @@ impl Assembly<'_> {
     /// # Errors
     /// Nothing tells how it ended, or an error message is unknown.
     pub(super) fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
-        if let Some(end) = self.seen_from_outside()? {
+        if let Some(end) = self.end_by_status()? {
             return Ok(end);
         }
         if let Some(fault) = self.refused.take() {
             return Ok(End::Fault(fault));
         }
         if self.aborted || self.has_ended {
-            self.over_before(after_end)?;
+            self.ends_before(after_end)?;
             return Ok(if self.aborted { End::Aborted } else { End::ProgramEnd });
         }
         if self.issued.iter().any(is_end) {
@@ -31,7 +31,7 @@ impl Assembly<'_> {
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
             let events = self.events(printed, &issued, probe)?;
-            self.ended(probe, events)?;
+            self.program_ended(probe, events)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {
@@ -44,14 +44,14 @@ impl Assembly<'_> {
         // By hand there is always another block to wait for.
         let waits = self.by_hand && self.read.is_empty() && self.marked.is_empty();
         if self.asked_for_mode || waits {
-            self.over_before(after_end)?;
+            self.ends_before(after_end)?;
             return Ok(if self.asked_for_mode { End::Aborted } else { End::Paused });
         }
         Err(unreadable("a run without an end"))
     }
 
     /// How a run ended that the controller does not end itself.
-    fn seen_from_outside(&mut self) -> Result<Option<End>, HarnessError> {
+    fn end_by_status(&mut self) -> Result<Option<End>, HarnessError> {
         Ok(match self.ends.as_deref() {
             Some("budget") => Some(End::BudgetExhausted { bound: Bound::Steps }),
             Some("endless") => Some(End::Endless),
@@ -64,10 +64,14 @@ impl Assembly<'_> {
     }
 
     /// The program ended, in the mode that the controller was in then.
-    pub(super) fn ended(&mut self, probe: &Probe, events: Vec<Event>) -> Result<(), HarnessError> {
+    pub(super) fn program_ended(
+        &mut self,
+        probe: &Probe,
+        events: Vec<Event>,
+    ) -> Result<(), HarnessError> {
         let mode = self.steps.mode;
         self.steps.mode = self.mode_at_end.or(mode);
-        self.steps.ended(probe, None, events, self.canon.tool)?;
+        self.steps.record_end(probe, None, events, self.canon.tool)?;
         self.steps.mode = mode;
         Ok(())
     }
@@ -96,7 +100,7 @@ impl Assembly<'_> {
 
     /// An abort broke a block off. What it did itself is not recorded; what was in force afterwards is, and what the
     /// controller refused meanwhile.
-    pub(super) fn broken_off(&mut self, events: Vec<Event>) {
+    pub(super) fn aborted(&mut self, events: Vec<Event>) {
         let stays = |event: &Event| {
             matches!(
                 event,
@@ -120,11 +124,11 @@ impl Assembly<'_> {
     }
 
     /// The run was aborted, has ended before, or waits for another block by hand; what a probe showed afterwards.
-    fn over_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
+    fn ends_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let Some(probe) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
         let events = self.events(Vec::new(), &issued, probe)?;
-        self.broken_off(events);
+        self.aborted(events);
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::entering::{Entering, block};
 use super::{Assembly, is_end};
-use crate::probing::probe::Probe;
+use crate::instrumentation::probe::Probe;
 
 impl Assembly<'_> {
     /// The driver's word on a block that is entered.
@@ -26,7 +26,7 @@ impl Assembly<'_> {
     }
 
     /// A probe before or after a block that is entered.
-    pub(super) fn shown_around_entry(
+    pub(super) fn probes_around_entry(
         &mut self,
         entering: Entering,
         probe: &Probe,
@@ -40,16 +40,16 @@ impl Assembly<'_> {
                 self.marked.clear();
                 let events = self.events(printed, &issued, probe)?;
                 if issued.iter().any(is_end) {
-                    self.ended(probe, events)?;
+                    self.program_ended(probe, events)?;
                     self.has_ended = true;
                 } else {
-                    self.broken_off(events);
+                    self.aborted(events);
                 }
                 self.entering = Some(Entering::Block { line, text });
             }
             Entering::Block { line, text } | Entering::After { line, text } => {
                 let events = self.events_of(&text, printed, &issued, probe)?;
-                self.steps.entered(block(line), probe, events, self.canon.tool)?;
+                self.steps.record_mdi_block(block(line), probe, events, self.canon.tool)?;
             }
         }
         Ok(())

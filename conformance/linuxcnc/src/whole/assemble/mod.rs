@@ -23,11 +23,11 @@ use entering::Entering;
 use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
-use crate::probing::instrument::Plan;
-use crate::probing::probe::Probe;
-use crate::probing::refusal;
-use crate::probing::source::Source;
-use crate::probing::steps::{self, Steps};
+use crate::instrumentation::instrument::Plan;
+use crate::instrumentation::probe::Probe;
+use crate::instrumentation::refusal;
+use crate::instrumentation::source::Source;
+use crate::instrumentation::steps::{self, Steps};
 
 /// A block as it was read: what was printed meanwhile, and the probe after it.
 type ReadBlock = (Vec<Effect>, Probe);
@@ -215,7 +215,7 @@ impl<'a> Assembly<'a> {
             self.at_gate = mark.strip_prefix('>').is_some_and(|place| self.is_gate(place));
             if !mark.starts_with(['+', '>']) {
                 self.marked.push_back(std::mem::take(&mut self.issued));
-                self.carried_out()?;
+                self.block_executed()?;
             }
             return Ok(());
         }
@@ -244,7 +244,7 @@ impl<'a> Assembly<'a> {
 
     fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
         if let Some(entering) = self.entering.take() {
-            return self.shown_around_entry(entering, probe);
+            return self.probes_around_entry(entering, probe);
         }
         if (probe.file, probe.line) == (0, 0)
             && self.reading_at.is_some()
@@ -256,18 +256,18 @@ impl<'a> Assembly<'a> {
         self.reading_at = Some((probe.file, probe.line));
         self.trace.stands_in(probe.file);
         self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
-        self.carried_out()
+        self.block_executed()
     }
 
     /// Blocks that are both read and carried out become steps.
-    fn carried_out(&mut self) -> Result<(), HarnessError> {
+    fn block_executed(&mut self) -> Result<(), HarnessError> {
         while !self.marked.is_empty() && !self.read.is_empty() {
             let (Some(issued), Some((printed, probe))) =
                 (self.marked.pop_front(), self.read.pop_front())
             else {
                 break;
             };
-            if !self.steps.begun() {
+            if !self.steps.has_begun() {
                 self.canon.begin("", &probe, None);
                 for issued in std::mem::take(&mut self.reset) {
                     self.canon.issue(&issued)?;
@@ -281,20 +281,20 @@ impl<'a> Assembly<'a> {
             if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
                 self.restarts += 1;
                 if issued.iter().any(is_end) {
-                    self.ended(&probe, events)?;
+                    self.program_ended(&probe, events)?;
                 } else {
-                    self.broken_off(events);
+                    self.aborted(events);
                 }
-                self.steps.stands_at(&probe);
+                self.steps.resume_at(&probe);
                 continue;
             }
             if self.by_hand && std::mem::take(&mut self.aborted) {
                 // The block was broken off; the next one is entered all the same.
-                self.broken_off(events);
-                self.steps.stands_at(&probe);
+                self.aborted(events);
+                self.steps.resume_at(&probe);
                 continue;
             }
-            self.steps.passed(&probe, events, self.canon.tool)?;
+            self.steps.record_block(&probe, events, self.canon.tool)?;
         }
         Ok(())
     }

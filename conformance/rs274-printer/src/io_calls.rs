@@ -51,7 +51,7 @@ impl Printed<'_> {
     }
 
     /// M6 and M61.
-    pub(super) fn change(&mut self) {
+    pub(super) fn tool_change(&mut self) {
         if self.words.has_m(6) {
             self.out.call("START_CHANGE");
             while let Some(Effect::StraightTraverse { end }) =

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use gaugeblock_report::merge::Stored;
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// The hint where a report cannot be read.
 const NAME_A_REPORT: &str = "name the report.json of an earlier run: \
@@ -15,7 +15,7 @@ pub(crate) fn stored(path: &Path) -> Result<(String, Stored), CliError> {
     let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
     let name = path.display().to_string();
     let bytes = std::fs::read(&path)
-        .map_err(|error| CliError::wrong(format!("{name}: {error}"), NAME_A_REPORT))?;
+        .map_err(|error| CliError::usage(format!("{name}: {error}"), NAME_A_REPORT))?;
     // What is not UTF-8 is not JSON either, and is refused as such.
     let stored = read(&path, &String::from_utf8_lossy(&bytes), Stored::read)?;
     Ok((name, stored))
@@ -27,5 +27,5 @@ pub(crate) fn read<T>(
     text: &str,
     read: impl FnOnce(&str) -> Result<T, String>,
 ) -> Result<T, CliError> {
-    read(text).map_err(|why| CliError::wrong(format!("{} {why}", path.display()), NAME_A_REPORT))
+    read(text).map_err(|why| CliError::usage(format!("{} {why}", path.display()), NAME_A_REPORT))
 }

@@ -54,7 +54,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Whether a probe was seen.
-    pub(crate) fn begun(&self) -> bool {
+    pub(crate) fn has_begun(&self) -> bool {
         self.at.is_some()
     }
 
@@ -88,7 +88,7 @@ impl<'a> Steps<'a> {
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(crate) fn passed(
+    pub(crate) fn record_block(
         &mut self,
         probe: &Probe,
         events: Vec<Event>,
@@ -100,9 +100,9 @@ impl<'a> Steps<'a> {
         let jumped = here != next;
         let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
         if level != self.level || self.next_form() == Form::Return {
-            self.led_elsewhere();
+            self.enter_level();
         }
-        let closes_nothing = self.closes_nothing(next);
+        let closes_nothing = self.is_idle_probe_close(next);
         match self.next_form() {
             Form::Other if closes_nothing && events.is_empty() => {}
             Form::Call if jumped => {
@@ -117,7 +117,7 @@ impl<'a> Steps<'a> {
             Form::Empty | Form::Percent | Form::End | Form::Other => {
                 let line = self.source.line(next.0, next.1);
                 if !(self.block_delete && has_slash(line)) {
-                    let shown = self.shown(probe, tool)?;
+                    let shown = self.state_of(probe, tool)?;
                     let changes = shown.since(&self.known);
                     self.known.overlay(&changes);
                     self.step(next, events, Some(State::Rs274(changes)));
@@ -132,7 +132,7 @@ impl<'a> Steps<'a> {
     }
 
     /// Whether a line is a (PROBECLOSE) alone, and no file is open: a comment that does nothing is no block.
-    fn closes_nothing(&mut self, (file, line): (usize, u32)) -> bool {
+    fn is_idle_probe_close(&mut self, (file, line): (usize, u32)) -> bool {
         let line = self.source.line(file, line);
         let is_skipped = self.block_delete && has_slash(line);
         let Some(opens) = opens_probe_log(line).filter(|_| !is_skipped) else { return false };
@@ -141,7 +141,7 @@ impl<'a> Steps<'a> {
     }
 
     /// After a call or return the level is recorded anew, and with it the local names that exist.
-    fn led_elsewhere(&mut self) {
+    fn enter_level(&mut self) {
         self.known.call_level = None;
         if let Some(parameters) = &mut self.known.parameter {
             parameters.0.retain(|name, _| !is_local_name(name));
@@ -152,7 +152,7 @@ impl<'a> Steps<'a> {
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(crate) fn ended(
+    pub(crate) fn record_end(
         &mut self,
         probe: &Probe,
         parameters: Option<&BTreeMap<u32, f64>>,
@@ -160,9 +160,9 @@ impl<'a> Steps<'a> {
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let mut shown = self.shown(probe, tool)?;
+        let mut shown = self.state_of(probe, tool)?;
         if self.level != 0 {
-            self.led_elsewhere();
+            self.enter_level();
             arguments_at_end(&mut shown, parameters);
         }
         let changes = shown.since(&self.known);
@@ -175,7 +175,7 @@ impl<'a> Steps<'a> {
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(crate) fn entered(
+    pub(crate) fn record_mdi_block(
         &mut self,
         block: BlockLocation,
         probe: &Probe,
@@ -183,14 +183,14 @@ impl<'a> Steps<'a> {
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let changes = self.shown(probe, tool)?.since(&self.known);
+        let changes = self.state_of(probe, tool)?.since(&self.known);
         self.known.overlay(&changes);
         self.taken.push(Step { block, events, state: Some(State::Rs274(changes)) });
         Ok(())
     }
 
     /// The run goes on behind this probe: the program again, or the next block after one that was broken off.
-    pub(crate) fn stands_at(&mut self, probe: &Probe) {
+    pub(crate) fn resume_at(&mut self, probe: &Probe) {
         self.at = Some((probe.file, probe.line));
     }
 
@@ -204,7 +204,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    fn shown(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
+    fn state_of(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
         let shown = state::state(probe, tool, self.plan)?;
         let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
         Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })

@@ -10,8 +10,8 @@ use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
 
-use super::stored;
-use crate::refused::CliError;
+use super::stored_report;
+use crate::error::CliError;
 
 #[derive(Debug, Args)]
 pub(crate) struct ComparisonArguments {
@@ -32,7 +32,7 @@ pub(crate) struct ComparisonArguments {
 
 /// The files, read.
 #[derive(Debug)]
-pub(crate) struct Known {
+pub(crate) struct ComparisonFiles {
     expectations: Option<Expectations>,
     baseline: Option<Stored>,
     waivers: Option<(Waivers, Day)>,
@@ -40,37 +40,41 @@ pub(crate) struct Known {
 
 impl ComparisonArguments {
     /// Reads the files, before anything runs.
-    pub(crate) fn read(&self) -> Result<Known, CliError> {
-        let baseline = self.baseline.as_deref().map(stored::stored).transpose()?;
+    pub(crate) fn read(&self) -> Result<ComparisonFiles, CliError> {
+        let baseline = self.baseline.as_deref().map(stored_report::stored).transpose()?;
         let today = self.today.unwrap_or_else(today);
         let waivers = self.waivers.as_deref().map(read_waivers).transpose()?;
-        Ok(Known {
-            expectations: self.expectations.as_deref().map(read).transpose()?,
+        Ok(ComparisonFiles {
+            expectations: self.expectations.as_deref().map(read_expectations).transpose()?,
             baseline: baseline.map(|(_, stored)| stored),
             waivers: waivers.map(|waivers| (waivers, today)),
         })
     }
 }
 
-impl Known {
+impl ComparisonFiles {
     /// Refuses files of another controller or edition, and waivers for unknown rules. Returns a note where the
     /// baseline belongs to another version.
-    pub(crate) fn fits(&self, header: &Header, suite: &Suite) -> Result<Option<String>, CliError> {
+    pub(crate) fn check_header(
+        &self,
+        header: &Header,
+        suite: &Suite,
+    ) -> Result<Option<String>, CliError> {
         let waivers = self.waivers.as_ref();
-        if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.unknown(suite)) {
-            return Err(CliError::wrong(
+        if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.first_unknown(suite)) {
+            return Err(CliError::usage(
                 unknown,
                 "`gaugeblock rules` lists the rules, and with --format json their cases",
             ));
         }
         if let Some(baseline) = &self.baseline {
             let hint = "choose the report.json of an earlier run of this controller and edition";
-            return baseline.fits(header).map_err(|why| CliError::wrong(why, hint));
+            return baseline.check_header(header).map_err(|why| CliError::usage(why, hint));
         }
         let Some(expectations) = &self.expectations else { return Ok(None) };
         let Header { controller, version, edition, .. } = header;
         if expectations.controller != *controller || expectations.edition != *edition {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!(
                     "the expectations are for {}/{}, this run is {controller}/{edition}",
                     expectations.controller, expectations.edition
@@ -79,7 +83,7 @@ impl Known {
             ));
         }
         if expectations.version != *version {
-            return Err(CliError::unfinished(
+            return Err(CliError::failure(
                 format!(
                     "the expectations are for version {}, the controller has version {version}",
                     expectations.version
@@ -92,27 +96,27 @@ impl Known {
 
     /// Mismatches with the expectations or the baseline, and a note for each divergence that is fixed. Marks known and
     /// waived divergences in the run. `whole` says that every case was selected.
-    pub(crate) fn hold(
+    pub(crate) fn compare(
         &self,
         run: &mut Run<'_>,
         whole: bool,
     ) -> (Option<Vec<ExpectationMismatch>>, Vec<String>) {
-        let (mut troubles, mut notes, mut who) = (None, Vec::new(), None);
+        let (mut mismatches, mut notes, mut who) = (None, Vec::new(), None);
         if let Some(expectations) = &self.expectations {
-            (troubles, who) = (Some(expectations.hold(run, whole)), Some(EXPECTATIONS));
+            (mismatches, who) = (Some(expectations.compare(run, whole)), Some(EXPECTATIONS));
         }
         if let Some(baseline) = &self.baseline {
-            let (new, mended) = baseline.hold(run);
-            (troubles, who) = (Some(new), Some(BASELINE));
+            let (new, mended) = baseline.compare(run);
+            (mismatches, who) = (Some(new), Some(BASELINE));
             notes = mended;
         }
         let mut waived = Vec::new();
         if let Some((waivers, today)) = &self.waivers {
-            let (left, held) = waivers.hold(run, troubles, *today);
-            (troubles, waived) = (Some(left), held);
+            let (left, held) = waivers.apply(run, mismatches, *today);
+            (mismatches, waived) = (Some(left), held);
         }
-        run.excuse(troubles.as_deref().unwrap_or_default(), &waived, who);
-        (troubles, notes)
+        run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, who);
+        (mismatches, notes)
     }
 }
 
@@ -120,9 +124,9 @@ fn read_waivers(path: &Path) -> Result<Waivers, CliError> {
     let name = path.display();
     let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
     let text = std::fs::read_to_string(path)
-        .map_err(|error| CliError::wrong(format!("{name}: {error}"), hint))?;
+        .map_err(|error| CliError::usage(format!("{name}: {error}"), hint))?;
     Waivers::read(&text)
-        .map_err(|error| CliError::wrong(format!("{name}: {}", error.trim_end()), hint))
+        .map_err(|error| CliError::usage(format!("{name}: {}", error.trim_end()), hint))
 }
 
 #[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
@@ -131,16 +135,16 @@ fn today() -> Day {
     Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }
 
-fn read(path: &Path) -> Result<Expectations, CliError> {
+fn read_expectations(path: &Path) -> Result<Expectations, CliError> {
     let name = path.display();
     let text = std::fs::read_to_string(path).map_err(|error| {
-        CliError::wrong(
+        CliError::usage(
             format!("{name}: {error}"),
             "`gaugeblock certify --write-expectations FILE` writes such a file",
         )
     })?;
     Expectations::read(&text).map_err(|error| {
-        CliError::wrong(
+        CliError::usage(
             format!("{name}: {}", error.trim_end()),
             "`gaugeblock certify --write-expectations FILE` writes such a file",
         )

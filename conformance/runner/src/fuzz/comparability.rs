@@ -9,7 +9,7 @@ use super::Plan;
 use super::statistics::name_of;
 
 /// Outcomes of rules that no case shows on both sides, and why.
-pub type NotShown = BTreeMap<String, String>;
+pub type NotComparable = BTreeMap<String, String>;
 
 /// What stands for a reason where no case reaches an outcome, whoever would run it.
 const NO_CASE: &str = "no case reaches them as these options read the documents";
@@ -18,15 +18,15 @@ impl Plan<'_> {
     /// Those of some outcomes that none of the cases which both controllers run reaches, each with what is said of
     /// the first case that would: by the one that does not run it, or by the model, which does not say what becomes
     /// of it.
-    pub fn not_shown<'r>(
+    pub fn not_comparable<'r>(
         &self,
         outcomes: impl IntoIterator<Item = (&'r str, RuleOutcome)>,
         cases: impl IntoIterator<Item = Scenario>,
-    ) -> NotShown {
+    ) -> NotComparable {
         let (mut shown, mut reasons) = (BTreeSet::new(), BTreeMap::new());
         for scenario in cases {
             let (outcome, coverage) = run(&scenario);
-            let why = self.left_out(&scenario, &outcome);
+            let why = self.reason_not_compared(&scenario, &outcome);
             for reached in coverage.iter() {
                 match &why {
                     None => {
@@ -47,7 +47,11 @@ impl Plan<'_> {
     }
 
     /// Why a scenario is not compared, where that is known before any controller but the model has run it.
-    pub(super) fn left_out(&self, scenario: &Scenario, outcome: &Outcome) -> Option<String> {
+    pub(super) fn reason_not_compared(
+        &self,
+        scenario: &Scenario,
+        outcome: &Outcome,
+    ) -> Option<String> {
         for side in [self.iut, self.against] {
             if let Err(why) = side.supports(scenario) {
                 return Some(format!("{}: {why}", side.capabilities().name));

@@ -9,7 +9,7 @@ use gaugeblock_runner::certify::Traces;
 use serde::Serialize;
 
 /// Numbers that are no further apart than this may be the same, told with fewer digits.
-const NEAR: f64 = 6e-5;
+const RELATIVE_TOLERANCE: f64 = 6e-5;
 
 /// One of the two traces, line by line.
 #[derive(Debug, PartialEq, Serialize)]
@@ -26,10 +26,11 @@ pub(super) struct Part<'a> {
 }
 
 /// Both traces. What is masked is not looked at.
-pub(super) fn sides<'a>(traces: &'a Traces, masked: &BTreeSet<String>) -> Vec<Side<'a>> {
-    let (expected, found) = (Told::of(&traces.expected), Told::of(&traces.found));
-    let side = |name, own: &Told<'a>, other: &Told<'_>| {
-        let lines = own.groups.iter().flat_map(|group| group.marked(other, masked));
+pub(super) fn side_by_side<'a>(traces: &'a Traces, masked: &BTreeSet<String>) -> Vec<Side<'a>> {
+    let (expected, found) =
+        (ParsedTrace::parse(&traces.expected), ParsedTrace::parse(&traces.found));
+    let side = |name, own: &ParsedTrace<'a>, other: &ParsedTrace<'_>| {
+        let lines = own.groups.iter().flat_map(|group| group.mark_differences(other, masked));
         Side { name, lines: lines.collect() }
     };
     let by_the_documents = side("by the documents", &expected, &found);
@@ -38,7 +39,7 @@ pub(super) fn sides<'a>(traces: &'a Traces, masked: &BTreeSet<String>) -> Vec<Si
 
 /// A trace.
 #[derive(Debug)]
-struct Told<'a> {
+struct ParsedTrace<'a> {
     groups: Vec<Group<'a>>,
 }
 
@@ -52,8 +53,8 @@ struct Group<'a> {
     values: BTreeMap<&'a str, &'a str>,
 }
 
-impl<'a> Told<'a> {
-    fn of(trace: &'a str) -> Self {
+impl<'a> ParsedTrace<'a> {
+    fn parse(trace: &'a str) -> Self {
         let mut groups: Vec<Group<'a>> = Vec::new();
         let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
         let mut values = BTreeMap::new();
@@ -84,7 +85,7 @@ impl<'a> Told<'a> {
         Self { groups }
     }
 
-    fn like(&self, group: &Group<'_>) -> Option<&Group<'a>> {
+    fn counterpart(&self, group: &Group<'_>) -> Option<&Group<'a>> {
         self.groups.iter().find(|other| other.key == group.key)
     }
 
@@ -97,12 +98,16 @@ impl<'a> Told<'a> {
 impl<'a> Group<'a> {
     /// Effects that are shown, in order.
     fn doings(&self, masked: &BTreeSet<String>) -> impl Iterator<Item = &'a str> {
-        self.lines.iter().copied().filter(|line| is_shown(line, masked))
+        self.lines.iter().copied().filter(|line| is_compared_effect(line, masked))
     }
 
-    fn marked(&self, other: &Told<'_>, masked: &BTreeSet<String>) -> Vec<Vec<Part<'a>>> {
+    fn mark_differences(
+        &self,
+        other: &ParsedTrace<'_>,
+        masked: &BTreeSet<String>,
+    ) -> Vec<Vec<Part<'a>>> {
         let without_blocks = masked.contains("blocks");
-        let like = other.like(self);
+        let like = other.counterpart(self);
         let doings = match like {
             _ if without_blocks => other.doings(masked),
             Some(like) => like.doings(masked).collect(),
@@ -111,12 +116,12 @@ impl<'a> Group<'a> {
         let mut number = 0;
         let mut line = |line: &&'a str| -> Vec<Part<'a>> {
             let whole = |differs| vec![Part { text: line, differs }];
-            if is_shown(line, masked) {
+            if is_compared_effect(line, masked) {
                 number += 1;
                 let differs = if without_blocks {
-                    !doings.iter().any(|doing| is_alike(line, doing))
+                    !doings.iter().any(|doing| same_effect(line, doing))
                 } else {
-                    !doings.get(number - 1).is_some_and(|doing| is_alike(line, doing))
+                    !doings.get(number - 1).is_some_and(|doing| same_effect(line, doing))
                 };
                 return whole(differs);
             }
@@ -124,14 +129,16 @@ impl<'a> Group<'a> {
                 let differs = |(name, value): (&str, &str)| {
                     let theirs = like.values.get(name);
                     let is_lacking = self.key.0 == "parameters" && theirs.is_none();
-                    is_lacking || theirs.is_some_and(|theirs| !is_near(value, theirs))
+                    is_lacking || theirs.is_some_and(|theirs| !same_value(value, theirs))
                 };
                 return tokens(line)
                     .map(|text| Part { text, differs: field(text).is_some_and(differs) })
                     .collect();
             }
             whole(match (like, self.key.0) {
-                (Some(like), "end") => ended(line) != ended(like.lines.first().unwrap_or(&"")),
+                (Some(like), "end") => {
+                    end_tokens(line) != end_tokens(like.lines.first().unwrap_or(&""))
+                }
                 (Some(like), "pin") => like.lines.first() != Some(line),
                 (None, "pin") => other.groups.iter().any(|group| group.key.0 == "pin"),
                 (None, "end") => true,
@@ -144,7 +151,7 @@ impl<'a> Group<'a> {
 }
 
 /// Whether a line tells an effect that is looked at.
-fn is_shown(line: &str, masked: &BTreeSet<String>) -> bool {
+fn is_compared_effect(line: &str, masked: &BTreeSet<String>) -> bool {
     let name = line.strip_prefix("  do ").and_then(|rest| rest.split(' ').next());
     name.is_some_and(|name| !masked.contains(name))
 }
@@ -189,7 +196,7 @@ pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
 }
 
 /// How a run ended, without what is for people.
-fn ended(line: &str) -> Vec<&str> {
+fn end_tokens(line: &str) -> Vec<&str> {
     let is_compared = |token: &&str| {
         !["message=", "from=", "to="].iter().any(|name| token.trim_start().starts_with(name))
     };
@@ -197,14 +204,14 @@ fn ended(line: &str) -> Vec<&str> {
 }
 
 /// Whether two effects are the same up to digits.
-fn is_alike(one: &str, other: &str) -> bool {
+fn same_effect(one: &str, other: &str) -> bool {
     let (mut words, mut others) = (tokens(one), tokens(other));
     loop {
         match (words.next(), others.next()) {
             (None, None) => return true,
             (Some(one), Some(other)) if one == other => {}
             (Some(one), Some(other)) => match (field(one), field(other)) {
-                (Some(one), Some(other)) if one.0 == other.0 && is_near(one.1, other.1) => {}
+                (Some(one), Some(other)) if one.0 == other.0 && same_value(one.1, other.1) => {}
                 _ => return false,
             },
             _ => return false,
@@ -213,8 +220,8 @@ fn is_alike(one: &str, other: &str) -> bool {
 }
 
 /// Whether two values are the same up to digits. Coordinates of a position that are left out are zero.
-fn is_near(one: &str, other: &str) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() <= NEAR * a.abs().max(b.abs()).max(1.0);
+fn same_value(one: &str, other: &str) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= RELATIVE_TOLERANCE * a.abs().max(b.abs()).max(1.0);
     if let (Ok(one), Ok(other)) = (one.parse(), other.parse()) {
         return near(one, other);
     }
@@ -242,7 +249,7 @@ mod tests {
     fn marked(found: &str, masked: &[&str]) -> [Vec<String>; 2] {
         let traces = Traces { expected: EXPECTED.to_owned(), found: found.to_owned() };
         let masked = masked.iter().map(|name| (*name).to_owned()).collect();
-        let sides = sides(&traces, &masked);
+        let sides = side_by_side(&traces, &masked);
         let whole: Vec<String> =
             sides[0].lines.iter().map(|line| line.iter().map(|part| part.text).collect()).collect();
         assert_eq!(whole.join("\n") + "\n", EXPECTED, "nothing of the text is lost");

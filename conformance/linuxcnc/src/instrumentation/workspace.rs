@@ -27,7 +27,7 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// A new, empty directory among the temporary files, named after the controller.
     pub(crate) fn new(controller: &str) -> Result<Self, HarnessError> {
-        Self::below(&env::temp_dir(), controller)
+        Self::create_below(&env::temp_dir(), controller)
     }
 
     /// A new, empty directory in memory, unless the environment names a place for temporary files or there is none in
@@ -36,13 +36,13 @@ impl Workspace {
         let memory = Path::new(MEMORY);
         match env::var_os("TMPDIR") {
             None if memory.is_dir() => {
-                Self::below(memory, controller).or_else(|_| Self::new(controller))
+                Self::create_below(memory, controller).or_else(|_| Self::new(controller))
             }
             _ => Self::new(controller),
         }
     }
 
-    fn below(parent: &Path, controller: &str) -> Result<Self, HarnessError> {
+    fn create_below(parent: &Path, controller: &str) -> Result<Self, HarnessError> {
         match PrivateFolder::below(parent, controller) {
             Ok(folder) => Ok(Self { folder }),
             Err(error) => Err(HarnessError::NotRun(format!("{}: {error}", parent.display()))),

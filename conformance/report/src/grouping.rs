@@ -8,7 +8,7 @@ use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Traces};
 use gaugeblock_runner::fuzz::signature::Signature;
 
 use super::Report;
-use super::sides::{field, tokens};
+use super::side_by_side::{field, tokens};
 
 /// Cases that depart alike.
 #[derive(Clone, Debug)]
@@ -25,21 +25,23 @@ pub struct Group<'a, 'r> {
 
 /// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that
 /// what breaks most rules.
-pub fn groups<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
+pub fn group_divergences<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
     let mut alike: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for result in &report.run.cases {
-        let Some(departure) = result.verdict.own_departure() else { continue };
-        let explained = explained(&report.header.controller, departure);
-        let is_known = result.verdict.excuse().is_some();
-        let key = match &explained {
-            Some(Explained { is_its_own: true, says }) => (is_known, true, says.clone()),
-            Some(_) | None => (is_known, false, what(departure)),
+        let Some(divergence) = result.verdict.own_divergence() else { continue };
+        let explanation = explain(&report.header.controller, divergence);
+        let is_known = result.verdict.accepted_by().is_some();
+        let key = match &explanation {
+            Some(Explanation { applies_to_controller: true, text }) => {
+                (is_known, true, text.clone())
+            }
+            Some(_) | None => (is_known, false, cause(divergence)),
         };
-        alike.entry(key).or_default().push((result, departure));
+        alike.entry(key).or_default().push((result, divergence));
     }
     let mut all = Vec::new();
     for ((is_known, is_explained, what), mut cases) in alike {
-        cases.sort_by_key(|(result, departure)| program(result, departure).len());
+        cases.sort_by_key(|(result, divergence)| program(result, divergence).len());
         let rules: BTreeSet<_> = cases.iter().map(|(result, _)| &result.rule.id).collect();
         all.push((is_explained, Group { what, is_known, rules: rules.len(), cases }));
     }
@@ -50,8 +52,8 @@ pub fn groups<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
 }
 
 /// The smallest program that shows a departure.
-pub fn program<'r>(result: &CaseResult<'r>, departure: &'r RuleDivergence) -> &'r str {
-    departure.shrunk.as_deref().unwrap_or(result.program)
+pub fn program<'r>(result: &CaseResult<'r>, divergence: &'r RuleDivergence) -> &'r str {
+    divergence.shrunk.as_deref().unwrap_or(result.program)
 }
 
 impl Group<'_, '_> {
@@ -67,39 +69,39 @@ impl Group<'_, '_> {
 
 /// What is known of a departure beyond the documents.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Explained {
+pub struct Explanation {
     /// Whether it explains what this controller does. A quirk of another one does not: it may be chance that they do
     /// alike.
-    pub is_its_own: bool,
+    pub applies_to_controller: bool,
     /// In words.
-    pub says: String,
+    pub text: String,
 }
 
 /// What explains a departure, or who does likewise.
-pub fn explained(controller: &str, departure: &RuleDivergence) -> Option<Explained> {
-    if departure.explanation.is_empty() {
+pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanation> {
+    if divergence.explanation.is_empty() {
         return None;
     }
-    let names = departure.explanation.join(" and ");
+    let names = divergence.explanation.join(" and ");
     let of_linuxcnc = |name: &String| name.starts_with("rs274.") || name.starts_with("linuxcnc.");
-    let is_its_own = matches!(controller, "rs274" | "linuxcnc")
-        || !departure.explanation.iter().any(of_linuxcnc);
-    let says = if is_its_own {
+    let applies_to_controller = matches!(controller, "rs274" | "linuxcnc")
+        || !divergence.explanation.iter().any(of_linuxcnc);
+    let text = if applies_to_controller {
         format!("explained by {names}")
     } else {
         format!("LinuxCNC does this, too: {names}")
     };
-    Some(Explained { is_its_own, says })
+    Some(Explanation { applies_to_controller, text })
 }
 
 /// What differs, without what is accidental.
-fn what(departure: &RuleDivergence) -> String {
+fn cause(divergence: &RuleDivergence) -> String {
     // What a block does that should have been refused, or what is missing behind one that should not, comes of that
     // alone.
-    if let Some(told) = departure.traces.as_ref().and_then(refusal) {
+    if let Some(told) = divergence.traces.as_ref().and_then(refusal_difference) {
         return told;
     }
-    if let Some(divergence) = departure.divergence.as_deref().and_then(parts) {
+    if let Some(divergence) = divergence.difference.as_deref().and_then(parts) {
         let Signature { field, expected, found } = Signature::of(&divergence);
         return match (expected.as_str(), found.as_str()) {
             ("", "") => format!("{field}: another course"),
@@ -112,7 +114,7 @@ fn what(departure: &RuleDivergence) -> String {
         };
     }
     // What a person asserted, whatever its numbers are.
-    let said = departure.assertion.as_ref().map_or("", |(said, _)| said.as_str());
+    let said = divergence.assertion.as_ref().map_or("", |(said, _)| said.as_str());
     let words = without_guard(said).split_whitespace();
     let is_word = |word: &&str| word.starts_with(|c: char| c.is_alphabetic() || c == '=');
     let words: Vec<_> = words.filter(is_word).collect();
@@ -120,7 +122,7 @@ fn what(departure: &RuleDivergence) -> String {
 }
 
 /// Where one side refuses and the other does not.
-fn refusal(traces: &Traces) -> Option<String> {
+fn refusal_difference(traces: &Traces) -> Option<String> {
     let (expected, found) = (end(&traces.expected)?, end(&traces.found)?);
     match (expected.strip_prefix("fault"), found.strip_prefix("fault")) {
         (Some(fault), None) => {
@@ -177,10 +179,10 @@ pub(super) fn without_guard(assertion: &str) -> &str {
 mod tests {
     use super::*;
 
-    fn departure(divergence: &str, explanation: &[&str]) -> RuleDivergence {
+    fn divergence(difference: &str, explanation: &[&str]) -> RuleDivergence {
         let explanation = explanation.iter().map(|name| (*name).to_owned()).collect();
         RuleDivergence {
-            divergence: Some(divergence.to_owned()),
+            difference: Some(difference.to_owned()),
             explanation,
             ..RuleDivergence::default()
         }
@@ -188,7 +190,7 @@ mod tests {
 
     #[test]
     fn what_is_accidental_makes_no_other_cause() {
-        for (divergence, expected) in [
+        for (difference, expected) in [
             ("main.ngc:4: feed_rate: expected 12.3, found 0", "feed_rate: another value"),
             ("motion: expected traverse, found none", "motion: expected traverse, found none"),
             (
@@ -200,11 +202,11 @@ mod tests {
                 "end: expected refused (repeated_word), found program end",
             ),
         ] {
-            assert_eq!(what(&departure(divergence, &[])), expected);
+            assert_eq!(cause(&divergence(difference, &[])), expected);
         }
         let assertion = Some(("when a.b=c: after 4 g5x_offset = (x1)".to_owned(), "x".to_owned()));
         let asserted = RuleDivergence { assertion, ..RuleDivergence::default() };
-        assert_eq!(what(&asserted), "asserted: after g5x_offset =");
+        assert_eq!(cause(&asserted), "asserted: after g5x_offset =");
     }
 
     #[test]
@@ -219,26 +221,29 @@ mod tests {
         ] {
             let (expected, found) = (expected.to_owned(), found.to_owned());
             let traces = Some(Traces { expected, found });
-            let departure =
-                RuleDivergence { traces, ..departure("effect: expected 1, found 2", &[]) };
-            assert_eq!(what(&departure), told);
+            let divergence =
+                RuleDivergence { traces, ..divergence("effect: expected 1, found 2", &[]) };
+            assert_eq!(cause(&divergence), told);
         }
     }
 
     /// A quirk is the reason only of what the controller does that has it.
     #[test]
     fn a_quirk_of_another_controller_explains_nothing() {
-        let says = |controller: &str, explanation: &[&str]| {
-            explained(controller, &departure("a: expected 1, found 2", explanation))
+        let explained_by = |controller: &str, explanation: &[&str]| {
+            explain(controller, &divergence("a: expected 1, found 2", explanation))
         };
-        assert_eq!(says("mill", &[]), None);
-        for (controller, explanation, is_its_own, words) in [
+        assert_eq!(explained_by("mill", &[]), None);
+        for (controller, explanation, applies, words) in [
             ("rs274", "rs274.nine-levels", true, "explained by rs274.nine-levels"),
             ("mill", "rs274.nine-levels", false, "LinuxCNC does this, too: rs274.nine-levels"),
             ("mill", "probe.where = there", true, "explained by probe.where = there"),
         ] {
-            let says = says(controller, &[explanation]).unwrap();
-            assert_eq!((says.is_its_own, says.says.as_str()), (is_its_own, words));
+            let explained = explained_by(controller, &[explanation]).unwrap();
+            assert_eq!(
+                (explained.applies_to_controller, explained.text.as_str()),
+                (applies, words)
+            );
         }
     }
 }

@@ -30,7 +30,7 @@ impl Probe {
     }
 
     /// Whether another probe shows the same modes and numbers.
-    pub(crate) fn shows_same_modes(&self, other: &Self) -> bool {
+    pub(crate) fn has_same_modes(&self, other: &Self) -> bool {
         self.modes == other.modes && self.numbers == other.numbers
     }
 
@@ -62,7 +62,7 @@ impl<'a> Reader<'a> {
 
     /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over. The run
     /// may begin another one before it stands.
-    pub(crate) fn broken_off(plan: &'a Plan) -> Self {
+    pub(crate) fn is_incomplete(plan: &'a Plan) -> Self {
         Self { broken_off: true, ..Self::new(plan) }
     }
 
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn the_rest_of_a_torn_probe_is_passed_over() {
         let plan = plan();
-        let mut reader = Reader::broken_off(&plan);
+        let mut reader = Reader::is_incomplete(&plan);
         assert_eq!(reader.take("0 2 3  54.000000000 1"), Ok(None));
         assert_eq!(reader.take("1 7 0  10 170 1 1 0 1 400 540 1 0 0"), Ok(None));
         // The run went on to another one, and stood within that.

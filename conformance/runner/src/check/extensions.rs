@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
 
-use super::result::{CHANGES, Came, Check, same};
+use super::result::{CHANGES, Check, CheckResult, compare_outcomes};
 
 /// A machine that moves a little.
 const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";
@@ -21,64 +21,72 @@ pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<C
     let check = |(offer, ..): &(Extension, &'static str, &str)| {
         let (what, came) = match offer {
             Extension::Cancel => ("offer cancel", cancel(adapter, plain, first)),
-            Extension::Digest => ("offer digest", digests(adapter, plain, first)),
-            Extension::Files => ("offer files", told_by(adapter, Extension::Files, plain)),
+            Extension::Digest => ("offer digest", digest_matches(adapter, plain, first)),
+            Extension::Files => {
+                ("offer files", same_with_extension(adapter, Extension::Files, plain))
+            }
             Extension::Fresh => ("offer fresh", fresh(adapter, plain, first)),
-            Extension::LiveOperator => ("offer live-operator", live(adapter, plain)),
+            Extension::LiveOperator => ("offer live-operator", live_operator(adapter, plain)),
             Extension::Motion => ("offer motion", motion(adapter, plain)),
             Extension::Shows => ("offer shows", observables(adapter, plain)),
             Extension::State => ("offer state", state(adapter, plain)),
-            Extension::Stream => ("offer stream", told_by(adapter, Extension::Stream, plain)),
+            Extension::Stream => {
+                ("offer stream", same_with_extension(adapter, Extension::Stream, plain))
+            }
         };
-        Check { what, came }
+        Check { name: what, result: came }
     };
     EXTENSIONS.iter().filter(offered).map(check).collect()
 }
 
-fn wrong(error: &HarnessError) -> Came {
-    Came::Wrong(error.to_string())
+fn failed(error: &HarnessError) -> CheckResult {
+    CheckResult::Failed(error.to_string())
 }
 
 /// The outcome is the same with an offer and without.
-fn told_by(adapter: &Exec, offer: Extension, scenario: &Scenario) -> Came {
+fn same_with_extension(adapter: &Exec, offer: Extension, scenario: &Scenario) -> CheckResult {
     match adapter.run_with_extensions(&[], scenario) {
         Ok(plainly) => {
             let otherwise = "told in this way it is another outcome";
-            same(&plainly, &adapter.run_with_extensions(&[offer], scenario), otherwise)
+            compare_outcomes(&plainly, &adapter.run_with_extensions(&[offer], scenario), otherwise)
         }
-        Err(error) => wrong(&error),
+        Err(error) => failed(&error),
     }
 }
 
-fn cancel(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+fn cancel(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     let mut long = plain.clone();
     if plain.program.language == Language::Rs274 {
         long.program.main = "g4 p30\nm2\n".into();
     }
     match adapter.run_after_cancel(&long, plain) {
-        Ok(Some(after)) => same(first, &Ok(after), "after `cancel` there is another outcome"),
-        Ok(None) => Came::Wrong(
+        Ok(Some(after)) => {
+            compare_outcomes(first, &Ok(after), "after `cancel` there is another outcome")
+        }
+        Ok(None) => CheckResult::Failed(
             "`cancel` must be answered with `done` within 2 s, while a run goes on".to_owned(),
         ),
-        Err(error) => wrong(&error),
+        Err(error) => failed(&error),
     }
 }
 
-fn digests(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+fn digest_matches(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     match adapter.digest_of(plain) {
-        Ok(None) => Came::LeftOut("it answers with the outcome".to_owned()),
-        Ok(Some(told)) if told == digest(first) => Came::Fine("is that of the outcome".to_owned()),
-        Ok(Some(told)) => Came::Wrong(format!(
+        Ok(None) => CheckResult::Skipped("it answers with the outcome".to_owned()),
+        Ok(Some(told)) if told == digest(first) => {
+            CheckResult::Passed("is that of the outcome".to_owned())
+        }
+        Ok(Some(told)) => CheckResult::Failed(format!(
             "{told:?} is not the SHA-256 of the outcome as canonical JSON: {}",
             canonical(first)
         )),
-        Err(error) => wrong(&error),
+        Err(error) => failed(&error),
     }
 }
 
-fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Came {
+fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     let leaks = "behind another run, without a `reset`, there is another outcome";
-    same(first, &adapter.run_after(&changing(plain), plain), leaks)
+    compare_outcomes(first, &adapter.run_after(&changing(plain), plain), leaks)
 }
 
 /// What changes modes and parameters.
@@ -90,46 +98,48 @@ fn changing(plain: &Scenario) -> Scenario {
     changes
 }
 
-fn live(adapter: &Exec, plain: &Scenario) -> Came {
+fn live_operator(adapter: &Exec, plain: &Scenario) -> CheckResult {
     if !adapter.declaration().features.contains("operator") {
-        return Came::Wrong("it declares no feature `operator`".to_owned());
+        return CheckResult::Failed("it declares no feature `operator`".to_owned());
     }
     let mut operated = plain.clone();
     let block = BlockLocation::new(Program::MAIN, 2);
     let when = RunPoint { block, execution: 1, offset: 0.0 };
     operated.operator.push(OperatorEvent { when, action: Action::Abort });
-    told_by(adapter, Extension::LiveOperator, &operated)
+    same_with_extension(adapter, Extension::LiveOperator, &operated)
 }
 
-fn motion(adapter: &Exec, plain: &Scenario) -> Came {
+fn motion(adapter: &Exec, plain: &Scenario) -> CheckResult {
     let limits = match MotionLimits::from_text(MACHINE) {
         Ok(limits) => limits,
-        Err(error) => return Came::LeftOut(error.to_string()),
+        Err(error) => return CheckResult::Skipped(error.to_string()),
     };
     let script = MotionScript::default();
     let motion =
         MotionRequest { scenario: plain, limits: &limits, script: &script, feed_interval: None };
     match adapter.record_motion(&motion) {
-        Ok(samples) if samples.is_empty() => Came::Wrong("a move has no sample".to_owned()),
-        Ok(samples) => {
-            Came::Fine(format!("{} samples, {:?} s apart", samples.len(), samples.period()))
-        }
-        Err(NoSamples::Unsupported(why)) => Came::LeftOut(why),
-        Err(NoSamples::Failed(why)) => Came::Wrong(why.to_string()),
+        Ok(samples) if samples.is_empty() => CheckResult::Failed("a move has no sample".to_owned()),
+        Ok(samples) => CheckResult::Passed(format!(
+            "{} samples, {:?} s apart",
+            samples.len(),
+            samples.period()
+        )),
+        Err(NoSamples::Unsupported(why)) => CheckResult::Skipped(why),
+        Err(NoSamples::Failed(why)) => CheckResult::Failed(why.to_string()),
     }
 }
 
-fn observables(adapter: &Exec, plain: &Scenario) -> Came {
+fn observables(adapter: &Exec, plain: &Scenario) -> CheckResult {
     let own = adapter.capabilities();
     match adapter.query_observables_of(plain) {
         Ok(observables) if is_within(&observables, own) => {
-            Came::Fine("is no more than what is declared".to_owned())
+            CheckResult::Passed("is no more than what is declared".to_owned())
         }
-        Ok(_) => Came::Wrong(
+        Ok(_) => CheckResult::Failed(
             "it tells more, or more exactly, of a program than it declares: that is not judged"
                 .to_owned(),
         ),
-        Err(error) => wrong(&error),
+        Err(error) => failed(&error),
     }
 }
 
@@ -139,9 +149,9 @@ fn is_within(observables: &Capabilities, own: &Capabilities) -> bool {
     Capabilities { hidden_parameters, ..own.and(observables) } == *observables
 }
 
-fn state(adapter: &Exec, plain: &Scenario) -> Came {
+fn state(adapter: &Exec, plain: &Scenario) -> CheckResult {
     match adapter.reset_after(&changing(plain)) {
-        Ok(()) => Came::Fine("is the same after `reset` as at first".to_owned()),
-        Err(error) => wrong(&error),
+        Ok(()) => CheckResult::Passed("is the same after `reset` as at first".to_owned()),
+        Err(error) => failed(&error),
     }
 }

@@ -3,17 +3,17 @@
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Shape};
 
 /// How far one goes about an arc between two points, degrees.
-const STEP: f64 = 3.0;
+const ARC_STEP_DEGREES: f64 = 3.0;
 
 /// X, Y and Z of points along a path, so close that arcs look round. Of a spline only the end is known.
-pub fn drawn(path: &ProgrammedPath) -> Vec<[f64; 3]> {
+pub fn polyline(path: &ProgrammedPath) -> Vec<[f64; 3]> {
     let mut points = vec![[path.start.x, path.start.y, path.start.z]];
     for element in &path.elements {
         let Some(end) = element.end() else { continue };
         let end = [end.x, end.y, end.z];
         if let Shape::Arc { centre, normal, angle, .. } = &element.shape {
             let start = points.last().copied().unwrap_or(end);
-            let steps = (angle.abs() / STEP).ceil().clamp(1.0, 100_000.0);
+            let steps = (angle.abs() / ARC_STEP_DEGREES).ceil().clamp(1.0, 100_000.0);
             let mut step = 1.0;
             while step < steps {
                 points.push(on_arc((start, end), *centre, *normal, *angle, step / steps));

@@ -17,7 +17,7 @@ const SAME: f64 = 1e-6;
 
 /// The outside: clock, inputs, wires, tool changer, encoders, programs, and the operator.
 #[derive(Clone, Debug)]
-pub(super) struct Outside<'a> {
+pub(super) struct SimulatedEnvironment<'a> {
     environment: &'a Environment,
     operator: Operator<'a>,
     /// Whether programs of user-defined codes are looked for in the search path too.
@@ -38,7 +38,7 @@ pub(super) struct Outside<'a> {
     probed: Option<(Position, bool)>,
 }
 
-impl<'a> Outside<'a> {
+impl<'a> SimulatedEnvironment<'a> {
     /// The outside before the first block: all outputs are off.
     pub(super) fn new(scenario: &'a Scenario) -> Self {
         Self {

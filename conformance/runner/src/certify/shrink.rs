@@ -1,4 +1,4 @@
-//! The smallest program that departs as a case does.
+//! Minimising the program of a divergence.
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Reference;
@@ -10,8 +10,8 @@ use crate::fuzz::groups::{Finding, shrunk};
 use crate::fuzz::statistics::Statistics;
 use crate::fuzz::{FuzzResult, Plan};
 
-/// The smallest program, out of so many that are tried, on which a controller differs from the specification in the
-/// same way as on this one; none where they do not differ without the case's assertions, or nothing smaller is found.
+/// The smallest program, of at most `attempts` tried ones, with the same difference from the specification. None if
+/// only an assertion fails, or if no smaller program is found.
 pub(super) fn smallest(
     controller: &dyn Adapter,
     scenario: &Scenario,

@@ -1,6 +1,6 @@
 //! Samples made of stretches of constant acceleration, and what may be wrong with them.
 
-use gaugeblock_suite::{MotionCase, Piece, PlantedFault};
+use gaugeblock_suite::{MotionCase, Piece, SampleDefect};
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Samples};
 
@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::motion::{Column, Samples};
 ///
 /// # Errors
 /// A column that has no such name, a fault in a column or sample that is not there, or values that samples cannot have.
-pub fn made(case: &MotionCase) -> Result<Samples, String> {
+pub fn synthesize(case: &MotionCase) -> Result<Samples, String> {
     let limits = case.limits()?;
     let axes: Vec<Axis> = limits.axes.keys().copied().collect();
     let mut columns: Vec<Column> = axes.iter().copied().map(Column::Position).collect();
@@ -27,7 +27,7 @@ pub fn made(case: &MotionCase) -> Result<Samples, String> {
         rows.push(row);
     }
     if let Some(fault) = &case.fault {
-        plant(fault, &columns, &mut rows)?;
+        apply_defect(fault, &columns, &mut rows)?;
     }
     let wrong = |error: gaugeblock_vocabulary::motion::SamplesError| error.to_string();
     let mut samples =
@@ -86,7 +86,11 @@ impl Stretch {
 }
 
 /// Plants a fault in rows.
-fn plant(fault: &PlantedFault, columns: &[Column], rows: &mut Vec<Vec<f64>>) -> Result<(), String> {
+fn apply_defect(
+    fault: &SampleDefect,
+    columns: &[Column],
+    rows: &mut Vec<Vec<f64>>,
+) -> Result<(), String> {
     let place = |column: Column| {
         let place = columns.iter().position(|known| *known == column);
         place.ok_or_else(|| format!("the samples have no column {column}"))
@@ -101,13 +105,13 @@ fn plant(fault: &PlantedFault, columns: &[Column], rows: &mut Vec<Vec<f64>>) -> 
         fits.then_some(range).ok_or_else(|| format!("there are {count} samples, none at {from}"))
     };
     match fault {
-        PlantedFault::Displaced { from, samples, by } => {
+        SampleDefect::Displaced { from, samples, by } => {
             for (axis, way) in by {
                 let column = place(Column::Position(*axis))?;
                 rows[range(*from, *samples)?].iter_mut().for_each(|row| row[column] += way);
             }
         }
-        PlantedFault::Late { column, samples } => {
+        SampleDefect::Late { column, samples } => {
             let column = named(column)?;
             let values: Vec<f64> = rows.iter().map(|row| row[column]).collect();
             for (sample, row) in rows.iter_mut().enumerate() {
@@ -115,15 +119,15 @@ fn plant(fault: &PlantedFault, columns: &[Column], rows: &mut Vec<Vec<f64>>) -> 
                 row[column] = values[from.min(count - 1)];
             }
         }
-        PlantedFault::LeftOut { from, samples } => {
+        SampleDefect::LeftOut { from, samples } => {
             rows.drain(range(*from, *samples)?);
         }
-        PlantedFault::Repeated { from, samples } => {
+        SampleDefect::Repeated { from, samples } => {
             let row = rows[range(*from, 1)?.start].clone();
             rows.splice(from..from, std::iter::repeat_n(row, *samples));
         }
-        PlantedFault::Reversed { from, samples } => rows[range(*from, *samples)?].reverse(),
-        PlantedFault::Value { column, from, samples, value } => {
+        SampleDefect::Reversed { from, samples } => rows[range(*from, *samples)?].reverse(),
+        SampleDefect::Value { column, from, samples, value } => {
             let column = named(column)?;
             rows[range(*from, *samples)?].iter_mut().for_each(|row| row[column] = *value);
         }

@@ -7,30 +7,30 @@ use std::path::{Path, PathBuf};
 use gaugeblock_filesystem::{check_folder, write_output};
 use gaugeblock_vocabulary::TextError;
 
-use crate::refused::CliError;
+use crate::error::CliError;
 
 /// The text of a program.
-pub(crate) fn program(path: &Path) -> Result<String, CliError> {
-    text(path, "program")
+pub(crate) fn read_program(path: &Path) -> Result<String, CliError> {
+    read_text(path, "program")
 }
 
 /// The text of a file; `role` says what it is in this call, as in `script (--script)`.
-pub(crate) fn text(path: &Path, role: &str) -> Result<String, CliError> {
+pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
     let name = path.display();
     if path.is_dir() {
-        return Err(CliError::wrong(
+        return Err(CliError::usage(
             format!("{name} is a directory"),
             format!("name the {role} itself, not its folder"),
         ));
     }
     let bytes = std::fs::read(path).map_err(|error| {
-        CliError::wrong(format!("{name}: {error}"), format!("check the path of the {role}"))
+        CliError::usage(format!("{name}: {error}"), format!("check the path of the {role}"))
     })?;
     let binary = || format!("the {role} is plain text; was this a binary file?");
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        CliError::wrong(
+        CliError::usage(
             format!("{name}: line {line}: this is no text (byte {at} is not UTF-8)"),
             binary(),
         )
@@ -38,7 +38,7 @@ pub(crate) fn text(path: &Path, role: &str) -> Result<String, CliError> {
     match text.find('\0') {
         Some(at) => {
             let line = text[..at].lines().count().max(1);
-            Err(CliError::wrong(
+            Err(CliError::usage(
                 format!("{name}: line {line}: this is no text (byte {at} is zero)"),
                 binary(),
             ))
@@ -48,26 +48,29 @@ pub(crate) fn text(path: &Path, role: &str) -> Result<String, CliError> {
 }
 
 /// What a file says that has a form; `hint` tells who shows the form.
-pub(crate) fn form<T>(
+pub(crate) fn read_form<T>(
     path: &Path,
     role: &str,
     hint: &str,
     read: impl FnOnce(&str) -> Result<T, TextError>,
 ) -> Result<T, CliError> {
-    read(&text(path, role)?).map_err(|error| {
-        CliError::wrong(format!("{}: {}", path.display(), error.to_string().trim_end()), hint)
+    read(&read_text(path, role)?).map_err(|error| {
+        CliError::usage(format!("{}: {}", path.display(), error.to_string().trim_end()), hint)
     })
 }
 
 /// Refuses to write over a file that is read. Outputs are given by the option that names them.
-pub(crate) fn spare(inputs: &[PathBuf], outputs: &[(&str, Option<&Path>)]) -> Result<(), CliError> {
+pub(crate) fn check_outputs_spare_inputs(
+    inputs: &[PathBuf],
+    outputs: &[(&str, Option<&Path>)],
+) -> Result<(), CliError> {
     // Whatever the names: links lead to one file, too. One that is not there yet is no other's.
     let file = |path: &Path| path.metadata().ok().map(|found| (found.dev(), found.ino()));
     for (option, output) in outputs {
         let Some(output) = output else { continue };
         let written = file(output);
         if written.is_some() && inputs.iter().any(|input| file(input) == written) {
-            return Err(CliError::wrong(
+            return Err(CliError::usage(
                 format!("{}: {option} would write over a file that is read", output.display()),
                 format!("name another file with {option}"),
             ));
@@ -82,17 +85,17 @@ pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), 
         let message = format!("{}: {error}", path.display());
         let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded, ErrorKind::FileTooLarge];
         if full.contains(&error.kind()) {
-            CliError::unfinished(message, "free the disk, or write elsewhere")
+            CliError::failure(message, "free the disk, or write elsewhere")
         } else {
-            CliError::wrong(message, "check that the folder exists and can be written")
+            CliError::usage(message, "check that the folder exists and can be written")
         }
     })
 }
 
 /// Makes a folder for results and checks that it can be written, before anything runs.
-pub(crate) fn folder(path: &Path) -> Result<(), CliError> {
+pub(crate) fn create_folder(path: &Path) -> Result<(), CliError> {
     check_folder(path).map_err(|error| {
         let message = format!("{}: {error}", path.display());
-        CliError::wrong(message, "--report takes a folder that can be written")
+        CliError::usage(message, "--report takes a folder that can be written")
     })
 }

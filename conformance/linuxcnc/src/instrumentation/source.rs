@@ -137,7 +137,7 @@ impl Source {
     }
 
     /// Whether an axis word has a number of seven digits or more before its point.
-    pub(crate) fn goes_far(&self) -> bool {
+    pub(crate) fn leaves_block_order(&self) -> bool {
         self.all().any(|(_, _, line)| {
             let code = without_names(&code(line));
             let far = |rest: &str| {

@@ -1,5 +1,4 @@
-//! Cases that are run more than once: one that ends its controller is run again alone, and of every hundred one is
-//! run twice.
+//! Repeated runs: a case that breaks its controller is run again on a fresh one, and a sample of all cases is run twice.
 
 use gaugeblock_adapter::{Adapter, Expected, HarnessError};
 use gaugeblock_compare::compare;
@@ -9,8 +8,8 @@ use sha2::{Digest as _, Sha256};
 
 use super::verdict::{Cause, NotJudgedReason};
 
-/// How many cases of a hundred are run twice. Which ones follows from their names alone, so that every part of a run,
-/// and one that is gone on with, chooses the same.
+/// The percentage of cases that are run twice. A hash of the names selects them, so that shards and resumed runs
+/// select the same ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RepeatSampling(pub u8);
 
@@ -22,7 +21,7 @@ impl Default for RepeatSampling {
 
 impl RepeatSampling {
     /// Whether a case is run twice.
-    pub fn chooses(self, rule: &str, case: &str) -> bool {
+    pub fn includes(self, rule: &str, case: &str) -> bool {
         let digest = Sha256::digest(format!("{rule} / {case}"));
         let number =
             digest.iter().take(8).fold(0_u64, |number, byte| number << 8 | u64::from(*byte));
@@ -30,14 +29,14 @@ impl RepeatSampling {
     }
 }
 
-/// What a controller did.
+/// The outcome of a case.
 pub(super) struct RunAttempt {
     pub(super) found: Outcome,
-    /// How it failed where other programs had run before; this is then what it did alone, twice.
-    pub(super) before: Option<String>,
+    /// The failure in a session in which other programs had run. `found` is then the outcome in fresh sessions.
+    pub(super) leaked_failure: Option<String>,
 }
 
-/// A controller and what it is to run.
+/// Runs of one scenario on one controller.
 #[derive(Clone, Copy)]
 pub(super) struct RunAttempts<'a> {
     pub(super) controller: &'a dyn Adapter,
@@ -45,35 +44,34 @@ pub(super) struct RunAttempts<'a> {
 }
 
 impl RunAttempts<'_> {
-    /// What the controller does, where the documents say `expected`; where `twice` says so, only if it does the same
-    /// when it is asked again.
-    pub(super) fn outcome(
+    /// Runs the scenario, whose specified outcome is `expected`. With `twice` a second run has to give the same.
+    pub(super) fn run(
         self,
         expected: &Expected<'_>,
         twice: bool,
     ) -> Result<RunAttempt, NotJudgedReason> {
         let found = match self.controller.run_expecting(self.scenario, expected) {
             Ok(found) => found,
-            Err(error) if is_perhaps_left(&error) => return self.failed(&error),
+            Err(error) if may_be_leaked(&error) => return self.retry_failed(&error),
             Err(error) => return Err(NotJudgedReason::from(&error)),
         };
         if twice {
-            self.same_again(&found)?;
+            self.check_repeatable(&found)?;
         }
-        Ok(RunAttempt { found, before: None })
+        Ok(RunAttempt { found, leaked_failure: None })
     }
 
-    /// A new controller, or one that is always new.
-    pub(super) fn alone(self) -> Result<Outcome, HarnessError> {
-        let anew = self.controller.run_fresh(self.scenario);
-        anew.unwrap_or_else(|| self.controller.run(self.scenario))
+    /// Runs the scenario on a fresh controller.
+    pub(super) fn run_fresh(self) -> Result<Outcome, HarnessError> {
+        let fresh = self.controller.run_fresh(self.scenario);
+        fresh.unwrap_or_else(|| self.controller.run(self.scenario))
     }
 
-    /// The first difference between two runs of this on the same controller.
-    pub(super) fn difference(self, first: &Outcome, second: &Outcome) -> Option<String> {
+    /// The first difference between two outcomes of the scenario.
+    pub(super) fn first_difference(self, first: &Outcome, second: &Outcome) -> Option<String> {
         let mut observables = self.controller.observables(self.scenario);
         if observables.pin_period > 0.0 {
-            // What is too brief to be seen for sure may be seen once and missed once.
+            // One run may sample a short pulse that the other one misses.
             observables.pins.clear();
         }
         let comparison = compare(&Observed::of(first), &Observed::of(second), &observables);
@@ -83,33 +81,33 @@ impl RunAttempts<'_> {
         Some(format!("{place}{}: first {first}, then {second}", difference.field))
     }
 
-    /// There is no outcome. What fails alone, too, is the case's; what does not was left there by an earlier program
-    /// if it never fails alone, and chance otherwise.
-    fn failed(self, error: &HarnessError) -> Result<RunAttempt, NotJudgedReason> {
-        let anew = self.controller.run_fresh(self.scenario);
-        let is_always_new = anew.is_none();
-        let first = match anew.unwrap_or_else(|| self.controller.run(self.scenario)) {
-            Ok(_) if is_always_new => return Err(by_chance(error)),
+    /// Runs a failed scenario again in fresh sessions. A failure there is the case's own. If none fails, an earlier
+    /// program left something; if only some do, the controller is nondeterministic.
+    fn retry_failed(self, error: &HarnessError) -> Result<RunAttempt, NotJudgedReason> {
+        let fresh = self.controller.run_fresh(self.scenario);
+        let is_always_new = fresh.is_none();
+        let first = match fresh.unwrap_or_else(|| self.controller.run(self.scenario)) {
+            Ok(_) if is_always_new => return Err(nondeterministic(error)),
             Ok(first) => first,
             Err(again) => return Err(NotJudgedReason::from(&again)),
         };
-        match self.alone() {
-            Ok(second) if self.difference(&first, &second).is_none() => {
-                Ok(RunAttempt { found: first, before: Some(error.to_string()) })
+        match self.run_fresh() {
+            Ok(second) if self.first_difference(&first, &second).is_none() => {
+                Ok(RunAttempt { found: first, leaked_failure: Some(error.to_string()) })
             }
-            Ok(_) => Err(by_chance(error)),
-            Err(again) => Err(by_chance(&again)),
+            Ok(_) => Err(nondeterministic(error)),
+            Err(again) => Err(nondeterministic(&again)),
         }
     }
 
-    fn same_again(self, first: &Outcome) -> Result<(), NotJudgedReason> {
+    fn check_repeatable(self, first: &Outcome) -> Result<(), NotJudgedReason> {
         let difference = match self.controller.run(self.scenario) {
-            Ok(second) => self.difference(first, &second),
+            Ok(second) => self.first_difference(first, &second),
             Err(error) => Some(format!("first it ended, then {error}")),
         };
         let Some(difference) = difference else { return Ok(()) };
         let is_alone_the_same =
-            self.alone().is_ok_and(|alone| self.difference(first, &alone).is_none());
+            self.run_fresh().is_ok_and(|alone| self.first_difference(first, &alone).is_none());
         let why = if is_alone_the_same {
             "on a new controller as at first: it keeps something across reset, or it is chance"
         } else {
@@ -122,13 +120,13 @@ impl RunAttempts<'_> {
     }
 }
 
-/// Whether an earlier program may have left what did this.
-fn is_perhaps_left(error: &HarnessError) -> bool {
+/// Whether state of an earlier program may have caused the failure.
+fn may_be_leaked(error: &HarnessError) -> bool {
     use HarnessError::{Crashed, TimedOut, Unreadable};
     matches!(error, Crashed { .. } | TimedOut { .. } | Unreadable { .. })
 }
 
-fn by_chance(error: &HarnessError) -> NotJudgedReason {
+fn nondeterministic(error: &HarnessError) -> NotJudgedReason {
     let why = format!("{error}; and not so when it was run again alone");
     NotJudgedReason::new(Cause::Nondeterministic, why)
 }
@@ -138,9 +136,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn about_as_many_are_chosen_as_are_asked_for() {
+    fn sampling_selects_about_the_requested_percentage() {
         let chosen = |twice: u8| {
-            (0..10_000).filter(|n| RepeatSampling(twice).chooses("a.rule", &n.to_string())).count()
+            (0..10_000).filter(|n| RepeatSampling(twice).includes("a.rule", &n.to_string())).count()
         };
         assert_eq!((chosen(0), chosen(100)), (0, 10_000));
         assert!((50..200).contains(&chosen(1)), "{}", chosen(1));

@@ -116,7 +116,7 @@ impl Printed<'_> {
     /// What restoring changes: units, then what is set by one block, then coolant and overrides.
     pub(super) fn restored(&mut self) {
         let before = self.before;
-        let after = self.but_for_own_codes(&before);
+        let after = self.without_own_codes(&before);
         if before.units != after.units {
             self.out.units(after.units);
         }
@@ -170,7 +170,7 @@ impl Printed<'_> {
     }
 
     /// What is set after the block, without what codes of the block itself set behind the restore.
-    fn but_for_own_codes(&self, before: &Modes) -> Modes {
+    fn without_own_codes(&self, before: &Modes) -> Modes {
         let own = |codes: &[u16]| self.words.g_of(codes).is_some();
         let mut after = self.after;
         if own(&[200, 210]) {

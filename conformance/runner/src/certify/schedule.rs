@@ -1,4 +1,4 @@
-//! Turns: while a case is judged, the controller can work on the next one.
+//! Scheduling: while the referee judges a case, the controller can work on the next one.
 
 use gaugeblock_suite::{Case, MotionCase, Rule, scenario_of};
 use gaugeblock_vocabulary::Scenario;
@@ -7,20 +7,20 @@ use super::CaseRunner;
 use super::select::Subject;
 use super::verdict::{CaseResult, Cause, NotJudgedReason, Verdict};
 
-/// What is judged next.
+/// A case that is ready to run.
 #[derive(Debug)]
 pub(super) enum ScheduledCase<'a> {
-    /// A case whose scenario is run.
+    /// A case, and the scenario to run.
     Run(&'a Case, Box<Scenario>),
-    /// A case that is not run, and its verdict.
+    /// A case that is not run, with its verdict.
     NotRun(&'a Case, Box<Verdict>),
     /// A case of motion.
     Motion(&'a MotionCase),
 }
 
 impl CaseRunner<'_> {
-    /// The turn of a case.
-    pub(super) fn turn<'r>(self, subject: Subject<'r>) -> ScheduledCase<'r> {
+    /// Decides whether a case runs.
+    pub(super) fn schedule<'r>(self, subject: Subject<'r>) -> ScheduledCase<'r> {
         let Self { plan, options, controller, .. } = self;
         let case = match subject {
             Subject::Run(case) => case,
@@ -37,23 +37,23 @@ impl CaseRunner<'_> {
         }
     }
 
-    /// Lets a case have its turn; `next` has the one after it.
-    pub(super) fn judged<'r>(
+    /// Runs a case; `next` is the case after it.
+    pub(super) fn run_scheduled<'r>(
         self,
         rule: &'r Rule,
-        turn: ScheduledCase<'r>,
+        scheduled: ScheduledCase<'r>,
         next: Option<&ScheduledCase<'_>>,
     ) -> CaseResult<'r> {
-        let ahead = || {
+        let prefetch = || {
             if let Some(ScheduledCase::Run(_, scenario)) = next {
                 self.controller.prefetch(scenario);
             }
         };
-        match turn {
-            ScheduledCase::Run(case, scenario) => self.run_case((rule, case), &scenario, ahead),
+        match scheduled {
+            ScheduledCase::Run(case, scenario) => self.run_case((rule, case), &scenario, prefetch),
             ScheduledCase::NotRun(case, verdict) => {
                 let verdict = *verdict;
-                CaseResult { verdict, ..CaseResult::begun(rule, &case.name, &case.program) }
+                CaseResult { verdict, ..CaseResult::new(rule, &case.name, &case.program) }
             }
             ScheduledCase::Motion(case) => self.run_motion(rule, case),
         }

@@ -96,7 +96,7 @@ impl Plan {
 
     /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
     /// its state alive.
-    pub(crate) fn probed(&self, file: usize, lines: &[String], ends: &Ends) -> String {
+    pub(crate) fn with_probes(&self, file: usize, lines: &[String], ends: &Ends) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
@@ -171,8 +171,8 @@ impl Plan {
     ///
     /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the
     /// program; one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
-    pub(crate) fn by_hand(&self, ends: &Ends) -> String {
-        let mut text = format!("(PRINT,{})\n", self.by_hand_sign());
+    pub(crate) fn mdi_probe(&self, ends: &Ends) -> String {
+        let mut text = format!("(PRINT,{})\n", self.mdi_sign());
         for (block, end) in ends.blocks.iter().enumerate() {
             let reached = self.reached(block);
             let bound = format!("#<{reached}>=[1/#<{reached}>] {end}");
@@ -189,7 +189,7 @@ impl Plan {
     }
 
     /// What is printed when manual input begins.
-    pub(crate) fn by_hand_sign(&self) -> String {
+    pub(crate) fn mdi_sign(&self) -> String {
         format!("{}by hand", self.marker)
     }
 
@@ -274,7 +274,9 @@ impl Ends {
     pub(crate) fn new(source: &Source, block_delete: bool) -> Self {
         let mut ends = Self { blocks: Vec::new(), block_delete };
         for (_, _, line) in source.all() {
-            if let Some(block) = ends.entered(line).filter(|block| !ends.blocks.contains(block)) {
+            if let Some(block) =
+                ends.is_entered_by_jump(line).filter(|block| !ends.blocks.contains(block))
+            {
                 ends.blocks.push(block);
             }
         }
@@ -294,18 +296,18 @@ impl Ends {
     }
 
     /// Whether each of them is executed by hand only if the program stopped before it.
-    pub(crate) fn are_bound(&self) -> bool {
+    pub(crate) fn has_substitutions(&self) -> bool {
         self.blocks.iter().all(|block| block.len() <= LONGEST_LINE - ROOM_TO_BIND)
     }
 
     /// Which of the blocks a line is.
     fn block(&self, line: &str) -> Option<usize> {
-        let block = self.entered(line)?;
+        let block = self.is_entered_by_jump(line)?;
         self.blocks.iter().position(|known| *known == block)
     }
 
     /// A line that ends a program, without slash and line number; nothing for any other.
-    fn entered(&self, line: &str) -> Option<String> {
+    fn is_entered_by_jump(&self, line: &str) -> Option<String> {
         let is_skipped = self.block_delete && has_slash(line);
         // A line that holds a carriage return is more than one line to a person's input.
         let is_one = !line.contains('\r');
@@ -403,7 +405,7 @@ mod tests {
 
     fn without_probes(main: &str) -> String {
         let (plan, source) = plan(main);
-        let text = plan.probed(0, &source.files()[0].1, &Ends::default());
+        let text = plan.with_probes(0, &source.files()[0].1, &Ends::default());
         let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
         let short = |line: &str| {
             if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
@@ -430,7 +432,7 @@ mod tests {
         let names: String =
             (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
         let (plan, source) = plan(&format!("{long}\n{names}"));
-        let text = plan.probed(99, &source.files()[0].1, &Ends::default());
+        let text = plan.with_probes(99, &source.files()[0].1, &Ends::default());
         assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
         assert!(text.contains(&format!("{long}\n")));
     }

@@ -13,12 +13,12 @@ pub(crate) struct CliError {
 
 impl CliError {
     /// The call or its input is wrong.
-    pub(crate) fn wrong(message: impl Into<String>, hint: impl Into<String>) -> Self {
+    pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self { status: 2, message: message.into(), hint: Some(hint.into()) }
     }
 
     /// It could not finish.
-    pub(crate) fn unfinished(message: impl Into<String>, hint: impl Into<String>) -> Self {
+    pub(crate) fn failure(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self { status: 3, message: message.into(), hint: Some(hint.into()) }
     }
 }

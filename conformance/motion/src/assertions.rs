@@ -9,16 +9,16 @@ use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use gaugeblock_vocabulary::{End, Options, Position, Scenario};
 
 /// Servo cycles per segment at which a planner is fed; without a number as fast as it takes them.
-pub const FEEDS: [Option<u32>; 6] = [None, Some(1), Some(5), Some(20), Some(31), Some(80)];
+pub const FEED_INTERVALS: [Option<u32>; 6] = [None, Some(1), Some(5), Some(20), Some(31), Some(80)];
 
 /// A saying that does not hold, as it is written, and what was found.
-pub(super) type Wrong = (String, String);
+pub(super) type FailedAssertion = (String, String);
 
 /// The scenario of a case under some options, and the path that the model sees in it.
 ///
 /// # Errors
 /// The program does not come to its end.
-pub fn asked(
+pub fn scenario_and_path(
     case: &MotionCase,
     options: &Options,
     environment: Option<&String>,
@@ -42,34 +42,34 @@ pub fn asked(
 ///
 /// # Errors
 /// The first saying that does not hold.
-pub fn held(
+pub fn check_assertions(
     case: &MotionCase,
     rule: &str,
     readings: &BTreeMap<String, String>,
     (samples, path): (&Samples, &ProgrammedPath),
-) -> Result<(), Wrong> {
-    let wrong = |error: String| (case.says.join(", "), error);
+) -> Result<(), FailedAssertion> {
+    let wrong = |error: String| (case.assertions.join(", "), error);
     let limits = case.limits().map_err(wrong)?;
     let readings = readings.iter().map(|(id, option)| (id.as_str(), option.as_str()));
     let choices = Choices::of_motion(readings).map_err(wrong)?;
     let judgement = judge_under(choices, samples, path, &limits, &case.script());
     let mut broken = first_violations(&judgement);
     let mut holds = false;
-    for (text, saying) in case.says.iter().zip(case.sayings()) {
+    for (text, saying) in case.assertions.iter().zip(case.parsed()) {
         let found = match saying {
             MotionAssertion::Holds => {
                 holds = true;
-                of_page(&judgement, rule)
+                check_law_of_page(&judgement, rule)
             }
             MotionAssertion::Breaks { law, at } => {
-                breaks(&judgement, &law, at, broken.remove(law.as_str()))
+                check_violation(&judgement, &law, at, broken.remove(law.as_str()))
             }
-            MotionAssertion::NotAsked { law } => {
+            MotionAssertion::NotApplicable { law } => {
                 let fits = |verdict: &Verdict| *verdict == Verdict::NotApplicable;
-                is(&judgement, &law, fits)
+                check_verdict(&judgement, &law, fits)
             }
             MotionAssertion::NotJudged { law } => {
-                is(&judgement, &law, |verdict| matches!(verdict, Verdict::NotJudged(_)))
+                check_verdict(&judgement, &law, |verdict| matches!(verdict, Verdict::NotJudged(_)))
             }
         };
         if let Err(found) = found {
@@ -96,15 +96,15 @@ fn first_violations(judgement: &Judgement) -> BTreeMap<&'static str, (usize, Str
     first
 }
 
-fn law(id: &str) -> Option<Law> {
+fn law_by_id(id: &str) -> Option<Law> {
     Law::ALL.iter().copied().find(|law| law.id() == id)
 }
 
-fn verdict<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, String> {
-    law(id).and_then(|law| judgement.of(law)).ok_or_else(|| format!("there is no law {id}"))
+fn verdict_of<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, String> {
+    law_by_id(id).and_then(|law| judgement.of(law)).ok_or_else(|| format!("there is no law {id}"))
 }
 
-fn in_words(verdict: &Verdict) -> String {
+fn describe(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Satisfied { .. } => "it holds".to_owned(),
         Verdict::NotApplicable => "it is not asked".to_owned(),
@@ -115,27 +115,31 @@ fn in_words(verdict: &Verdict) -> String {
     }
 }
 
-fn is(judgement: &Judgement, id: &str, fits: impl Fn(&Verdict) -> bool) -> Result<(), String> {
-    let verdict = verdict(judgement, id)?;
-    if fits(verdict) { Ok(()) } else { Err(in_words(verdict)) }
+fn check_verdict(
+    judgement: &Judgement,
+    id: &str,
+    fits: impl Fn(&Verdict) -> bool,
+) -> Result<(), String> {
+    let verdict = verdict_of(judgement, id)?;
+    if fits(verdict) { Ok(()) } else { Err(describe(verdict)) }
 }
 
 /// The law whose page it is holds, if the page is that of a law.
-fn of_page(judgement: &Judgement, rule: &str) -> Result<(), String> {
-    if law(rule).is_none() {
+fn check_law_of_page(judgement: &Judgement, rule: &str) -> Result<(), String> {
+    if law_by_id(rule).is_none() {
         return Ok(());
     }
-    is(judgement, rule, |verdict| matches!(verdict, Verdict::Satisfied { .. }))
+    check_verdict(judgement, rule, |verdict| matches!(verdict, Verdict::Satisfied { .. }))
 }
 
-fn breaks(
+fn check_violation(
     judgement: &Judgement,
     id: &str,
     at: Option<usize>,
     found: Option<(usize, String)>,
 ) -> Result<(), String> {
     match found {
-        None => Err(in_words(verdict(judgement, id)?)),
+        None => Err(describe(verdict_of(judgement, id)?)),
         Some((cycle, words)) if at.is_some_and(|at| at != cycle) => Err(words),
         Some(_) => Ok(()),
     }

@@ -96,7 +96,7 @@ fn options_shown<'a>(suite: &Suite, choice: &'a MotionChoice, under: &str) -> Ve
     let mut readings = suite.motion_options(edition);
     readings.insert(choice.id.clone(), under.to_owned());
     let holds = |option: &&MotionChoiceOption| {
-        let case = MotionCase { says: option.says.clone(), ..choice.motion.clone() };
+        let case = MotionCase { assertions: option.assertions.clone(), ..choice.motion.clone() };
         judged(suite, edition, &choice.id, &case, &readings).is_ok()
     };
     choice.options.iter().filter(holds).map(|option| option.name.as_str()).collect()
@@ -109,10 +109,13 @@ fn judged(
     case: &MotionCase,
     readings: &BTreeMap<String, String>,
 ) -> Result<(), String> {
-    let samples = gaugeblock_motion::made(case)?;
-    let (_, path) =
-        gaugeblock_motion::asked(case, &suite.options(edition), edition.environment.as_ref())?;
-    gaugeblock_motion::held(case, rule, readings, (&samples, &path))
+    let samples = gaugeblock_motion::synthesize(case)?;
+    let (_, path) = gaugeblock_motion::scenario_and_path(
+        case,
+        &suite.options(edition),
+        edition.environment.as_ref(),
+    )?;
+    gaugeblock_motion::check_assertions(case, rule, readings, (&samples, &path))
         .map_err(|(saying, found)| format!("{saying}, but: {found}"))
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// A program that is asked for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Asked {
+pub struct ExportedProgram {
     /// Its folder.
     pub folder: String,
     /// Digest of its scenario.

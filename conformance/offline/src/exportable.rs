@@ -10,11 +10,14 @@ pub(super) const USUAL: &str = "whole controller";
 ///
 /// # Errors
 /// The reason why not.
-pub(super) fn carried(scenario: &Scenario, expected: &Outcome) -> Result<(), &'static str> {
+pub(super) fn check_exportable(
+    scenario: &Scenario,
+    expected: &Outcome,
+) -> Result<(), &'static str> {
     if !scenario.operator.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    of_environment(&scenario.environment)?;
+    check_environment(&scenario.environment)?;
     match &expected.end {
         End::BudgetExhausted { .. } => Err("the program does not end by itself"),
         End::Unsupported { .. } => Err("the specification does not say it yet"),
@@ -28,7 +31,7 @@ pub(super) fn carried(scenario: &Scenario, expected: &Outcome) -> Result<(), &'s
     }
 }
 
-fn of_environment(environment: &Environment) -> Result<(), &'static str> {
+fn check_environment(environment: &Environment) -> Result<(), &'static str> {
     let Environment {
         name,
         wires,

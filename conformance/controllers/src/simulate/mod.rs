@@ -81,7 +81,7 @@ pub fn plan(
     limits: &MotionLimits,
     every: Option<u32>,
 ) -> Result<Planned, Stopped> {
-    plan_under(outcome, limits, &RunConditions { every, ..RunConditions::default() })
+    plan_with(outcome, limits, &RunConditions { every, ..RunConditions::default() })
 }
 
 /// Plans what a program does under circumstances, to its end or to where the operator aborts it.
@@ -89,12 +89,12 @@ pub fn plan(
 /// # Errors
 /// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap,
 /// a thread on a spindle that stands. Or the motion is held and nobody lets it go on.
-pub fn plan_under(
+pub fn plan_with(
     outcome: &Outcome,
     limits: &MotionLimits,
     circumstances: &RunConditions,
 ) -> Result<Planned, Stopped> {
-    let mut drive = Drive::new(outcome, limits, circumstances)?;
+    let mut drive = Simulation::new(outcome, limits, circumstances)?;
     for step in &outcome.steps {
         for event in &step.events {
             let done = match event {
@@ -111,7 +111,7 @@ pub fn plan_under(
     Ok(Planned { samples: drive.samples, speed: drive.speed, asked: drive.asked })
 }
 
-struct Drive<'a> {
+struct Simulation<'a> {
     limits: &'a MotionLimits,
     every: Option<u32>,
     /// What is still to happen.
@@ -183,7 +183,7 @@ impl Operator {
     }
 }
 
-impl<'a> Drive<'a> {
+impl<'a> Simulation<'a> {
     fn new(
         outcome: &Outcome,
         limits: &'a MotionLimits,
@@ -273,7 +273,7 @@ impl<'a> Drive<'a> {
             MotionRequest::WithNextMove(_) => self.with_next_move(effect),
             MotionRequest::Rest => {
                 self.rest()?;
-                self.at_once(effect)
+                self.apply_immediately(effect)
             }
             MotionRequest::Nothing => Ok(()),
             MotionRequest::Unplanned => {
@@ -358,7 +358,7 @@ impl<'a> Drive<'a> {
         Ok(())
     }
 
-    fn at_once(&mut self, effect: &Effect) -> Result<(), Stopped> {
+    fn apply_immediately(&mut self, effect: &Effect) -> Result<(), Stopped> {
         if let Some((pin, value, OutputTiming::AtOnce)) = switching(effect)
             && !self.operator.abort
         {

@@ -1,0 +1,34 @@
+//! Divergences that expectations, a baseline or waivers accept.
+
+use super::verdict::{Run, Verdict};
+use crate::expectations::ExpectationMismatch;
+use crate::waivers::Waived;
+
+/// Marks a divergence that the expectations list.
+pub const EXPECTATIONS: &str = "listed in the expectations";
+/// Marks a divergence that the baseline has.
+pub const BASELINE: &str = "as in the baseline";
+
+impl Run<'_> {
+    /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the known ones.
+    /// Divergences that are attributed to other rules stay as they are.
+    pub fn mark_accepted(
+        &mut self,
+        mismatches: &[ExpectationMismatch],
+        waived: &[Waived],
+        source: Option<&str>,
+    ) {
+        for result in &mut self.cases {
+            let Verdict::Diverges(divergence) = &result.verdict else { continue };
+            let place = (result.rule.id.as_str(), result.name);
+            let waiver = waived.iter().find(|waived| waived.place() == place);
+            if let Some(waiver) = waiver {
+                result.verdict = Verdict::Waived(divergence.clone(), waiver.why.clone());
+            } else if let Some(source) = source
+                && !mismatches.iter().any(|mismatch| mismatch.place() == place)
+            {
+                result.verdict = Verdict::Known(divergence.clone(), source.to_owned());
+            }
+        }
+    }
+}
