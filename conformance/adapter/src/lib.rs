@@ -16,51 +16,52 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, Samples};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-/// A run whose servo samples are asked for.
+/// A request for servo samples of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionRequest<'a> {
     /// The program and what it depends on.
     pub scenario: &'a Scenario,
     /// What the axes can do.
     pub limits: &'a MotionLimits,
-    /// What a person and the inputs do.
+    /// What the operator and the inputs do.
     pub script: &'a MotionScript,
-    /// The planner is given a segment in so many servo cycles; as many as it takes where nothing is said.
+    /// Servo cycles between segments that the planner gets; without it, the planner gets them as fast as it takes them.
     pub feed_interval: Option<u32>,
 }
 
 /// Why there are no samples.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoSamples {
-    /// It shows none, or not of such a run.
+    /// It records none, or none of such a run.
     Unsupported(String),
     /// It failed.
     Failed(HarnessError),
 }
 
-/// What a controller does if it does what it should; it may be found out only when it is looked at.
+/// The specified outcome. It is computed when it is first read.
 pub type Expected<'a> = dyn Deref<Target = Outcome> + 'a;
 
-/// A controller under test, behind the vocabulary.
+/// A controller under test.
 pub trait Adapter: fmt::Debug + Send + Sync {
-    /// What it shows.
+    /// What is observable on the controller.
     fn capabilities(&self) -> &Capabilities;
 
-    /// What it shows of this scenario; less than of others where, say, its stored data have another unit.
+    /// What is observable when it runs this scenario. It can be less than for other scenarios, for example when stored
+    /// data have another unit.
     fn observables(&self, scenario: &Scenario) -> Capabilities {
         let _same_for_all = scenario;
         self.capabilities().clone()
     }
 
-    /// Whether it shows less of some scenarios than of others.
+    /// Whether some scenarios expose less than others.
     fn observables_vary(&self) -> bool {
         false
     }
 
-    /// Whether it can be held to documents that are read with these options at all.
+    /// Whether it can be compared with documents that are read with these options.
     ///
     /// # Errors
-    /// The reason why not: then none of its scenarios is supported.
+    /// The reason why not. None of its scenarios is then supported.
     fn accepts_options(&self, options: &Options) -> Result<(), String> {
         let _whatever_they_are = options;
         Ok(())
@@ -72,34 +73,34 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
 
-    /// Why there is nothing to judge of the scenario yet, where somebody runs it elsewhere and brings what came of it.
+    /// Why there is no outcome yet, for a controller whose programs run elsewhere.
     fn pending(&self, scenario: &Scenario) -> Option<String> {
         let _runs_here = scenario;
         None
     }
 
-    /// Digest of the suite, and the edition, that it has been asked by, where it was asked before: it can be held to
-    /// nothing else.
+    /// Digest of the suite and the edition from which its programs were exported. Its answers fit nothing else.
     fn exported_from(&self) -> Option<(&str, &str)> {
         None
     }
 
-    /// Scenarios with equal keys run fastest one after the other, in the order of their keys: a controller with much to
-    /// set up can be kept between them.
+    /// Scenarios with equal keys run fastest one after the other, in the order of their keys, because an expensive
+    /// setup is reused.
     fn order_key(&self, scenario: &Scenario) -> String {
         let _in_any_order = scenario;
         String::new()
     }
 
-    /// How many scenarios it best runs at once, where that does not follow from the number of processors.
+    /// How many scenarios it should run at once, if the number of processors does not decide it.
     fn best_jobs(&self) -> Option<NonZero<usize>> {
         None
     }
 
-    /// From now on each program also runs unobserved, where observing it could change it; otherwise a sample does.
+    /// From now on each program also runs unobserved, if observing could change it; without this call, only a sample
+    /// does.
     fn check_observation(&mut self) {}
 
-    /// What a person should know of how it has been run, a sentence each.
+    /// Notes for the report about how it was run, a sentence each.
     fn notes(&self) -> Vec<String> {
         Vec::new()
     }
@@ -107,21 +108,20 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// Runs the scenario.
     ///
     /// # Errors
-    /// There is no outcome to judge: the controller crashed, hung, flooded, or was not understood.
+    /// There is no outcome to judge: the controller crashed, hung, flooded, or its answer is not valid.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
-    /// Whether it runs within this process, so that to ask it costs no more than what it does.
+    /// Whether it runs in this process, so that a run costs no communication.
     fn is_in_process(&self) -> bool {
         false
     }
 
-    /// Whether it runs in a process of its own, so that what is expected of it is best found out while it does.
+    /// Whether it runs in another process, so that the specified outcome is best computed while it runs.
     fn is_out_of_process(&self) -> bool {
         false
     }
 
-    /// Runs the scenario, whose outcome is known if the controller does what it should: where it does, the outcome
-    /// need not be sent.
+    /// Runs the scenario, whose specified outcome is known. If the controller's outcome equals it, it need not be sent.
     ///
     /// # Errors
     /// Those of [`Adapter::run`].
@@ -134,44 +134,42 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         self.run(scenario)
     }
 
-    /// Told what this thread most likely lets it run next, before that is asked for: a controller in a process of its
-    /// own can begin with it while what it did before is judged. What comes of it is known to whoever runs it then,
-    /// and to nobody else.
+    /// Names the scenario that this thread most likely runs next. A controller in another process can begin with it
+    /// while the referee judges the previous one. Only the thread that runs the scenario gets the result.
     fn prefetch(&self, scenario: &Scenario) {
         let _when_it_is_run = scenario;
     }
 
-    /// Options of choices that it declares to read the documents by: they configure the specification that it is held
-    /// to.
+    /// Options of choices that it declares. They configure the specification that it is compared with.
     fn options(&self) -> Options {
         Options::default()
     }
 
-    /// The edition that it is held to where none is named, if it says so itself.
+    /// The edition that it is compared with by default, if it names one.
     fn own_edition(&self) -> Option<&str> {
         None
     }
 
-    /// The edition that says what it really does, if there is one.
+    /// The edition that describes the controller's observed behaviour, if there is one.
     fn observed_edition(&self) -> Option<&str> {
         None
     }
 
-    /// Whether it judges samples of others by laws of motion, instead of moving itself.
+    /// Whether it judges recorded samples by laws of motion instead of moving axes.
     fn has_laws_of_motion(&self) -> bool {
         false
     }
 
-    /// What it commands of the axes while it runs a program.
+    /// Records the servo samples that it commands while it runs a program.
     ///
     /// # Errors
-    /// It shows no samples at all or not of such a run, or it fails.
+    /// It records no samples, or none of such a run, or it fails.
     fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
         let _whatever_it_is = motion;
         Err(NoSamples::Unsupported("it shows no servo samples".to_owned()))
     }
 
-    /// Runs the scenario on a controller that nothing ran on before. None where each run is such a one anyway.
+    /// Runs the scenario in a fresh session. None if each run has one anyway.
     fn run_fresh(&self, scenario: &Scenario) -> Option<Result<Outcome, HarnessError>> {
         let _always_anew = scenario;
         None
@@ -183,17 +181,17 @@ pub trait Adapter: fmt::Debug + Send + Sync {
 pub enum ControllerError {
     /// It is not installed.
     Missing {
-        /// What was looked for, and where.
+        /// What was searched, and where.
         searched: String,
     },
-    /// It is there, but not the version that the adapter understands.
+    /// It is installed, but the adapter does not support its version.
     WrongVersion {
-        /// What it says of itself.
+        /// The version that it reports.
         found: String,
-        /// What is needed.
+        /// The required version.
         required: &'static str,
     },
-    /// It is there, but does not run.
+    /// It does not run.
     Broken(HarnessError),
 }
 
@@ -214,39 +212,39 @@ impl std::error::Error for ControllerError {}
 /// Why a run has no outcome. Never an outcome, never a pass.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum HarnessError {
-    /// The controller could not be started or asked, or its private files not be written.
+    /// The controller could not be started or queried, or its private files could not be written.
     NotRun(String),
-    /// Nobody has run it: there is no answer, and no fault either.
+    /// It has not been run: there is no answer and no failure.
     Absent(String),
-    /// It was ended by a signal, or with a status that it does not document.
+    /// A signal ended it, or it exited with an undocumented status.
     Crashed {
         /// How it ended.
         status: String,
-        /// The end of its error output.
+        /// The end of its standard error.
         stderr: String,
     },
-    /// It did not end in time and was ended.
+    /// It did not end in time and was killed.
     TimedOut {
-        /// Seconds that it had.
+        /// The time limit in seconds.
         seconds: u64,
     },
-    /// It wrote more than it may and was ended.
+    /// It wrote more than the limit and was killed.
     Flooded {
-        /// Bytes that it may write.
+        /// The limit in bytes.
         bytes: usize,
     },
-    /// A line of its output was not understood.
+    /// A line of its output is not valid.
     Unreadable {
         /// What is wrong.
         what: String,
         /// The line.
         line: String,
     },
-    /// An error message that no row of the fault table explains.
+    /// An error message that is not in the table of faults.
     UnknownMessage(String),
-    /// The program did something else while it was observed: the first difference.
+    /// Observing the program changed what it did. The fields have the first difference.
     ObservationDisturbs {
-        /// What happened under observation.
+        /// What happened with probes.
         observed: String,
         /// What happened without.
         unobserved: String,

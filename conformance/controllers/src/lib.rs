@@ -1,6 +1,6 @@
 //! Controllers that run in this process: production, the reference model, and variants of them.
 //!
-//! [`Production`] runs the interpreters of production and, for servo samples, drives its planner ([`drive`]).
+//! [`Production`] runs the interpreters of production and, for servo samples, its planner ([`simulate`]).
 //! [`Reference`] is the specification itself. `Faulty` is production with a planted fault. [`Restricted`] holds a
 //! controller to what another one exposes too.
 

@@ -6,8 +6,8 @@
 //! machine: limits of the axes ───────────────────────────────────┘
 //! ```
 //!
-//! The suite's cases of motion are judged here too: samples that a page gives (`made`) and those of a controller
-//! (`held`).
+//! The suite's cases of motion are judged here too: samples that a page gives (`synthesize`) and those of a controller
+//! (`assertions`).
 //!
 //! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
 

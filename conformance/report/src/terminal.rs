@@ -1,4 +1,4 @@
-//! The report as a person reads it on a terminal. What a controller says is [`inert`] here.
+//! The report as a person reads it on a terminal. Text of a controller is [escaped](escape_text).
 
 use std::fmt::Write as _;
 

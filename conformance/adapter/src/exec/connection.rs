@@ -1,4 +1,4 @@
-//! Who speaks at the other end: a process of ours, or whoever answers at an address.
+//! The other end of a session: a process that was started here, or a server at an address.
 
 use std::fs::File;
 use std::io::pipe;
@@ -11,13 +11,13 @@ use super::lines::Lines;
 use super::process::Process;
 use crate::HarnessError;
 
-/// How long a controller may take to end once its output has, or once it was told to.
+/// How long a controller may take to exit after its output has ended or after `bye`.
 pub(super) const GRACE: Duration = Duration::from_millis(500);
 
-/// Where a controller is found.
+/// How a controller is reached.
 #[derive(Clone, Debug)]
 pub(super) enum Endpoint {
-    /// A command of the shell, for a process of its own.
+    /// A shell command that is started as a process.
     Command(String),
     /// An address at which an adapter listens: `HOST:PORT`.
     Address(String),
@@ -28,7 +28,7 @@ pub(super) enum Endpoint {
 pub(super) enum Connection {
     /// It was started for the session, and ends with it.
     Process(Process),
-    /// It runs on when the connection is closed.
+    /// A server. It runs on when the connection is closed.
     Socket,
 }
 
@@ -43,7 +43,7 @@ impl Endpoint {
 }
 
 impl Connection {
-    /// Whether nobody is there any more, as far as can be seen without what it writes.
+    /// Whether the process has ended, judged without its output.
     pub(super) fn is_gone(&mut self) -> bool {
         match self {
             Self::Process(process) => process.ends_within(Duration::ZERO).is_some(),
@@ -51,14 +51,14 @@ impl Connection {
         }
     }
 
-    /// Gives it time to end by itself.
+    /// Gives the process time to exit.
     pub(super) fn wait_for_end(&mut self) {
         if let Self::Process(process) = self {
             let _status = process.ends_within(GRACE);
         }
     }
 
-    /// How it ended, once its output has.
+    /// How it ended, after its output has ended.
     pub(super) fn describe_end(&mut self) -> String {
         match self {
             Self::Process(process) => process
@@ -92,7 +92,7 @@ fn connect(address: &str, limits: Limits) -> Result<(Connection, Lines), Harness
         }
     }
     let stream = stream.map_err(no_connection)?;
-    // A line is a whole request: nothing is gained by waiting for more.
+    // Each line is a whole request: waiting for more would only add latency.
     let _where_it_can_be_had = stream.set_nodelay(true);
     let output = stream.try_clone().map_err(no_connection)?;
     let lines =

@@ -1,4 +1,4 @@
-//! A folder of a session in which a controller may lay answers. Nothing else on the machine can be named.
+//! A private folder of a session, for answers in files. No path outside of it can be named.
 
 use std::fs::File;
 use std::io::Read;
@@ -8,17 +8,17 @@ use std::path::Path;
 use gaugeblock_filesystem::PrivateFolder;
 use rustix::fs::{AtFlags, Mode, OFlags, openat, unlinkat};
 
-/// The folder. It is removed with all that is in it when this is dropped.
+/// The folder. It is removed with its files when it is dropped.
 #[derive(Debug)]
 pub(super) struct ExchangeFolder(PrivateFolder);
 
 impl ExchangeFolder {
-    /// Makes one that nobody else may enter.
+    /// Creates a folder that no other user may enter.
     pub(super) fn make() -> std::io::Result<Self> {
         PrivateFolder::new("answers").map(Self)
     }
 
-    /// Where it is.
+    /// Its path.
     pub(super) fn path(&self) -> &Path {
         self.0.path()
     }
@@ -26,12 +26,12 @@ impl ExchangeFolder {
     /// Reads a file of it and removes it.
     ///
     /// # Errors
-    /// A name of something elsewhere, no file there, something else than a file, or more than `most` bytes.
+    /// The name is not that of a file in the folder, or the file has more than `most` bytes.
     pub(super) fn take(&self, name: &str, most: usize) -> Result<Vec<u8>, String> {
         if name.is_empty() || name.starts_with('.') || name.contains(['/', '\\', '\0']) {
             return Err("its name is not that of a file in the folder".to_owned());
         }
-        // What is no file must neither be followed nor waited for.
+        // Anything that is not a regular file must be neither followed nor waited for.
         let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
         let file = openat(&self.0, name, flags, Mode::empty())
             .map_err(|error| std::io::Error::from(error).to_string())?;
@@ -43,7 +43,7 @@ impl ExchangeFolder {
         let limit = u64::try_from(most).unwrap_or(u64::MAX);
         let mut bytes = Vec::new();
         let read = (&mut file).take(limit.saturating_add(1)).read_to_end(&mut bytes);
-        // Whatever becomes of this, the folder goes with the session.
+        // If this fails, the file goes with the folder.
         let _removed = unlinkat(&self.0, name, AtFlags::empty());
         read.map_err(|error| error.to_string())?;
         if bytes.len() > most {
@@ -77,7 +77,7 @@ mod tests {
         {
             assert!(folder.take(name, 100).is_err(), "{name}");
         }
-        // Another folder under its name is not read.
+        // Another folder under the same name is not read.
         let moved = path.with_extension("moved");
         std::fs::rename(&path, &moved).unwrap();
         std::fs::create_dir(&path).unwrap();

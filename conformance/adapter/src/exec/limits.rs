@@ -1,17 +1,17 @@
-//! What a controller in another process may cost.
+//! Limits of a controller in another process.
 
 use std::time::Duration;
 
-/// What a controller may cost.
+/// Limits of a controller.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Wall time of an answer.
     pub time: Duration,
-    /// Wall time until it has started and answered for the first time.
+    /// Wall time until the first answer, with the start.
     pub start: Duration,
     /// Bytes of an answer.
     pub bytes: usize,
-    /// Bytes of an outcome that comes in batches, or of an answer that lies in a file.
+    /// Bytes of an outcome in batches, or of an answer in a file.
     pub whole: usize,
     /// Bytes of memory of each of its processes.
     pub memory: u64,

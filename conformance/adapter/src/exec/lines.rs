@@ -1,4 +1,4 @@
-//! A line out, a line back, over streams that may hang, flood or end at any moment.
+//! Writes and reads lines on streams that may hang, flood or end at any moment.
 
 use std::fmt;
 use std::fs::File;
@@ -12,34 +12,34 @@ use crate::HarnessError;
 use crate::clock::now;
 use crate::protocol::SpinWait;
 
-/// Most of the error output that is kept: its end.
+/// Bytes of standard error that are kept: its end.
 const STDERR_TAIL_BYTES: usize = 4096;
 
-/// Bytes that are read at once.
+/// Bytes per read.
 const READ_BYTES: usize = 64 << 10;
 
-/// How often we look whether anybody is there.
+/// How often a wait checks whether the process is still alive.
 const LIVENESS_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Why no line came.
+/// Why no line was read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReadLineError {
     /// The stream ended.
     Ended,
-    /// Not in time; whether all that was to be said could be written.
+    /// Not in time. The flag says whether the request was written completely.
     Late(bool),
     /// More bytes than allowed without an end of line.
     TooLong,
 }
 
-/// What came while it was waited for.
+/// The result of a wait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum WaitResult {
-    /// Nothing.
+    /// Nothing is ready.
     TimedOut,
-    /// Something.
+    /// A stream is ready.
     Ready {
-        /// Whether the output has something to read, or has ended.
+        /// Whether the output can be read, or has ended.
         output: bool,
     },
 }
@@ -48,20 +48,20 @@ enum WaitResult {
 pub(super) struct Lines {
     input: File,
     output: File,
-    /// Where there is an error output.
+    /// Standard error, if there is one.
     errors: Option<File>,
-    /// What was read and not taken.
+    /// Bytes that were read and not yet returned.
     read: Vec<u8>,
-    /// How many bytes of it are known to hold no end of a line.
+    /// How many of them contain no end of line.
     scanned: usize,
-    /// Length of the last line that was taken.
+    /// Length of the last line that was returned.
     last_line_length: usize,
-    /// The end of the error output.
+    /// The end of standard error.
     stderr: Vec<u8>,
     /// Whether the output has ended.
     ended: bool,
     spin_wait: SpinWait,
-    /// Room for what is read at once.
+    /// Buffer for one read.
     buffer: Box<[u8]>,
 }
 
@@ -72,10 +72,10 @@ impl fmt::Debug for Lines {
 }
 
 impl Lines {
-    /// Takes our ends.
+    /// Takes the referee's ends of the streams.
     ///
     /// # Errors
-    /// They cannot be set to return at once.
+    /// They cannot be made non-blocking.
     pub(super) fn new(
         input: File,
         output: File,
@@ -98,32 +98,32 @@ impl Lines {
         })
     }
 
-    /// What has come that nobody asked for.
+    /// Bytes that have arrived without a request.
     pub(super) fn unrequested(&mut self) -> Option<&[u8]> {
         self.receive(1);
         self.surplus()
     }
 
-    /// What came together with the last line, behind it.
+    /// Bytes that arrived after the last line.
     pub(super) fn surplus(&self) -> Option<&[u8]> {
         (!self.read.is_empty()).then_some(self.read.as_slice())
     }
 
-    /// Whether the output was found to have ended.
+    /// Whether the output has ended.
     pub(super) fn has_ended(&self) -> bool {
         self.ended
     }
 
-    /// Writes a line as far as there is room for it: what is still to be written.
+    /// Writes as much of a line as the stream takes, and returns the rest.
     pub(super) fn write_line(&mut self, line: &[u8]) -> Vec<u8> {
         let mut unsent = line;
-        // Where nobody reads that is seen by whoever waits for the answer.
+        // If the stream is closed, the next read notices.
         let _is_open = self.send(&mut unsent);
         unsent.to_vec()
     }
 
-    /// Writes a line, or nothing, and reads one. `is_gone` tells whether nobody is there any more to answer: somebody
-    /// else may hold the streams open.
+    /// Writes a line, which may be empty, and reads one. `is_gone` says whether the process has ended: another process
+    /// may hold its streams open.
     pub(super) fn exchange(
         &mut self,
         line: &[u8],
@@ -134,7 +134,7 @@ impl Lines {
         let mut unsent = line;
         let (mut waited, mut gone) = (false, false);
         let mut is_open = self.send(&mut unsent);
-        // What is asked for just now is not there yet.
+        // The answer to this request cannot be there yet.
         let mut is_ready = line.is_empty() || !is_open;
         loop {
             if is_ready {
@@ -153,7 +153,7 @@ impl Lines {
             if left.is_zero() {
                 return Err(ReadLineError::Late(unsent.is_empty()));
             }
-            // What it wrote before it went has arrived by then.
+            // What it wrote before it ended has arrived by now.
             if gone {
                 return Err(ReadLineError::Ended);
             }
@@ -169,9 +169,9 @@ impl Lines {
         }
     }
 
-    /// Waits until something comes, or can be written, and hears the error output.
+    /// Waits until a stream can be read or written, and reads standard error.
     fn wait(&mut self, left: Duration, has_unsent: bool) -> WaitResult {
-        if !has_unsent && self.spin_wait.look(&self.output) {
+        if !has_unsent && self.spin_wait.poll_briefly(&self.output) {
             return WaitResult::Ready { output: true };
         }
         let none = PollFlags::empty();
@@ -188,7 +188,7 @@ impl Lines {
         let came = match poll(streams, Some(&pace)) {
             Ok(0) => return WaitResult::TimedOut,
             Ok(_) => WaitResult::Ready { output: !streams[0].revents().is_empty() },
-            // We only look sooner.
+            // Only the next check comes earlier.
             Err(_) => WaitResult::Ready { output: true },
         };
         if !streams[1].revents().is_empty() {
@@ -197,12 +197,12 @@ impl Lines {
         came
     }
 
-    /// Length of the last line that came.
+    /// Length of the last line.
     pub(super) fn last_line_length(&self) -> usize {
         self.last_line_length
     }
 
-    /// The last lines of the error output, for a person.
+    /// The last lines of standard error, for a message.
     pub(super) fn stderr_tail(&mut self) -> String {
         self.read_stderr();
         let text = String::from_utf8_lossy(&self.stderr);
@@ -210,7 +210,7 @@ impl Lines {
         lines[lines.len().saturating_sub(3)..].join(" | ")
     }
 
-    /// Writes what there is room for; whether somebody may still read.
+    /// Writes what the stream takes. False if it is closed.
     fn send(&mut self, unsent: &mut &[u8]) -> bool {
         while !unsent.is_empty() {
             match self.input.write(unsent) {
@@ -221,7 +221,7 @@ impl Lines {
         true
     }
 
-    /// Reads what there is, and a little more than may be.
+    /// Reads what is there, up to one byte over the limit.
     fn receive(&mut self, most: usize) {
         while !self.ended {
             let left = most.saturating_add(1).saturating_sub(self.read.len()).min(READ_BYTES);
@@ -245,7 +245,7 @@ impl Lines {
         }
     }
 
-    /// Keeps the end of the error output.
+    /// Reads standard error and keeps its end.
     fn read_stderr(&mut self) {
         let mut part = [0; STDERR_TAIL_BYTES];
         while let Some(errors) = &mut self.errors {
@@ -265,9 +265,9 @@ impl Lines {
         }
     }
 
-    /// The first whole line, without its end.
+    /// Takes the first whole line, without its end.
     fn take_line(&mut self) -> Option<Vec<u8>> {
-        // To step over bytes in memory never fails.
+        // Skipping bytes in memory never fails.
         let stepped = (&self.read[self.scanned..]).skip_until(b'\n').unwrap_or_default();
         let end = (self.scanned + stepped).checked_sub(1).filter(|end| self.read[*end] == b'\n');
         let Some(end) = end else {

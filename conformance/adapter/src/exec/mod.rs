@@ -1,10 +1,9 @@
-//! Any controller: a command that speaks the [adapter protocol](crate::protocol) on its standard streams, or whoever
-//! speaks it at an address.
+//! Controllers outside of this process: a command that speaks the [adapter protocol](crate::protocol) on its standard
+//! streams, or a server at an address.
 //!
-//! Nothing of what it says is trusted. It runs in a process group of its own, with limits of time, output and memory;
-//! whoever breaks a limit, dies or answers something else than was asked is ended with all that it started, and the
-//! next scenario gets a new one. What it declares before it runs anything bounds what is asked of it and what is
-//! judged.
+//! No answer is trusted. A command runs in a process group of its own, with limits of time, output and memory. If it
+//! breaks a limit, dies or gives an unexpected answer, all of its processes are killed, and the next scenario gets a
+//! new session. Its declaration comes before any run. Nothing beyond it is requested or judged.
 
 mod connection;
 mod exchange_folder;
@@ -35,36 +34,36 @@ use observables_cache::ObservablesCache;
 use run::Stopped;
 use session::Session;
 
-/// A controller behind the protocol.
+/// A controller that speaks the protocol.
 #[derive(Debug)]
 pub struct Exec {
     endpoint: Endpoint,
     limits: Limits,
-    /// Options that need not be told.
+    /// Options that requests leave out, because the adapter assumes them.
     assumed_options: Options,
     declaration: Declaration,
     capabilities: Capabilities,
-    /// Sessions in which nothing runs, or a run that nobody waits for yet.
+    /// Sessions without a run, or with a prefetched one.
     idle_sessions: Mutex<Vec<Session>>,
-    /// What was observed of the scenario that each thread ran last, where that is asked for.
+    /// The observables of the scenario that each thread ran last, if the adapter declares `shows`.
     observables_cache: ObservablesCache,
-    /// Sessions that were of no use any more after a program had ended.
+    /// How many sessions were lost after a program had ended.
     lost_sessions: AtomicUsize,
 }
 
 impl Exec {
-    /// Starts the command and asks what it is.
+    /// Starts the command and reads its declaration.
     ///
     /// # Errors
-    /// It cannot be started, does not answer, or declares what is no declaration.
+    /// It cannot be started, does not answer, or its declaration is not valid.
     pub fn start(command: &str, limits: Limits) -> Result<Self, ControllerError> {
         Self::from_endpoint(Endpoint::Command(command.to_owned()), limits)
     }
 
-    /// Connects to an adapter that listens at `HOST:PORT`, and asks what it is.
+    /// Connects to an adapter that listens at `HOST:PORT`, and reads its declaration.
     ///
     /// # Errors
-    /// Nobody listens there, it does not answer, or it declares what is no declaration.
+    /// No connection, no answer, or a declaration that is not valid.
     pub fn connect(address: &str, limits: Limits) -> Result<Self, ControllerError> {
         Self::from_endpoint(Endpoint::Address(address.to_owned()), limits)
     }
@@ -93,19 +92,19 @@ impl Exec {
         })
     }
 
-    /// Takes these options for the defaults of their choices: a scenario is told without them.
+    /// Leaves these options out of requests, because the adapter assumes them.
     #[must_use]
     pub fn assume_options(self, assumed: Options) -> Self {
         self.sessions().iter_mut().for_each(|session| session.assume_options(&assumed));
         Self { assumed_options: assumed, ..self }
     }
 
-    /// What it declared.
+    /// Its declaration.
     pub fn declaration(&self) -> &Declaration {
         &self.declaration
     }
 
-    /// Lets a session that was reset do something.
+    /// Runs `work` in a session that was reset.
     fn with_new_session<T>(
         &self,
         work: impl FnOnce(&mut Session) -> Result<T, Stopped>,
@@ -113,7 +112,7 @@ impl Exec {
         self.with_session(self.session()?, work)
     }
 
-    /// Lets a session do something, and keeps it where it can go on.
+    /// Runs `work` in a session, and keeps the session if it is still usable.
     fn with_session<T>(
         &self,
         mut session: Session,
@@ -127,11 +126,12 @@ impl Exec {
         } else {
             session.has_failed = true;
         }
-        // Another session that failed is gone, with all that it started.
+        // A session that failed is dropped, with all of its processes.
         done.map_err(|stopped| stopped.error)
     }
 
-    /// A session that was reset. Where one that was used cannot be, that is not to be charged to the next scenario.
+    /// A session that was reset. If a used one cannot be reset, a new one takes its place: the next scenario is not to
+    /// blame.
     fn session(&self) -> Result<Session, HarnessError> {
         if let Some(session) = self.idle_session() {
             return Ok(session);
@@ -141,7 +141,7 @@ impl Exec {
         Ok(session)
     }
 
-    /// A session in which nothing runs, that was used and was reset.
+    /// A used session without a run, after a reset.
     fn idle_session(&self) -> Option<Session> {
         let mut session = self.take_session(|session| session.prefetched.is_none())?;
         if session.reset().is_ok() {
@@ -153,10 +153,10 @@ impl Exec {
         None
     }
 
-    /// A session of its own. One that declares something else than the first is not the same controller.
+    /// A new session. An adapter that declares something else than at first is not the same controller.
     fn new_session(&self) -> Result<Session, HarnessError> {
         if self.declaration.sessions.is_some() {
-            // There may be no room for one more beside it.
+            // The adapter may not allow one more session.
             drop(self.take_least_useful());
         }
         let (mut session, declaration) = Session::open(&self.endpoint, self.limits)?;
@@ -170,7 +170,7 @@ impl Exec {
         Ok(session)
     }
 
-    /// The session that was used last of those that are kept and are such.
+    /// The most recently used session that satisfies a condition.
     fn take_session(&self, is_such: impl Fn(&Session) -> bool) -> Option<Session> {
         let mut sessions = self.sessions();
         let place = sessions.iter().rposition(is_such)?;
@@ -277,19 +277,19 @@ impl Adapter for Exec {
 }
 
 impl Exec {
-    /// What it shows of a scenario: never more than it has declared.
+    /// What is observable of a scenario: never more than the declaration.
     fn observables_of(&self, scenario: &Scenario) -> Capabilities {
         if self.declaration.offers.contains(&Extension::Shows)
             && self.observables_cache.get(scenario).is_none()
         {
-            // Where it cannot tell, its whole declaration counts.
+            // If the query fails, the whole declaration counts.
             let _told =
                 self.with_new_session(|session| Ok(self.query_observables(session, scenario)?));
         }
         self.observables_cache.get(scenario).unwrap_or_else(|| self.capabilities().clone())
     }
 
-    /// Asks what is observed of a scenario, where that is offered, and keeps the answer.
+    /// Queries the observables of a scenario, if the adapter can report them, and keeps the answer.
     fn query_observables(
         &self,
         session: &mut Session,

@@ -1,4 +1,4 @@
-//! What is observed of one scenario, asked of a controller that offers to tell: in the same session, before it is run.
+//! Observables of one scenario. The referee queries them in the same session before the run.
 
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ThreadId};
@@ -10,12 +10,12 @@ use super::session::{Session, unreadable};
 use crate::HarnessError;
 use crate::protocol::{Operation, Reply};
 
-/// What was told of the scenario that each thread asked about last.
+/// The observables of the scenario that each thread queried last.
 #[derive(Debug, Default)]
 pub(super) struct ObservablesCache(Mutex<Vec<(ThreadId, Scenario, Capabilities)>>);
 
 impl ObservablesCache {
-    /// What this thread was told of the scenario.
+    /// The observables that this thread got for the scenario.
     pub(super) fn get(&self, scenario: &Scenario) -> Option<Capabilities> {
         let own = thread::current().id();
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -32,10 +32,10 @@ impl ObservablesCache {
 }
 
 impl Session {
-    /// What it tells to show of a scenario, as a controller of which this is known.
+    /// Queries what is observable of a scenario.
     ///
     /// # Errors
-    /// It does not tell, or has another word than the vocabulary.
+    /// No answer, or a word that is not in the vocabulary.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn query_observables(
         &mut self,
@@ -48,7 +48,7 @@ impl Session {
                 let told = observables.capabilities(own.clone());
                 told.map_err(|error| unreadable("answer to `shows`", error.as_bytes()))
             }
-            // It says so when it is to run it, too.
+            // It gives the same answer to `run`.
             Reply::Unsupported(_) => Ok(own.clone()),
             reply => Err(self.unexpected_reply(asked.name(), &reply)),
         }

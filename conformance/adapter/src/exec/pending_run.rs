@@ -1,34 +1,34 @@
-//! Runs that were asked for and are not answered yet.
+//! Runs whose answers are still to come.
 
 use std::thread::ThreadId;
 
 use gaugeblock_vocabulary::{Scenario, Step};
 
-/// A run that was asked for and not answered yet.
+/// A run that was requested and is not answered yet.
 #[derive(Debug)]
 pub(super) struct PendingRun {
-    /// What of the request is still to be written.
+    /// The part of the request that is not yet written.
     pub(super) unsent: Vec<u8>,
-    /// Whether a digest will do for an answer.
+    /// Whether the answer may be a digest.
     pub(super) accepts_digest: bool,
     pub(super) received: ReceivedSoFar,
 }
 
-/// A run that was asked for ahead.
+/// A run that was requested before a caller needs it.
 #[derive(Debug)]
 pub(super) struct PrefetchedRun {
-    /// Who asked.
+    /// The thread that requested it.
     pub(super) thread: ThreadId,
     pub(super) scenario: Scenario,
     pub(super) pending: PendingRun,
 }
 
-/// What came before the answer proper.
+/// What has been received of the answer.
 #[derive(Debug, Default)]
 pub(super) struct ReceivedSoFar {
     pub(super) steps: Vec<Step>,
     /// Batches that may still come.
     pub(super) credit: u32,
-    /// Operator's events that were told by now.
+    /// Operator's events that were sent.
     pub(super) operator_events_sent: usize,
 }

@@ -1,7 +1,8 @@
-//! A run that is asked for before anybody waits for it: the controller works while what it did before is judged.
+//! Prefetching: a run is requested before its result is needed, so that the controller works while the referee judges
+//! the previous outcome.
 //!
-//! One request is under way at a time, as ever. What comes of such a run is told to whoever asked for it, and to
-//! nobody else. Where something else is run instead, it is let end, and nobody looks at what came of it.
+//! A session still has one open request at a time. The result goes only to the thread that requested the run. If that
+//! thread runs something else, the prefetched run ends and its result is discarded.
 
 use std::thread;
 
@@ -14,11 +15,10 @@ use super::session::Session;
 use crate::{Adapter as _, Expected, HarnessError};
 
 impl Exec {
-    /// Begins a run in an idle session. Where there is none, or it fails before, nothing is lost: it is begun when it
-    /// is wanted.
+    /// Requests a run in an idle session. If there is none, or if it fails, the run is requested later.
     pub(super) fn begin_prefetch(&self, scenario: &Scenario) {
         self.discard_prefetched();
-        // What is observed of it is asked first.
+        // Observables have to be queried before the run.
         if self.observables_vary() {
             return;
         }
@@ -31,7 +31,7 @@ impl Exec {
         self.sessions().push(session);
     }
 
-    /// Runs a scenario, which this thread may have begun.
+    /// Runs a scenario, or takes its prefetched run.
     pub(super) fn run_or_resume(
         &self,
         scenario: &Scenario,
@@ -55,13 +55,13 @@ impl Exec {
         })
     }
 
-    /// The session that is missed least, where there may be no room for another one beside it.
+    /// The session that is least useful, to make room for another one.
     pub(super) fn take_least_useful(&self) -> Option<Session> {
         let idle = self.take_session(|session| session.prefetched.is_none());
         idle.or_else(|| self.take_prefetching()).or_else(|| self.take_session(|_| true))
     }
 
-    /// The session of a run that this thread has begun.
+    /// The session in which this thread has prefetched a run.
     fn take_prefetching(&self) -> Option<Session> {
         let own = thread::current().id();
         self.take_session(|session| {
@@ -69,17 +69,17 @@ impl Exec {
         })
     }
 
-    /// Lets a run end that this thread has begun and does not want any more.
+    /// Waits for the end of a prefetched run of this thread and discards its result.
     fn discard_prefetched(&self) {
         if let Some(session) = self.take_prefetching() {
-            // A session that fails in it is gone. That is no fault of what is run next.
+            // A failure ends that session. The next scenario is not to blame.
             let _nobody_asks = self.with_session(session, Session::finish_prefetched);
         }
     }
 }
 
 impl Session {
-    /// Lets a run end that nobody waits for.
+    /// Waits for the end of a prefetched run and discards its result.
     pub(super) fn finish_prefetched(&mut self) -> Result<(), Stopped> {
         let Some(PrefetchedRun { scenario, pending: asked, .. }) = self.prefetched.take() else {
             return Ok(());

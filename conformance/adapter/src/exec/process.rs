@@ -14,7 +14,7 @@ use rustix::process::{
 use super::limits::Limits;
 use crate::clock::now;
 
-/// A variable in the environment of all processes of a session, by which those are found that left its group.
+/// An environment variable that marks all processes of a session, to find those that left its group.
 const MARK: &str = "GAUGEBLOCK_SESSION";
 
 /// A session's process, which leads a group of its own. It is ended when this is dropped.
@@ -22,7 +22,7 @@ const MARK: &str = "GAUGEBLOCK_SESSION";
 pub(super) struct Process {
     child: Child,
     mark: String,
-    /// How it ended, once it was waited for.
+    /// How it ended, after it was reaped.
     ended: Option<String>,
 }
 
@@ -50,7 +50,7 @@ impl Process {
         let process = Self { child, mark, ended: None };
         if let Some(pid) = process.pid() {
             let most = |bytes| Rlimit { current: Some(bytes), maximum: Some(bytes) };
-            // The system may have set lower limits, which cannot be raised again; then those hold.
+            // The system may have set lower limits, which cannot be raised; those then apply.
             let _memory = prlimit(Some(pid), Resource::As, most(limits.memory));
             let _file = prlimit(Some(pid), Resource::Fsize, most(limits.file));
             let _core = prlimit(Some(pid), Resource::Core, most(0));
@@ -58,7 +58,7 @@ impl Process {
         Ok(process)
     }
 
-    /// How it ended, if it does within this time.
+    /// How it ended, if it ends within this time.
     pub(super) fn ends_within(&mut self, time: Duration) -> Option<String> {
         if self.ended.is_some() {
             return self.ended.clone();
@@ -71,7 +71,7 @@ impl Process {
             }
             std::thread::sleep(Duration::from_micros(200));
         }
-        // Its number is still taken, so that its group can be ended safely before it is waited for.
+        // Before the process is reaped its id is not reused, so its group can be killed safely.
         self.end_group();
         self.ended = self.child.wait().ok().map(told);
         self.ended.clone()
@@ -83,12 +83,12 @@ impl Process {
 
     fn end_group(&self) {
         if let Some(pid) = self.pid() {
-            // An empty group is what we want.
+            // An empty group is the goal.
             let _gone = kill_process_group(pid, Signal::KILL);
         }
     }
 
-    /// Ends what left the group: it still has the mark of the session in its environment.
+    /// Kills processes that left the group: the mark of the session is in their environment.
     fn end_others(&self) {
         let wanted = format!("{MARK}={}", self.mark);
         let Ok(entries) = std::fs::read_dir("/proc") else { return };
@@ -110,7 +110,7 @@ impl Process {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // Once it was waited for, its number may be another's.
+        // After it is reaped, its id may belong to another process.
         if self.ended.is_none() {
             self.end_group();
             let _status = self.child.wait();
@@ -119,7 +119,7 @@ impl Drop for Process {
     }
 }
 
-/// A plain command takes the place of the shell, so that its end is told as it was.
+/// A plain command replaces the shell, so that its own exit status is reported.
 fn without_shell(command: &str) -> String {
     let is_plain = !command.contains(|c: char| ";|&(){}<>\n".contains(c))
         && !command.split_whitespace().next().is_some_and(|word| word.contains('='));

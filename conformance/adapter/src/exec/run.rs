@@ -1,5 +1,5 @@
-//! A run within a session: told at once, in batches, in a file or by its digest; fed with what an operator does;
-//! cancelled when it takes too long.
+//! A run within a session. Its answer comes as one line, in batches, in a file or as a digest. Operator's events are
+//! sent while it runs, and a run that takes too long is cancelled.
 
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::scenario::OperatorEvent;
@@ -13,10 +13,10 @@ use crate::protocol::digest::digest;
 use crate::protocol::{Answer, Extension, Operation, Reply, RunModes, Stream};
 use crate::{Expected, HarnessError, MotionRequest, NoSamples};
 
-/// How many batches may come before the referee has looked at them.
+/// How many batches may come before the referee has read them.
 const CREDIT: u32 = 8;
 
-/// Why a run has no outcome, and whether the session can go on.
+/// Why a run has no outcome, and whether the session is still usable.
 #[derive(Debug)]
 pub(super) struct Stopped {
     pub(super) error: HarnessError,
@@ -30,8 +30,8 @@ impl From<HarnessError> for Stopped {
 }
 
 impl Session {
-    /// Runs a scenario. `expected` is what the specification says, where somebody wants to know: it is found out
-    /// while the controller runs, and may save that the outcome is sent.
+    /// Runs a scenario. `expected` is the specified outcome, if the caller has one. It is computed while the controller
+    /// runs, and an equal outcome need not be sent.
     pub(super) fn run(
         &mut self,
         scenario: &Scenario,
@@ -42,7 +42,7 @@ impl Session {
         self.receive_outcome(asked, scenario, expected)
     }
 
-    /// The next request, to run a scenario; `by_digest` where a digest will do for an answer.
+    /// Encodes a request to run a scenario. With `by_digest` the answer may be a digest.
     pub(super) fn encode_run(
         &mut self,
         scenario: &Scenario,
@@ -58,7 +58,7 @@ impl Session {
         Ok((line, ways))
     }
 
-    /// Asks for a run. Its reset has just found that nothing more is said.
+    /// Sends the request. The reset before it has checked that no surplus output was left.
     pub(super) fn send_run(&mut self, (line, ways): (Vec<u8>, RunModes)) -> PendingRun {
         self.has_run = true;
         self.last += 1;
@@ -71,8 +71,8 @@ impl Session {
         }
     }
 
-    /// What comes of a run that was asked for. It has its time from now on: whoever asks early may do something else
-    /// meanwhile.
+    /// Receives the outcome of a run. The time limit begins here: a thread that prefetched may have done something else
+    /// since.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn receive_outcome(
         &mut self,
@@ -80,7 +80,7 @@ impl Session {
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
-        // It is found out while the controller runs.
+        // It is computed while the controller runs.
         let expected: Option<&Outcome> = expected.map(|expected| &**expected);
         let (live, _) = self.split_operator_events(&scenario.operator);
         let (reply, steps) = self.await_reply((RUN, expected), unsent, live, before)?;
@@ -96,7 +96,7 @@ impl Session {
         Ok(outcome)
     }
 
-    /// What of an operator's script is told while the controller runs, and what at once.
+    /// The operator's events to send while the controller runs, and those to send with the request.
     fn split_operator_events<'a>(
         &self,
         script: &'a [OperatorEvent],
@@ -104,7 +104,7 @@ impl Session {
         if self.has_extension(Extension::LiveOperator) { (script, &[]) } else { (&[], script) }
     }
 
-    /// Servo samples of a run.
+    /// Records the servo samples of a run.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn record_motion(
         &mut self,
@@ -122,7 +122,7 @@ impl Session {
         let (reply, _) = self.await_reply((asked.name(), None), unsent, &[], before)?;
         let samples = match reply {
             Reply::Unsupported(why) => return Ok(Err(NoSamples::Unsupported(shown(&why)))),
-            // It is the controller that has none, and not the session that is broken.
+            // The controller has no samples; the session is still usable.
             Reply::Refused(why) => {
                 return Ok(Err(NoSamples::Failed(HarnessError::NotRun(shown(&why)))));
             }
@@ -140,7 +140,7 @@ impl Session {
         Ok(Ok(samples.map_err(wrong)?))
     }
 
-    /// The outcome itself, where its digest is not the expected one's.
+    /// The expected outcome if the digest is equal, or the one that the controller sends on request.
     fn outcome_by_digest(
         &mut self,
         told: &str,
@@ -156,7 +156,7 @@ impl Session {
         self.outcome_from_reply(whole.name(), reply)
     }
 
-    /// The outcome that a reply is, or names.
+    /// The outcome in a reply, or in the file that it names.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     fn outcome_from_reply(&mut self, asked: &str, reply: Reply) -> Result<Outcome, HarnessError> {
         match reply {
@@ -170,7 +170,7 @@ impl Session {
         }
     }
 
-    /// What a file of the session's folder holds.
+    /// The content of a file in the exchange folder.
     fn take_answer_file(&self, name: &str) -> Result<Vec<u8>, HarnessError> {
         let folder = self.folder.as_ref().filter(|_| self.has_extension(Extension::Files));
         let folder = folder.ok_or_else(|| {
@@ -181,7 +181,7 @@ impl Session {
             .map_err(|why| unreadable(&format!("file of its answer: {why}"), name.as_bytes()))
     }
 
-    /// Asks for something that takes time: the answer proper, and the steps that came before it.
+    /// Waits for the final answer to a long request. Returns it with the steps that came before it.
     #[expect(clippy::wildcard_enum_match_arm, reason = "any other answer is the answer proper")]
     fn await_reply(
         &mut self,
@@ -230,11 +230,11 @@ impl Session {
                     return Ok((reply, before.steps));
                 }
             }
-            // There is always one more batch of who does not stop.
+            // A controller that never stops could always send one more batch.
             if now() >= deadline {
                 return Err(self.cancel_late_run());
             }
-            // What has come without credit is looked at first.
+            // Output without credit is an error, and is found first.
             if streams && before.credit == 0 && self.lines.unrequested().is_none() {
                 before.credit = CREDIT;
                 line.extend(request(self.last, &Operation::Credit { batches: CREDIT })?);
@@ -242,14 +242,14 @@ impl Session {
         }
     }
 
-    /// A run that takes too long is cancelled, where that can be done.
+    /// Cancels a run that takes too long, if the adapter can.
     fn cancel_late_run(&mut self) -> Stopped {
         let error = NoReply::Late { all_said: true }.into_error(self.limits);
         let goes_on = self.has_extension(Extension::Cancel) && self.cancel(Vec::new());
         Stopped { error, session_usable: goes_on }
     }
 
-    /// Says what is still to be said, and ends the run that is going on; whether the session can go on.
+    /// Sends the rest of a request and cancels the run. True if the session is still usable.
     pub(super) fn cancel(&mut self, mut line: Vec<u8>) -> bool {
         let run = self.last;
         self.last += 1;
@@ -265,10 +265,10 @@ impl Session {
             };
             line.clear();
             match answer {
-                // There is always one more line of who does not stop.
+                // A controller that never stops could always send one more line.
                 _ if now() >= deadline => return false,
                 Answer { id, reply } if id == self.last => return reply == (Reply::Done {}),
-                // It was on its way already.
+                // It was sent before the cancel.
                 Answer { id, .. } if id == run => (),
                 Answer { .. } => return false,
             }

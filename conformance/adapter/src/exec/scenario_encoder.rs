@@ -1,5 +1,5 @@
-//! A scenario as it is told: what has its default is left out, as the protocol allows. Most of a scenario is options,
-//! and most of those are the first of their choice.
+//! Encodes scenarios for the protocol, without members that have their default. Most of a scenario is options, and most
+//! options are the first of their choice.
 
 use std::collections::BTreeMap;
 use std::ops::Not;
@@ -15,27 +15,27 @@ use serde_json::value::RawValue;
 use crate::HarnessError;
 use crate::protocol::{RunModes, Stream};
 
-/// Bytes that most requests fit into.
+/// Bytes that hold most requests.
 const REQUEST_BYTES_USUAL: usize = 4 << 10;
 
-/// Tells scenarios, and keeps what it told of options: scenarios share them.
+/// Encodes scenarios. It keeps the encoded options, which many scenarios share.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ScenarioEncoder {
-    /// Options that need not be told.
+    /// Options that requests leave out.
     assumed: Options,
-    /// Options that were to be told last, and what of them was, where anything was.
+    /// The last options, and their encoded form.
     last: (Options, Option<Box<RawValue>>),
-    /// The machine that need not be told.
+    /// The machine that requests leave out.
     usual: Machine,
 }
 
 impl ScenarioEncoder {
-    /// One that leaves these options out.
+    /// An encoder that leaves these options out.
     pub(super) fn new(assumed: Options) -> Self {
         Self { assumed, ..Self::default() }
     }
 
-    /// A request to run a scenario, as a line; `operator` takes the place of its own.
+    /// Encodes a request to run a scenario; `operator` replaces the scenario's own events.
     pub(super) fn encode_run(
         &mut self,
         id: u64,
@@ -63,7 +63,7 @@ impl ScenarioEncoder {
         Ok(line)
     }
 
-    /// Makes what is told of these options.
+    /// Encodes these options.
     fn encode_options(&mut self, options: &Options) -> serde_json::Result<()> {
         if std::ptr::eq(&*options.0, &*self.last.0.0) {
             return Ok(());
@@ -105,7 +105,7 @@ struct WireScenario<'a> {
     budget: Option<&'a Budget>,
 }
 
-/// A program; its language and its text are always told.
+/// A program; its language and its text are always written.
 #[derive(Serialize)]
 struct WireProgram<'a> {
     language: Language,

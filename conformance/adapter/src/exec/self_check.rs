@@ -1,4 +1,4 @@
-//! What is asked of an adapter only to see whether it works.
+//! Requests that only check whether an adapter works.
 
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Scenario};
@@ -9,15 +9,15 @@ use crate::Adapter as _;
 use crate::protocol::{Extension, Operation, Reply, RunModes};
 
 impl Exec {
-    /// Asks for an operation that there is not, which has to be refused, and whether the session goes on after it.
+    /// Requests an unknown operation, which has to be refused, and checks that the session goes on.
     ///
     /// # Errors
-    /// It is answered otherwise.
+    /// Another answer.
     pub fn check_unknown_operation(&self) -> Result<(), HarnessError> {
         self.new_session()?.request_unknown_operation()
     }
 
-    /// Runs a scenario in a session of its own that makes use of these offers and no other.
+    /// Runs a scenario in a new session that uses only these extensions.
     ///
     /// # Errors
     /// There is no outcome.
@@ -32,10 +32,10 @@ impl Exec {
         session.run(scenario, None).map_err(|stopped| stopped.error)
     }
 
-    /// The digest that it tells of a scenario's outcome. None where it tells the outcome itself.
+    /// The digest that it reports of a scenario's outcome. None if it sends the outcome itself.
     ///
     /// # Errors
-    /// It answers otherwise.
+    /// Another answer.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub fn digest_of(&self, scenario: &Scenario) -> Result<Option<String>, HarnessError> {
         let mut session = self.new_session()?;
@@ -49,11 +49,11 @@ impl Exec {
         }
     }
 
-    /// Cancels a run at once, then runs another scenario in the same session. None where the cancel was not answered
-    /// as it must be.
+    /// Cancels a run at once, then runs another scenario in the same session. None if `cancel` is not answered
+    /// correctly.
     ///
     /// # Errors
-    /// The other one has no outcome.
+    /// The second scenario has no outcome.
     pub fn run_after_cancel(
         &self,
         cancelled: &Scenario,
@@ -71,7 +71,7 @@ impl Exec {
         session.run(then, None).map(Some).map_err(|stopped| stopped.error)
     }
 
-    /// Runs a scenario behind another one in the same session, without a reset in between.
+    /// Runs a scenario after another one in the same session, without a reset in between.
     ///
     /// # Errors
     /// One of them has no outcome.
@@ -87,20 +87,20 @@ impl Exec {
         session.run(scenario, None).map_err(|stopped| stopped.error)
     }
 
-    /// What it tells to show of a scenario.
+    /// Queries what is observable of a scenario.
     ///
     /// # Errors
-    /// It does not tell.
+    /// No valid answer.
     pub fn query_observables_of(&self, scenario: &Scenario) -> Result<Capabilities, HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
         session.query_observables(scenario, self.capabilities())
     }
 
-    /// Runs a scenario and resets the same session, which has to tell then what it told before.
+    /// Runs a scenario and resets the session. The reported state has to equal that after the first reset.
     ///
     /// # Errors
-    /// It tells otherwise, or there is no outcome.
+    /// The state differs, or there is no outcome.
     pub fn reset_after(&self, scenario: &Scenario) -> Result<(), HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
@@ -110,7 +110,7 @@ impl Exec {
 }
 
 impl Session {
-    /// Asks for an operation that no version has, then for a reset.
+    /// Requests an unknown operation, then a reset.
     fn request_unknown_operation(&mut self) -> Result<(), HarnessError> {
         let line =
             format!("{{\"id\":{},\"op\":\"gaugeblock-unknown\",\"later\":[1]}}\n", self.last + 1);

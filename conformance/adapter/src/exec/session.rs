@@ -1,4 +1,4 @@
-//! A session: requests and answers by turns, from `hello` to `bye`.
+//! A session: requests and answers in turn, from `hello` to `bye`.
 
 use std::collections::BTreeSet;
 use std::time::Instant;
@@ -19,39 +19,39 @@ use crate::protocol::{
     with_suggestion,
 };
 
-/// Most of a line that is shown to a person.
+/// Bytes of a line that a message quotes.
 pub(super) const LINE_EXCERPT_BYTES: usize = 200;
 
-/// A controller that was started, or connected to, and has told what it is.
+/// A session with a controller that has declared itself.
 #[derive(Debug)]
 pub(super) struct Session {
     pub(super) lines: Lines,
     pub(super) peer: Connection,
     pub(super) limits: Limits,
     pub(super) encoder: ScenarioEncoder,
-    /// What it may lay answers into, where it runs on this machine.
+    /// Folder for answers in files, if the controller runs on this machine.
     pub(super) folder: Option<ExchangeFolder>,
     extensions: BTreeSet<Extension>,
-    /// Whether it says that parameters are told at the end.
+    /// Whether it declares that it reports parameters at the end.
     reports_parameters: bool,
     /// Id of the last request.
     pub(super) last: u64,
     pub(super) has_run: bool,
-    /// What is still to be said of a reset that was asked for and not answered yet, if there is one.
+    /// The unwritten part of a reset whose answer is still to come.
     pending_reset: Option<Vec<u8>>,
-    /// Whether the next run most likely follows, so that it may be set back as soon as it has answered.
+    /// Whether another run most likely follows, so that a reset may be sent right after the answer.
     pub(super) expects_another_run: bool,
-    /// Whether it has failed: it is not waited for any more.
+    /// Whether it has failed. It then gets less time to exit.
     pub(super) has_failed: bool,
-    /// A run that nobody waits for yet, if there is one.
+    /// The prefetched run, if there is one.
     pub(super) prefetched: Option<PrefetchedRun>,
-    /// What was in force after the first reset, where it can tell.
+    /// The state after the first reset, if the adapter reports it.
     reset_state: Option<Box<ControllerState>>,
     answers: AnswerReader,
 }
 
 impl Session {
-    /// Opens a door and says hello.
+    /// Connects and exchanges `hello`.
     pub(super) fn open(
         door: &Endpoint,
         limits: Limits,
@@ -95,12 +95,12 @@ impl Session {
         Err(session.unexpected_reply(hello.name(), &reply))
     }
 
-    /// Whether it can do something that not each adapter can.
+    /// Whether the adapter declares an extension.
     pub(super) fn has_extension(&self, offer: Extension) -> bool {
         self.extensions.contains(&offer)
     }
 
-    /// Scenarios are told without these options.
+    /// Leaves these options out of requests.
     pub(super) fn assume_options(&mut self, assumed: &Options) {
         self.encoder = ScenarioEncoder::new(assumed.clone());
     }
@@ -110,37 +110,36 @@ impl Session {
         self.has_run
     }
 
-    /// Makes no more use of other offers than these.
+    /// Uses no extensions except these.
     pub(super) fn restrict_extensions(&mut self, offers: &[Extension]) {
         self.extensions.retain(|offer| offers.contains(offer));
     }
 
-    /// Whether parameters at the end can be had apart from the outcome.
+    /// Whether final parameters can be queried apart from the outcome.
     pub(super) fn can_query_parameters(&self) -> bool {
         self.reports_parameters && self.has_extension(Extension::State)
     }
 
-    /// Whether the next run sets the controller back by itself, and nobody asks what is in force before.
+    /// Whether the next run resets the controller, and no state is queried before.
     fn resets_on_run(&self) -> bool {
         self.has_run
             && self.has_extension(Extension::Fresh)
             && !self.has_extension(Extension::State)
     }
 
-    /// Asks for a reset whose answer [`Session::reset`] takes: the controller is set back while something else is
-    /// done here.
+    /// Sends a reset whose answer [`Session::reset`] reads, so that the controller resets while the referee works.
     pub(super) fn send_reset(&mut self) {
         if self.resets_on_run() {
             return;
         }
-        // Whoever has said more than it was asked for is found out by the reset itself.
+        // Surplus output is found by the reset itself.
         if self.pending_reset.is_none() && self.lines.surplus().is_none() {
             self.last += 1;
             self.pending_reset = Some(self.lines.write_line(&reset(self.last)));
         }
     }
 
-    /// Sets the controller back. What it tells to be in force then has to be what was in force after the first reset.
+    /// Resets the controller. The state that it reports then has to equal the state after the first reset.
     pub(super) fn reset(&mut self) -> Result<(), HarnessError> {
         if self.resets_on_run() {
             return self.check_alive_and_silent();
@@ -158,7 +157,7 @@ impl Session {
         if reply != (Reply::Done {}) {
             return Err(self.unexpected_reply(RESET, &reply));
         }
-        // It may be long ago that it answered.
+        // The answer may have arrived long ago.
         self.check_alive_and_silent()?;
         if self.has_extension(Extension::State) {
             let standing = self.state()?;
@@ -171,7 +170,7 @@ impl Session {
         Ok(())
     }
 
-    /// What it tells to be in force.
+    /// The state that it reports.
     pub(super) fn state(&mut self) -> Result<Box<ControllerState>, HarnessError> {
         let state = Operation::State {};
         let reply = self.request(&state)?;
@@ -192,27 +191,27 @@ impl Session {
         self.exchange(line, name, deadline, None).map_err(|late| late.into_error(self.limits))
     }
 
-    /// A new request is about to be made: its id is the next one.
+    /// Begins a new request: its id is the next one.
     pub(super) fn begin_request(&mut self) -> Result<(), HarnessError> {
         self.check_silent()?;
         self.last += 1;
         Ok(())
     }
 
-    /// It has neither ended nor said anything that it was not asked for.
+    /// Fails if the controller has ended or has written without a request.
     fn check_alive_and_silent(&mut self) -> Result<(), HarnessError> {
         self.check_silent()?;
         if self.lines.has_ended() { Err(self.ended_error(RESET)) } else { Ok(()) }
     }
 
-    /// It has said nothing that it was not asked for.
+    /// Fails if the controller has written without a request.
     fn check_silent(&mut self) -> Result<(), HarnessError> {
         let unasked = self.lines.unrequested();
         unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
     }
 
-    /// Writes what is to be said, if anything, and reads an answer to the last request; of a run, perhaps this
-    /// outcome is expected.
+    /// Writes a request, which may be empty, and reads the answer to the last one. `expected` is the outcome that a run
+    /// should have.
     pub(super) fn exchange(
         &mut self,
         line: &[u8],
@@ -232,7 +231,7 @@ impl Session {
         };
         let asked = self.last;
         if name == RUN && self.has_single_answer() {
-            // It is set back while its answer is read here.
+            // The controller resets while its answer is parsed here.
             self.send_reset();
         }
         let read = if name == RUN {
@@ -251,7 +250,7 @@ impl Session {
         Ok(answer.reply)
     }
 
-    /// Whether nothing but a reset comes behind the first answer to a run.
+    /// Whether only a reset can follow the first answer to a run.
     fn has_single_answer(&self) -> bool {
         let has_no_more = |offer: &Extension| {
             matches!(offer, Extension::Cancel | Extension::Fresh | Extension::Motion)
@@ -259,14 +258,14 @@ impl Session {
         self.expects_another_run && self.extensions.iter().all(has_no_more)
     }
 
-    /// Its output ended before it answered.
+    /// The error for an output that ended before the answer.
     fn ended_error(&mut self, name: &str) -> HarnessError {
         let status = self.peer.describe_end();
         let stderr = self.lines.stderr_tail();
         HarnessError::Crashed { status: format!("{status}, asked to `{name}`"), stderr }
     }
 
-    /// An answer that does not belong to what was asked.
+    /// The error for a reply that does not belong to the request.
     pub(super) fn unexpected_reply(&mut self, asked: &str, reply: &Reply) -> HarnessError {
         if let Reply::Refused(why) = reply {
             return HarnessError::NotRun(format!("the adapter refuses `{asked}`: {}", shown(why)));
@@ -281,7 +280,7 @@ impl Drop for Session {
         if self.finish_prefetched().is_err_and(|stopped| !stopped.session_usable) {
             return;
         }
-        // Whatever it answers, it had its chance to end by itself.
+        // Whatever the answer is, it had the chance to exit.
         let ahead = self.pending_reset.take();
         let Ok(bye) = request(self.last + 1, &Operation::Bye {}) else { return };
         if self.peer.is_gone() {
@@ -308,9 +307,9 @@ impl Drop for Session {
 /// Why there is no reply.
 #[derive(Debug)]
 pub(super) enum NoReply {
-    /// Not in time; whether all that was to be said could be written.
+    /// Not in time. The flag says whether the request was written completely.
     Late { all_said: bool },
-    /// Something that no session survives.
+    /// An error that ends the session.
     Other(HarnessError),
 }
 
@@ -323,13 +322,11 @@ impl NoReply {
     }
 }
 
-/// Name of the operation.
 pub(super) const RUN: &str = "run";
 
-/// Name of the operation.
 const RESET: &str = "reset";
 
-/// The request to be as after power-on.
+/// A reset request as a line.
 fn reset(id: u64) -> Vec<u8> {
     format!("{{\"id\":{id},\"op\":\"{RESET}\"}}\n").into_bytes()
 }
@@ -362,7 +359,7 @@ pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
     }
 }
 
-/// The first member in which what is in force differs.
+/// The first member in which two states differ.
 fn told(fresh: &ControllerState, now: &ControllerState) -> String {
     let lines = |standing: &ControllerState| {
         serde_json::to_string(standing).unwrap_or_default().replace(",\"", "\n\"")
@@ -376,7 +373,7 @@ pub(super) fn unreadable(what: &str, line: &[u8]) -> HarnessError {
     HarnessError::Unreadable { what: shown(what), line: shown(&String::from_utf8_lossy(line)) }
 }
 
-/// As much of a controller's text as a person reads, in one line and without what a terminal would obey.
+/// An excerpt of a controller's text for a message: one line, with terminal control sequences escaped.
 pub(super) fn shown(text: &str) -> String {
     let plain = text.chars().map(|c| if c.is_control() { ' ' } else { c });
     let mut shown: String = plain.clone().take(LINE_EXCERPT_BYTES).collect();

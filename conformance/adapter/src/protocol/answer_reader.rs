@@ -1,6 +1,5 @@
-//! Answers to runs, which mostly begin alike, and mostly go on as expected: what is in force before the first block
-//! is half of what such an answer says, and is read when it changes; the steps are read where they are not the
-//! expected ones.
+//! Fast reading of answers to runs. The start settings are half of an answer and rarely change; they are parsed when
+//! they do. Steps are parsed only if they differ from the expected ones.
 
 use std::io::{ErrorKind, Result, Write};
 
@@ -19,7 +18,7 @@ struct Form<'a> {
     outcome: PartialOutcome<'a>,
 }
 
-/// An [`Outcome`] whose start is not read yet.
+/// An [`Outcome`] whose start settings are not parsed yet.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PartialOutcome<'a> {
@@ -37,25 +36,25 @@ struct PartialOutcome<'a> {
 }
 
 impl PartialOutcome<'_> {
-    /// The outcome, with a start that was read before, and with these steps.
+    /// The outcome with start settings that were parsed before, and with these steps.
     fn with(self, start: &Settings, steps: Vec<Step>) -> Outcome {
         let Self { language, start: _, steps: _, end, parameters, pins, samples } = self;
         Outcome { language, start: start.clone(), steps, end, parameters, pins, samples }
     }
 }
 
-/// Reads answers of one session.
+/// Reads the answers of one session.
 #[derive(Debug, Default)]
 pub(crate) struct AnswerReader {
-    /// The last start, as it was written and as it was read.
+    /// The last start settings: their text and their value.
     start: (Box<str>, Settings),
 }
 
 impl AnswerReader {
-    /// An answer to a run, of which this is expected.
+    /// Reads an answer to a run. `expected` is the id and the specified outcome, if known.
     ///
     /// # Errors
-    /// It is none; with the place in the line.
+    /// The answer is not valid; the message has the place in the line.
     pub(crate) fn read(
         &mut self,
         line: &[u8],
@@ -65,12 +64,12 @@ impl AnswerReader {
         {
             return Ok(answer);
         }
-        // Whatever else it says, and whatever is wrong with it, is found in the way of any other answer.
+        // Any other answer, and any error, is found by the general reader.
         self.outcome(line).or_else(|_| serde_json::from_slice(line))
     }
 
-    /// An answer that begins as the last one that was read and goes on with the expected steps, as this project
-    /// writes them: they are not read.
+    /// Fast path of [`Self::outcome`]: an answer with the last start settings and the expected steps, in the form that
+    /// this project writes, needs no parsing of either.
     fn as_expected(&self, line: &[u8], id: u64, expected: &Outcome) -> Option<Answer> {
         let (language, start) = (expected.language, self.start.0.as_bytes());
         if start.is_empty() {
@@ -81,7 +80,7 @@ impl AnswerReader {
         let text = text.strip_prefix(start)?.strip_prefix(b",\"steps\":")?;
         let mut rest = ExpectedPrefix(text);
         serde_json::to_writer(&mut rest, &expected.steps).ok()?;
-        // What has been looked at is left out of what is read.
+        // What has been compared is left out of what is parsed.
         let before = format!("{{\"language\":\"{language}\",\"start\":{{}},\"steps\":[]");
         let short = [before.as_bytes(), rest.0].concat();
         let told: PartialOutcome<'_> = serde_json::from_slice(&short).ok()?;
@@ -101,7 +100,7 @@ impl AnswerReader {
     }
 }
 
-/// Takes what is written for as long as it is what stands here.
+/// A writer that fails at the first byte that differs from this text.
 struct ExpectedPrefix<'a>(&'a [u8]);
 
 impl Write for ExpectedPrefix<'_> {

@@ -1,7 +1,7 @@
 //! The digest of an outcome: SHA-256 of its canonical JSON (RFC 8785), as lower-case hexadecimal digits.
 //!
 //! Canonical JSON has no white space, the members of an object in the order of their names, and numbers as ECMAScript
-//! prints them. So an adapter in any language comes to the same bytes.
+//! prints them. An adapter in any language computes the same bytes.
 
 use std::fmt::Write as _;
 
@@ -9,9 +9,9 @@ use gaugeblock_vocabulary::Outcome;
 use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 
-/// The text whose digest it is.
+/// The canonical text of an outcome.
 pub fn canonical(outcome: &Outcome) -> String {
-    // An outcome holds nothing that JSON cannot, so that this is no case of its own.
+    // Every outcome can be written as JSON, so this never fails.
     let value = serde_json::to_value(outcome).unwrap_or(Value::Null);
     let mut text = String::new();
     write(&value, &mut text);
@@ -22,7 +22,7 @@ pub fn canonical(outcome: &Outcome) -> String {
 pub fn digest(outcome: &Outcome) -> String {
     let text = canonical(outcome);
     Sha256::digest(text.as_bytes()).iter().fold(String::new(), |mut hex, byte| {
-        // A text takes what is written to it.
+        // Writing to a string never fails.
         let _taken = write!(hex, "{byte:02x}");
         hex
     })

@@ -1,10 +1,9 @@
-//! Offers: what an adapter can do beyond the operations that each of them has to know. Nothing of it is asked of one
-//! that does not declare it.
+//! Extensions: what an adapter can do in addition to the required operations. Only declared extensions are used.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Something that an adapter can offer.
+/// An extension that an adapter can declare.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
 )]
@@ -31,7 +30,7 @@ pub enum Extension {
     Stream,
 }
 
-/// Every offer, its name, and what an adapter does that declares it.
+/// Every extension, its name, and what an adapter that declares it does.
 pub const EXTENSIONS: &[(Extension, &str, &str)] = &[
     (
         Extension::Cancel,

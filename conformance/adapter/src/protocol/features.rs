@@ -1,11 +1,11 @@
-//! Features: what a scenario needs of a controller beside the program itself. They choose the cases.
+//! Features: what a scenario requires of a controller in addition to its program. They select the cases.
 
 use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::scenario::{Environment, Start, ToolChange};
 use gaugeblock_vocabulary::{Machine, Program, Scenario};
 
-/// Every feature, and what a controller does that has it.
+/// Every feature, and what a controller that declares it can do.
 pub const FEATURES: &[(&str, &str)] = &[
     (
         "another-environment",
@@ -34,7 +34,7 @@ pub const FEATURES: &[(&str, &str)] = &[
     ("user-programs", "there can be programs of user-defined M codes"),
 ];
 
-/// The features that a scenario needs.
+/// The features that a scenario requires.
 pub fn needed(scenario: &Scenario) -> BTreeSet<&'static str> {
     let Scenario { program, options: _, machine, environment, operator, budget: _ } = scenario;
     let mut needed = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! Requests and answers as they stand in a line: read in one pass, and what is wrong is told with its place.
+//! The form of requests and answers in a line. They are parsed in one pass, so that an error has its place.
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{ControllerState, Declaration, Observables, Operation, Reply, RunModes, Stream};
 
-/// A request, whatever it asks. What else stands in it is left for later versions.
+/// A request with any operation. Unknown members are ignored: later versions may add some.
 #[derive(Debug, Deserialize)]
 pub(super) struct Request {
     id: u64,
@@ -66,7 +66,7 @@ impl TryFrom<Request> for super::Request {
     }
 }
 
-/// An answer, whatever it says. What else stands in it is left for later versions.
+/// Any answer. Unknown members are ignored: later versions may add some.
 #[derive(Debug, Deserialize)]
 pub(super) struct Answer {
     id: u64,

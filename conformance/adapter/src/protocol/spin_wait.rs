@@ -1,4 +1,4 @@
-//! Looking for what is waited for before sleeping until it comes: to be woken takes longer than most runs do.
+//! A wait that polls for a short time before it sleeps: waking up takes longer than most runs do.
 
 use std::os::fd::AsFd;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -8,50 +8,49 @@ use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
 use crate::clock::now;
 
-/// How long is looked.
-const LOOK: Duration = Duration::from_micros(50);
+/// How long a wait polls.
+const POLL_TIME: Duration = Duration::from_micros(50);
 
-/// How many waits at most begin without a look.
-const MOST: u32 = 64;
+/// Longest run of waits that sleep at once.
+const SLEEPS_MAX: u32 = 64;
 
-/// How many of this process wait like this.
+/// Number of waiters in this process.
 static WAITERS: AtomicUsize = AtomicUsize::new(0);
 
-/// Of one who waits again and again. A look keeps a processor from others, who may be those that it waits for: after
-/// a look in vain it makes do without for a while, for longer and longer, and it does not look at all where everybody
-/// who is awake does not have a processor of its own.
+/// A wait that is repeated. Polling takes a processor from other threads, possibly from the one that is waited for.
+/// After a poll without success, the next waits sleep at once, more of them each time. With more runnable threads than
+/// processors, no wait polls.
 #[derive(Debug)]
 pub struct SpinWait {
-    looks: Looks,
+    schedule: PollSchedule,
     processors: usize,
 }
 
 impl Default for SpinWait {
-    /// Counts one more who waits.
+    /// Registers one more waiter.
     fn default() -> Self {
         WAITERS.fetch_add(1, Ordering::Relaxed);
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { looks: Looks::default(), processors }
+        Self { schedule: PollSchedule::default(), processors }
     }
 }
 
 impl SpinWait {
-    /// Looks for something to read, or for the end of the stream; whether it was found. Where it was not, it is time
-    /// to sleep.
-    pub fn look(&mut self, stream: impl AsFd) -> bool {
-        // There is somebody at the other end of each.
-        if 2 * WAITERS.load(Ordering::Relaxed) > self.processors || !self.looks.is_next() {
+    /// Polls for input or the end of the stream. False if there is none: the caller should then sleep.
+    pub fn poll_briefly(&mut self, stream: impl AsFd) -> bool {
+        // Each waiter has a thread at the other end.
+        if 2 * WAITERS.load(Ordering::Relaxed) > self.processors || !self.schedule.begin_wait() {
             return false;
         }
         let none = Timespec { tv_sec: 0, tv_nsec: 0 };
         let is_there = || poll(&mut [PollFd::new(&stream, PollFlags::IN)], Some(&none)) != Ok(0);
         let since = now();
         let mut found = is_there();
-        while !found && since.elapsed() < LOOK {
+        while !found && since.elapsed() < POLL_TIME {
             std::hint::spin_loop();
             found = is_there();
         }
-        self.looks.came_of_it(found);
+        self.schedule.record_result(found);
         found
     }
 }
@@ -62,52 +61,52 @@ impl Drop for SpinWait {
     }
 }
 
-/// Which waits begin with a look.
+/// Decides which waits poll.
 #[derive(Debug, Default)]
-struct Looks {
-    /// Waits before the next look.
-    without: u32,
-    /// How many there were to be after the last look.
-    pause: u32,
+struct PollSchedule {
+    /// Waits that sleep at once before the next poll.
+    sleeps_left: u32,
+    /// How many there were after the last poll.
+    sleeps: u32,
 }
 
-impl Looks {
-    /// Somebody waits: whether that begins with a look.
-    fn is_next(&mut self) -> bool {
-        let is_next = self.without == 0;
-        self.without = self.without.saturating_sub(1);
+impl PollSchedule {
+    /// Begins a wait. True if it polls.
+    fn begin_wait(&mut self) -> bool {
+        let is_next = self.sleeps_left == 0;
+        self.sleeps_left = self.sleeps_left.saturating_sub(1);
         is_next
     }
 
-    /// What the look came to.
-    fn came_of_it(&mut self, found: bool) {
-        self.pause = if found { 0 } else { (2 * self.pause).clamp(2, MOST) };
-        self.without = self.pause;
+    /// Records whether the poll had success.
+    fn record_result(&mut self, found: bool) {
+        self.sleeps = if found { 0 } else { (2 * self.sleeps).clamp(2, SLEEPS_MAX) };
+        self.sleeps_left = self.sleeps;
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Looks;
+    use super::PollSchedule;
 
-    /// Waits that begin without a look, up to the next look.
-    fn without(looks: &mut Looks) -> usize {
-        std::iter::repeat_with(|| looks.is_next()).take_while(|is_next| !is_next).count()
+    /// Waits that sleep at once, up to the next poll.
+    fn without(looks: &mut PollSchedule) -> usize {
+        std::iter::repeat_with(|| looks.begin_wait()).take_while(|is_next| !is_next).count()
     }
 
     #[test]
     fn looks_in_vain_become_rare_and_one_that_finds_something_brings_them_back() {
-        let mut looks = Looks::default();
+        let mut looks = PollSchedule::default();
         assert_eq!(without(&mut looks), 0);
         for pause in [2, 4, 8, 16, 32, 64, 64] {
-            looks.came_of_it(false);
+            looks.record_result(false);
             assert_eq!(without(&mut looks), pause);
         }
         for pause in [0, 0] {
-            looks.came_of_it(true);
+            looks.record_result(true);
             assert_eq!(without(&mut looks), pause);
         }
-        looks.came_of_it(false);
+        looks.record_result(false);
         assert_eq!(without(&mut looks), 2);
     }
 }

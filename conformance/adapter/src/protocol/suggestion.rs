@@ -1,15 +1,15 @@
-//! What a word that is not of the vocabulary was perhaps meant to be.
+//! Suggestions for unknown words: "did you mean …?".
 
-/// The word that is nearest, if any is near.
+/// The nearest known word, if one is near.
 pub(super) fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let near = known.into_iter().map(|other| (distance(word, other), other));
     let (distance, other) = near.min_by_key(|(distance, _)| *distance)?;
     (distance > 0 && distance <= (word.chars().count() / 3).max(1)).then_some(other)
 }
 
-/// A message about an unknown word that lists the known ones, with the one that was perhaps meant.
+/// Adds a suggestion to a message that lists the known words.
 pub(crate) fn with_suggestion(message: &str) -> String {
-    // `unknown field `x`, expected one of `y`, `z``, as serde tells it.
+    // The form of serde's message: `unknown field `x`, expected one of `y`, `z``.
     let told = || {
         let (before, list) = message.split_once(", expected ")?;
         let word = before.strip_suffix('`')?.rsplit_once('`')?.1;
@@ -19,10 +19,10 @@ pub(crate) fn with_suggestion(message: &str) -> String {
     told().unwrap_or_else(|| message.to_owned())
 }
 
-/// How many letters have to be put in, left out, changed, or swapped with the next one.
+/// The number of insertions, deletions, changes and swaps of neighbours.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    // The last two rows of the table of distances between all beginnings.
+    // The last two rows of the table of distances between prefixes.
     let (mut before, mut row) = (Vec::new(), (0..=b.len()).collect::<Vec<_>>());
     for (i, own) in a.iter().enumerate() {
         let mut next = vec![i + 1];

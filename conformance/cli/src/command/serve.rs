@@ -84,7 +84,7 @@ struct Requests {
 
 impl Read for Requests {
     fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
-        let _is_there = self.patience.look(&self.stream);
+        let _is_there = self.patience.poll_briefly(&self.stream);
         self.stream.read(into)
     }
 }

@@ -1,7 +1,7 @@
 //! The production controller: it runs in this process, and a machine writes down what it does.
 //!
 //! Everything that it does is shown exactly (`recorder`). What the outside of a controller answers comes from the
-//! scenario's environment (`outside`), what a person does and when from its operator (`operator`). The rest is the
+//! scenario's environment (`environment`), what a person does and when from its operator (`operator`). The rest is the
 //! task's: this only translates. It honours every choice of the documents and no quirk: those are what other
 //! controllers do otherwise. A post-processor's program needs none of this but a sink (`post`), and neither do custom
 //! macros (`macros`).

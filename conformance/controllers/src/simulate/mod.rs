@@ -75,7 +75,7 @@ impl Stopped {
 /// one segment in so many cycles, else as many as it takes.
 ///
 /// # Errors
-/// As [`plan_under`].
+/// As [`plan_with`].
 pub fn plan(
     outcome: &Outcome,
     limits: &MotionLimits,

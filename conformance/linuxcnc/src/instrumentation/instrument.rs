@@ -170,7 +170,7 @@ impl Plan {
     /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
     ///
     /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the
-    /// program; one that leaves no room for that is entered as it is ([`Ends::are_bound`]).
+    /// program; one that leaves no room for that is entered as it is ([`Ends::has_substitutions`]).
     pub(crate) fn mdi_probe(&self, ends: &Ends) -> String {
         let mut text = format!("(PRINT,{})\n", self.mdi_sign());
         for (block, end) in ends.blocks.iter().enumerate() {

@@ -21,7 +21,7 @@ use super::{
     RunModes,
 };
 use crate::{Adapter, MotionRequest, NoSamples};
-use requests::{Ran, Reader, Requests};
+use requests::{Reader, Requests, RunResult};
 
 /// Steps of a batch.
 const BATCH: usize = 100;
@@ -80,7 +80,7 @@ pub fn serve(
     let (reader, line) = (Reader::default(), Vec::new());
     let mut serving = Serving { served, requests, reader, answers, line, folder, files: 0, last };
     while let Some(line) = serving.requests.next()? {
-        if !serving.answered(&line)? {
+        if !serving.answer_line(&line)? {
             break;
         }
     }
@@ -93,23 +93,23 @@ struct Serving<'a> {
     requests: Requests,
     reader: Reader,
     answers: &'a mut dyn Write,
-    /// Room for an answer.
+    /// Buffer for an answer.
     line: Vec<u8>,
-    /// Where answers may be laid.
+    /// Folder for answers in files.
     folder: Option<SharedFolder>,
-    /// How many were.
+    /// How many files were written.
     files: u32,
-    /// What the last run came to, until the next reset.
+    /// The outcome of the last run, until the next reset.
     last: Option<Outcome>,
 }
 
 impl Serving<'_> {
-    /// Answers a line; whether the session goes on.
-    fn answered(&mut self, line: &[u8]) -> Result<bool> {
+    /// Answers a line. False if the session ends.
+    fn answer_line(&mut self, line: &[u8]) -> Result<bool> {
         let Request { id, operation } = match self.reader.read(line) {
             Ok(request) => request,
             Err((id, why)) => {
-                self.say(id, Reply::Refused(why))?;
+                self.send(id, Reply::Refused(why))?;
                 let is_json = serde_json::from_slice::<IgnoredAny>(line).is_ok();
                 return Ok(is_json || self.served.caller == Caller::Parent);
             }
@@ -121,16 +121,16 @@ impl Serving<'_> {
             }
             Operation::Hello { folder, .. } => {
                 let folder = folder.filter(|_| self.offers(Extension::Files));
-                // Where there is no such folder, answers are told in their lines.
+                // If the folder cannot be used, answers are sent in their lines.
                 self.folder = folder.and_then(|folder| SharedFolder::open(Path::new(&folder)).ok());
                 Reply::Hello(Box::new(self.declaration()))
             }
-            // Each run begins on a controller as after power-on.
+            // Each run begins on a fresh controller.
             Operation::Reset {} | Operation::Cancel {} | Operation::Bye {} => {
                 self.last = None;
                 Reply::Done {}
             }
-            // It was said before the answer of a run had come, and is of no use any more.
+            // It was sent before the answer to a run arrived, and has no effect now.
             Operation::Credit { .. } if self.offers(Extension::Stream) => return Ok(true),
             Operation::Run { scenario, ways } => return self.run(id, *scenario, ways),
             Operation::Move { scenario, limits, script, every }
@@ -144,13 +144,13 @@ impl Serving<'_> {
                         script: &script,
                         feed_interval: every,
                     };
-                    moved(controller.as_ref(), &motion)
+                    record_samples(controller.as_ref(), &motion)
                 };
                 match self.requests.run(work)? {
-                    Ran::Done(Ok(samples)) => self.samples(&samples)?,
-                    Ran::Done(Err(reply)) => reply,
-                    Ran::Cancelled(by) => return self.cancelled(by),
-                    Ran::Alone => return Ok(false),
+                    RunResult::Done(Ok(samples)) => self.samples(&samples)?,
+                    RunResult::Done(Err(reply)) => reply,
+                    RunResult::Cancelled(by) => return self.confirm_cancel(by),
+                    RunResult::SessionEnded => return Ok(false),
                 }
             }
             Operation::Shows { scenario } if self.offers(Extension::Shows) => Reply::Shows(
@@ -159,7 +159,7 @@ impl Serving<'_> {
             Operation::State {} if self.offers(Extension::State) => self.state(),
             Operation::Outcome {} if self.offers(Extension::Digest) => match self.last.take() {
                 Some(outcome) => {
-                    let goes_on = self.tell(id, &outcome);
+                    let goes_on = self.send_outcome(id, &outcome);
                     self.last = Some(outcome);
                     return goes_on;
                 }
@@ -174,7 +174,7 @@ impl Serving<'_> {
                 Reply::Refused("it was not offered, or has no place here".to_owned())
             }
         };
-        self.say(id, reply)?;
+        self.send(id, reply)?;
         Ok(lasts)
     }
 
@@ -192,33 +192,33 @@ impl Serving<'_> {
         Declaration { sessions, edition, observed, offers, ..declaration }
     }
 
-    /// Runs a scenario and tells its outcome in the way that is asked for; whether the session goes on.
+    /// Runs a scenario and sends its outcome as requested. False if the session ends.
     fn run(&mut self, id: u64, mut scenario: Scenario, ways: RunModes) -> Result<bool> {
         self.last = None;
-        // The whole script has to be known before the run: it asks for all of it at the beginning.
+        // The whole script has to be known before the run: requests for it are sent at the beginning.
         for place in 0..u32::try_from(ways.live.len()).unwrap_or(u32::MAX) {
-            self.say(id, Reply::At(place))?;
+            self.send(id, Reply::At(place))?;
             match self.next_within(id)? {
                 Some(Operation::Operator { event }) => scenario.operator.push(event),
-                Some(Operation::Cancel {}) => return self.cancelled(id + 1),
+                Some(Operation::Cancel {}) => return self.confirm_cancel(id + 1),
                 _ => return Ok(false),
             }
         }
         if let Err(why) = self.served.controller.supports(&scenario) {
-            return self.say(id, Reply::Unsupported(why));
+            return self.send(id, Reply::Unsupported(why));
         }
         let controller = Arc::clone(&self.served.controller);
         let mut outcome = match self.requests.run(move || controller.run(&scenario))? {
-            Ran::Done(Ok(outcome)) => outcome,
-            Ran::Done(Err(error)) => return self.say(id, Reply::Refused(error.to_string())),
-            Ran::Cancelled(by) => return self.cancelled(by),
-            Ran::Alone => return Ok(false),
+            RunResult::Done(Ok(outcome)) => outcome,
+            RunResult::Done(Err(error)) => return self.send(id, Reply::Refused(error.to_string())),
+            RunResult::Cancelled(by) => return self.confirm_cancel(by),
+            RunResult::SessionEnded => return Ok(false),
         };
         if self.offers(Extension::State) || ways.digest {
             self.last = Some(outcome.clone());
         }
         if ways.digest {
-            return self.say(id, Reply::Digest(digest(&outcome)));
+            return self.send(id, Reply::Digest(digest(&outcome)));
         }
         if let Some(stream) = ways.stream {
             let mut credit = stream.credit;
@@ -226,7 +226,7 @@ impl Serving<'_> {
                 if credit == 0 {
                     match self.next_within(id)? {
                         Some(Operation::Credit { batches }) => credit = batches,
-                        Some(Operation::Cancel {}) => return self.cancelled(id + 1),
+                        Some(Operation::Cancel {}) => return self.confirm_cancel(id + 1),
                         _ => return Ok(false),
                     }
                     continue;
@@ -234,13 +234,13 @@ impl Serving<'_> {
                 credit -= 1;
                 let rest = outcome.steps.split_off(BATCH);
                 let batch: Vec<Step> = std::mem::replace(&mut outcome.steps, rest);
-                self.say(id, Reply::Steps(batch))?;
+                self.send(id, Reply::Steps(batch))?;
             }
         }
-        self.tell(id, &outcome)
+        self.send_outcome(id, &outcome)
     }
 
-    /// What the referee says while a run is told: of this run, or to cancel it.
+    /// Handles requests that arrive while a run is reported: credit for it, or its cancel.
     fn next_within(&mut self, id: u64) -> Result<Option<Operation>> {
         let Some(line) = self.requests.next()? else { return Ok(None) };
         let request = requests::read(&line).ok().filter(|request| {
@@ -249,36 +249,36 @@ impl Serving<'_> {
         Ok(request.map(|request| request.operation))
     }
 
-    fn cancelled(&mut self, by: u64) -> Result<bool> {
+    fn confirm_cancel(&mut self, by: u64) -> Result<bool> {
         self.last = None;
-        self.say(by, Reply::Done {})
+        self.send(by, Reply::Done {})
     }
 
-    /// Tells an outcome, or lays it into the folder; whether the session goes on.
-    fn tell(&mut self, id: u64, outcome: &Outcome) -> Result<bool> {
+    /// Sends an outcome, or writes it into the folder. False if the session ends.
+    fn send_outcome(&mut self, id: u64, outcome: &Outcome) -> Result<bool> {
         self.line.clear();
         write!(self.line, "{{\"id\":{id},\"outcome\":")?;
         let start = self.line.len();
         serde_json::to_writer(&mut self.line, outcome)?;
         if self.folder.is_some() && self.line.len() - start > LARGE {
             let bytes = self.line.split_off(start);
-            let laid = self.laid(&bytes)?;
-            return self.say(id, laid);
+            let laid = self.write_answer_file(&bytes)?;
+            return self.send(id, laid);
         }
         self.line.push(b'}');
-        self.end_line()
+        self.send_line()
     }
 
     fn samples(&mut self, samples: &Samples) -> Result<Reply> {
         let bytes = samples.to_bytes();
         if self.folder.is_some() && bytes.len() > LARGE {
-            return self.laid(&bytes);
+            return self.write_answer_file(&bytes);
         }
         Ok(Reply::Samples(samples.to_csv()))
     }
 
-    /// Lays an answer into the folder.
-    fn laid(&mut self, bytes: &[u8]) -> Result<Reply> {
+    /// Writes an answer into the folder.
+    fn write_answer_file(&mut self, bytes: &[u8]) -> Result<Reply> {
         self.files += 1;
         let name = format!("answer-{}", self.files);
         if let Some(folder) = &self.folder {
@@ -287,7 +287,7 @@ impl Serving<'_> {
         Ok(Reply::File(name))
     }
 
-    /// What is in force after the last run, or after power-on.
+    /// The state after the last run, or after power-on.
     fn state(&self) -> Reply {
         let power_on = || self.served.controller.run(&Scenario::default());
         let outcome = match self.last.clone().map_or_else(power_on, Ok) {
@@ -302,14 +302,14 @@ impl Serving<'_> {
         Reply::State(Box::new(ControllerState { settings, state, parameters: outcome.parameters }))
     }
 
-    fn say(&mut self, id: u64, reply: Reply) -> Result<bool> {
+    fn send(&mut self, id: u64, reply: Reply) -> Result<bool> {
         self.line.clear();
         serde_json::to_writer(&mut self.line, &Answer { id, reply })?;
-        self.end_line()
+        self.send_line()
     }
 
-    /// Says the line. In one piece: whoever waits for it is woken once.
-    fn end_line(&mut self) -> Result<bool> {
+    /// Sends the line in one piece, so that the reader is woken once.
+    fn send_line(&mut self) -> Result<bool> {
         self.line.push(b'\n');
         self.answers.write_all(&self.line)?;
         self.answers.flush()?;
@@ -317,8 +317,8 @@ impl Serving<'_> {
     }
 }
 
-/// The samples of a run, or what is answered instead.
-fn moved(
+/// The samples of a run, or the reply that there are none.
+fn record_samples(
     controller: &dyn Adapter,
     motion: &MotionRequest<'_>,
 ) -> std::result::Result<Samples, Reply> {

@@ -1,4 +1,4 @@
-//! Requests as they come, and runs that can be left where they are.
+//! Requests in the order of arrival, and runs that can be abandoned.
 
 use std::collections::VecDeque;
 use std::io::{BufRead, Error, ErrorKind, Read as _, Result};
@@ -11,17 +11,17 @@ use serde_json::value::RawValue;
 
 use super::super::{Operation, Request, RunModes, Stream};
 
-/// Where requests come from.
+/// The source of requests.
 pub(super) enum Requests {
-    /// They are read when they are wanted: a run is over before the next one is seen.
+    /// Read on demand: a run ends before the next request is read.
     InTurn(Lines),
-    /// They are read as they come, so that a run can be cancelled.
+    /// Read on arrival, so that a run can be cancelled.
     AtOnce {
-        /// Lines, until there are no more.
-        lines: Receiver<Came>,
-        /// For the next run.
-        ended: Sender<Came>,
-        /// Lines that came while something ran.
+        /// Lines, up to the end of the stream.
+        lines: Receiver<Arrival>,
+        /// Sender for the next run.
+        ended: Sender<Arrival>,
+        /// Lines that arrived during a run.
         waiting: VecDeque<Vec<u8>>,
     },
 }
@@ -32,24 +32,24 @@ pub(super) struct Lines {
     longest: u64,
 }
 
-/// What comes while requests are read as they come.
-pub(super) enum Came {
+/// What arrives while requests are read on arrival.
+pub(super) enum Arrival {
     /// A request.
     Line(Result<Vec<u8>>),
-    /// There are no more requests.
-    NoMore,
-    /// A run is over, and has left its result.
-    Over,
+    /// The end of the stream.
+    EndOfStream,
+    /// A run has ended and has left its result.
+    RunEnded,
 }
 
-/// What became of a run.
-pub(super) enum Ran<T> {
-    /// It is over.
+/// How a run ended.
+pub(super) enum RunResult<T> {
+    /// With a result.
     Done(T),
-    /// It was cancelled, by the request of this id.
+    /// Cancelled by the request of this id.
     Cancelled(u64),
-    /// Nobody waits for it any more.
-    Alone,
+    /// The session has ended.
+    SessionEnded,
 }
 
 impl Requests {
@@ -61,15 +61,15 @@ impl Requests {
         }
         let (sender, lines) = channel();
         let ended = sender.clone();
-        // It ends with the stream; where the session ends before, whoever holds the stream ends it.
+        // It ends with the stream. If the session ends before, the owner of the stream ends it.
         std::thread::spawn(move || {
             loop {
                 let came = match source.next() {
-                    Ok(Some(line)) => Came::Line(Ok(line)),
-                    Ok(None) => Came::NoMore,
-                    Err(error) => Came::Line(Err(error)),
+                    Ok(Some(line)) => Arrival::Line(Ok(line)),
+                    Ok(None) => Arrival::EndOfStream,
+                    Err(error) => Arrival::Line(Err(error)),
                 };
-                let goes_on = matches!(came, Came::Line(Ok(_)));
+                let goes_on = matches!(came, Arrival::Line(Ok(_)));
                 if sender.send(came).is_err() || !goes_on {
                     return;
                 }
@@ -88,45 +88,47 @@ impl Requests {
                 }
                 loop {
                     match lines.recv() {
-                        Ok(Came::Line(line)) => return line.map(Some),
-                        Ok(Came::NoMore) | Err(_) => return Ok(None),
-                        // Of a run that was cancelled.
-                        Ok(Came::Over) => (),
+                        Ok(Arrival::Line(line)) => return line.map(Some),
+                        Ok(Arrival::EndOfStream) | Err(_) => return Ok(None),
+                        // The end of a cancelled run.
+                        Ok(Arrival::RunEnded) => (),
                     }
                 }
             }
         }
     }
 
-    /// Does something that takes time.
+    /// Runs work that takes time.
     pub(super) fn run<T: Send + 'static>(
         &mut self,
         work: impl FnOnce() -> T + Send + 'static,
-    ) -> Result<Ran<T>> {
-        let Self::AtOnce { lines, ended, waiting } = self else { return Ok(Ran::Done(work())) };
+    ) -> Result<RunResult<T>> {
+        let Self::AtOnce { lines, ended, waiting } = self else {
+            return Ok(RunResult::Done(work()));
+        };
         let (result, results) = channel();
         let ended = ended.clone();
         std::thread::spawn(move || {
-            // Where nobody waits any more it was cancelled.
+            // Without a receiver it was cancelled.
             let _left = result.send(work());
-            let _told = ended.send(Came::Over);
+            let _told = ended.send(Arrival::RunEnded);
         });
         loop {
             match lines.recv() {
-                Ok(Came::Line(line)) => {
+                Ok(Arrival::Line(line)) => {
                     let line = line?;
                     match read(&line) {
                         Ok(Request { id, operation: Operation::Cancel {} }) => {
-                            return Ok(Ran::Cancelled(id));
+                            return Ok(RunResult::Cancelled(id));
                         }
                         _ => waiting.push_back(line),
                     }
                 }
-                Ok(Came::NoMore) | Err(_) => return Ok(Ran::Alone),
-                // It may be that of a run that was cancelled.
-                Ok(Came::Over) => {
+                Ok(Arrival::EndOfStream) | Err(_) => return Ok(RunResult::SessionEnded),
+                // It may be the end of a cancelled run.
+                Ok(Arrival::RunEnded) => {
                     if let Ok(result) = results.try_recv() {
-                        return Ok(Ran::Done(result));
+                        return Ok(RunResult::Done(result));
                     }
                 }
             }
@@ -134,7 +136,7 @@ impl Requests {
     }
 }
 
-/// A request, or the id of what is none and what is wrong with it.
+/// Parses a request. An error has the id, if there is one, and what is wrong.
 pub(super) fn read(line: &[u8]) -> std::result::Result<Request, (u64, String)> {
     #[derive(Deserialize)]
     struct Id {
@@ -146,20 +148,20 @@ pub(super) fn read(line: &[u8]) -> std::result::Result<Request, (u64, String)> {
     })
 }
 
-/// Reads requests, most of which are to run a program under the options of the one before.
+/// Parses requests. Most of them run a program with the options of the previous one.
 #[derive(Debug, Default)]
 pub(super) struct Reader {
-    /// The text of the last options, and what it says.
+    /// The text of the last options, and their value.
     last: (String, Options),
 }
 
 impl Reader {
-    /// A request, or the id of what is none and what is wrong with it.
+    /// Parses a request. An error has the id, if there is one, and what is wrong.
     pub(super) fn read(&mut self, line: &[u8]) -> std::result::Result<Request, (u64, String)> {
         self.run(line).map_or_else(|| read(line), Ok)
     }
 
-    /// A plain request to run something.
+    /// Fast path of [`read`] for a plain request to run a scenario.
     fn run(&mut self, line: &[u8]) -> Option<Request> {
         let Run { id, op: Op::Run, scenario, stream, digest } =
             serde_json::from_slice(line).ok()?;
@@ -185,7 +187,7 @@ impl Reader {
     }
 }
 
-/// A request as most of them are. Any other one is read as [`Request`].
+/// The form of most requests. Others are parsed as [`Request`].
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Run<'a> {
@@ -204,7 +206,7 @@ enum Op {
     Run,
 }
 
-/// A scenario whose options have not been read.
+/// A scenario whose options are not parsed.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Scenario<'a> {
