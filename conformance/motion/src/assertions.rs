@@ -1,4 +1,4 @@
-//! What the laws say of a case of motion, held against what its page says.
+//! Compares what the laws decide about a case of motion with the assertions of its page.
 
 use std::collections::BTreeMap;
 
@@ -8,16 +8,16 @@ use gaugeblock_suite::{MotionAssertion, MotionCase, Setup};
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
 use gaugeblock_vocabulary::{End, Options, Position, Scenario};
 
-/// Servo cycles per segment at which a planner is fed; without a number as fast as it takes them.
+/// Servo cycles between segments that the planner gets; without a number, as fast as it takes them.
 pub const FEED_INTERVALS: [Option<u32>; 6] = [None, Some(1), Some(5), Some(20), Some(31), Some(80)];
 
-/// A saying that does not hold, as it is written, and what was found.
+/// An assertion that fails, as written, and what was found.
 pub(super) type FailedAssertion = (String, String);
 
-/// The scenario of a case under some options, and the path that the model sees in it.
+/// The scenario of a case under some options, and its programmed path in the model.
 ///
 /// # Errors
-/// The program does not come to its end.
+/// The program does not reach its end.
 pub fn scenario_and_path(
     case: &MotionCase,
     options: &Options,
@@ -25,7 +25,7 @@ pub fn scenario_and_path(
 ) -> Result<(Scenario, ProgrammedPath), String> {
     let mut scenario = Setup::default().scenario(&case.program, options);
     scenario.environment.name = environment.cloned();
-    // The machine has every axis of which the case says what it can do.
+    // The machine has every axis that the limits of the case name.
     let axes = &mut scenario.machine.axes;
     axes.extend(case.limits()?.axes.into_keys());
     axes.sort_unstable();
@@ -38,10 +38,10 @@ pub fn scenario_and_path(
     Ok((scenario, path))
 }
 
-/// Holds samples to what a page says of them, where laws read the documents in some way; `rule` is the page's.
+/// Checks the assertions of a page. `readings` are the options under which the laws judge; `rule` is the page's.
 ///
 /// # Errors
-/// The first saying that does not hold.
+/// The first assertion that fails.
 pub fn check_assertions(
     case: &MotionCase,
     rule: &str,
@@ -76,7 +76,7 @@ pub fn check_assertions(
             return Err((text.clone(), found));
         }
     }
-    // A law that is broken and of which nothing is said accuses somebody wrongly, or the page is not complete.
+    // A violation that no assertion names is a false verdict, or the page is not complete.
     match broken.into_values().next() {
         Some((_, words)) if holds => Err(("holds".to_owned(), words)),
         Some((_, words)) => Err(("nothing else breaks".to_owned(), words)),
@@ -124,7 +124,7 @@ fn check_verdict(
     if fits(verdict) { Ok(()) } else { Err(describe(verdict)) }
 }
 
-/// The law whose page it is holds, if the page is that of a law.
+/// Checks that the law of the page holds, if the page is that of a law.
 fn check_law_of_page(judgement: &Judgement, rule: &str) -> Result<(), String> {
     if law_by_id(rule).is_none() {
         return Ok(());

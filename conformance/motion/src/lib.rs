@@ -1,4 +1,4 @@
-//! Motion: a program becomes servo samples, and samples of any controller are held to the laws.
+//! Motion: a program becomes servo samples, and the laws of motion judge samples of any controller.
 //!
 //! ```text
 //! Outcome of production ─► drive: resolver, planner ─► Samples ──┐
@@ -9,7 +9,8 @@
 //! The suite's cases of motion are judged here too: samples that a page gives (`synthesize`) and those of a controller
 //! (`assertions`).
 //!
-//! Laws and bound are the model's, planner and resolver are production's: what one of them misreads the other shows.
+//! Laws and bound are the model's, planner and resolver are production's: a misreading of one side shows as a
+//! difference.
 
 mod assertions;
 mod picture;

@@ -1,13 +1,13 @@
-//! Samples made of stretches of constant acceleration, and what may be wrong with them.
+//! Samples of stretches of constant acceleration, with a defect if the case has one.
 
 use gaugeblock_suite::{MotionCase, Piece, SampleDefect};
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Samples};
 
-/// The samples of a case that has some, with its fault.
+/// The samples of a case that has some, with its defect.
 ///
 /// # Errors
-/// A column that has no such name, a fault in a column or sample that is not there, or values that samples cannot have.
+/// An unknown column, a defect in a column or sample that does not exist, or values that samples cannot have.
 pub fn synthesize(case: &MotionCase) -> Result<Samples, String> {
     let limits = case.limits()?;
     let axes: Vec<Axis> = limits.axes.keys().copied().collect();
@@ -38,7 +38,7 @@ pub fn synthesize(case: &MotionCase) -> Result<Samples, String> {
     Ok(samples)
 }
 
-/// A stretch, and where and how fast each axis is when it begins.
+/// A stretch, with position and speed of each axis at its begin.
 struct Stretch {
     /// Servo cycles from the start.
     from: f64,
@@ -85,7 +85,7 @@ impl Stretch {
     }
 }
 
-/// Plants a fault in rows.
+/// Applies a defect to rows.
 fn apply_defect(
     fault: &SampleDefect,
     columns: &[Column],

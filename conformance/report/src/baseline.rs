@@ -1,4 +1,4 @@
-//! A run against an earlier report: what is new, what has changed, and what is mended.
+//! Compares a run with an earlier report.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +10,7 @@ use super::merge::Stored;
 use super::stored::StoredVerdict;
 
 impl Stored {
-    /// What a report has to be of so that a run can be held against it: the same controller, and the same edition.
-    /// Another version of the controller is what a baseline is for, and worth a note.
+    /// Checks that the report is of the same controller and edition. Returns a note if it is of another version.
     ///
     /// # Errors
     /// It is of another controller or edition, with both names.
@@ -28,8 +27,8 @@ impl Stored {
             .then(|| format!("the baseline is of version {version}, this is version {now}")))
     }
 
-    /// Divergences that the earlier report does not have, or has otherwise, and cases that passed there of which
-    /// nothing is known any more; and a sentence for each divergence that is mended, or that is not judged any more.
+    /// New and changed divergences, and cases that passed before and have no verdict now; and a note for each
+    /// divergence that is fixed, or that has no verdict now.
     pub fn compare(&self, run: &Run<'_>) -> (Vec<ExpectationMismatch>, Vec<String>) {
         let before: BTreeMap<(&str, &str), &StoredVerdict> = self
             .cases

@@ -1,4 +1,4 @@
-//! A card for each divergence on the page: what was demanded, what happened, and where the two part.
+//! A card for each divergence on the page: the sentence, what happened, and the first difference.
 
 use gaugeblock_compare::StateDifference;
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
@@ -9,17 +9,17 @@ use super::grouping::without_guard;
 use super::grouping::{explain, group_divergences};
 use super::side_by_side::{Side, side_by_side};
 
-/// Bytes of programs and traces that all cards together may have; what is beyond is in the JSON report alone.
+/// Bytes of programs and traces of all cards together; the rest is only in the JSON report.
 const TRACE_BYTES_MAX: usize = 1 << 20;
 
-/// What the page shows of a divergence.
+/// A divergence on the page.
 #[derive(Debug, Serialize)]
 pub(super) struct Card<'a> {
     rule: &'a str,
     case: &'a str,
     word: &'static str,
     class: String,
-    /// Who knows of it, or answers for it.
+    /// What accepts it: expectations, baseline or waiver.
     excuse: Option<&'a str>,
     sentence: &'a str,
     sources: String,
@@ -31,18 +31,18 @@ pub(super) struct Card<'a> {
     shrunk: Option<&'a str>,
     state: Option<&'a StateDifference>,
     sides: Vec<Side<'a>>,
-    /// Whether the traces are left out, since the page would be too large.
+    /// Whether the traces are left out, because the page would be too large.
     short: bool,
-    /// A picture of the motion, made of nothing but numbers.
+    /// A picture of the motion, made of numbers only.
     picture: Option<String>,
 }
 
-/// A verdict's word as the page's style sheet names it.
+/// A verdict's word in the style sheet of the page.
 pub(super) fn class(word: &str) -> String {
     word.replace(' ', "-")
 }
 
-/// Cards of what differs alike.
+/// Cards with the same difference.
 #[derive(Debug, Serialize)]
 pub(super) struct Kind<'a> {
     what: String,
@@ -52,7 +52,7 @@ pub(super) struct Kind<'a> {
     cases: Vec<Card<'a>>,
 }
 
-/// What differs, alike departures together, the worst first.
+/// All divergences in groups, the worst first.
 pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut left = TRACE_BYTES_MAX;
     let mut card = |(result, divergence): (&'a CaseResult<'_>, &'a RuleDivergence)| {

@@ -1,5 +1,5 @@
-//! What a run cost, beside what came of it: a file of its own, since no two runs cost the same and their reports are
-//! compared byte by byte.
+//! The cost of a run. It has a file of its own, because costs differ from run to run and reports are compared byte by
+//! byte.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -15,7 +15,7 @@ pub const FILE: &str = "cost.json";
 pub struct Cost(BTreeMap<String, BTreeMap<String, f64>>);
 
 impl Cost {
-    /// What a run cost.
+    /// The cost of a run.
     pub fn of(run: &Run<'_>) -> Self {
         let mut all = Self::default();
         for result in &run.cases {
@@ -26,20 +26,20 @@ impl Cost {
         all
     }
 
-    /// Reads it.
+    /// Parses it.
     ///
     /// # Errors
-    /// It is none, with its place.
+    /// It is not valid, with its place.
     pub fn read(text: &str) -> Result<Self, String> {
         serde_json::from_str(text).map_err(|error| error.to_string())
     }
 
-    /// What it is as text.
+    /// Its text.
     pub fn to_text(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Writes to each case of a run what it cost, where that is known.
+    /// Sets the cost of each case, if known.
     pub fn apply_to(&self, cases: &mut [CaseResult<'_>]) {
         for result in cases {
             let known = self.0.get(&result.rule.id).and_then(|of_rule| of_rule.get(result.name));
@@ -49,7 +49,7 @@ impl Cost {
         }
     }
 
-    /// What several parts cost.
+    /// The cost of several parts.
     pub fn and(mut self, other: Self) -> Self {
         for (rule, cases) in other.0 {
             self.0.entry(rule).or_default().extend(cases);

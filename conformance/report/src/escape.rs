@@ -1,10 +1,8 @@
-//! Text of a controller that nothing obeys: no terminal, and no reader who sees letters in an order that they do not
-//! have.
+//! Escapes untrusted text: terminal control sequences and marks that reorder letters.
 
 use std::borrow::Cow;
 
-/// The text with everything that is no letter, but an order to whoever shows it, written out as JSON does; lines stay
-/// lines.
+/// The text with control characters written as in JSON; ends of lines stay.
 pub fn escape_text(text: &str) -> Cow<'_, str> {
     if !text.contains(is_unsafe) {
         return Cow::Borrowed(text);
@@ -14,12 +12,12 @@ pub fn escape_text(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// The text in one line, with everything written out that is no letter.
+/// The text in one line, with control characters written as in JSON.
 pub fn escape_line(text: &str) -> String {
     escape_text(text).replace('\n', "\\n")
 }
 
-/// Control characters but the end of a line and the tabulator, and those that turn the direction of writing.
+/// Control characters except end of line and tabulator, and marks that change the direction of writing.
 fn is_unsafe(c: char) -> bool {
     let turns = matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{061c}');
     turns || c.is_control() && !matches!(c, '\n' | '\t')

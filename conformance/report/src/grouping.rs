@@ -1,4 +1,4 @@
-//! Departures by what they most likely come from: one mistake of a controller shows in many cases, and of many rules.
+//! Groups divergences by their most likely cause: one mistake of a controller appears in many cases, and in many rules.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,21 +10,20 @@ use gaugeblock_runner::fuzz::signature::Signature;
 use super::Report;
 use super::side_by_side::{field, tokens};
 
-/// Cases that depart alike.
+/// Cases with the same difference.
 #[derive(Clone, Debug)]
 pub struct Group<'a, 'r> {
-    /// What differs, without lines and numbers; or what explains it.
+    /// The difference without lines and numbers, or its explanation.
     pub what: String,
-    /// Whether somebody knows of them, or answers for them.
+    /// Whether expectations, a baseline or a waiver accept them.
     pub is_known: bool,
     /// How many rules they belong to.
     pub rules: usize,
-    /// The cases and what they do otherwise, the smallest program first.
+    /// The cases and their divergences, the smallest program first.
     pub cases: Vec<(&'r CaseResult<'a>, &'r RuleDivergence)>,
 }
 
-/// The departures of a run, alike ones together: what nobody knows of first, of that what nothing explains, of that
-/// what breaks most rules.
+/// The divergences of a run in groups: unknown ones first, of these the unexplained, of these the ones in most rules.
 pub fn group_divergences<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
     let mut alike: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for result in &report.run.cases {
@@ -51,7 +50,7 @@ pub fn group_divergences<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
     all.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The smallest program that shows a departure.
+/// The smallest program with a divergence.
 pub fn program<'r>(result: &CaseResult<'r>, divergence: &'r RuleDivergence) -> &'r str {
     divergence.shrunk.as_deref().unwrap_or(result.program)
 }
@@ -67,17 +66,16 @@ impl Group<'_, '_> {
     }
 }
 
-/// What is known of a departure beyond the documents.
+/// The explanation of a divergence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Explanation {
-    /// Whether it explains what this controller does. A quirk of another one does not: it may be chance that they do
-    /// alike.
+    /// Whether it explains this controller. A quirk of another controller does not: the agreement may be chance.
     pub applies_to_controller: bool,
     /// In words.
     pub text: String,
 }
 
-/// What explains a departure, or who does likewise.
+/// The explanation of a divergence, or the controller that does the same.
 pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanation> {
     if divergence.explanation.is_empty() {
         return None;
@@ -94,10 +92,9 @@ pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanat
     Some(Explanation { applies_to_controller, text })
 }
 
-/// What differs, without what is accidental.
+/// The difference without lines and numbers.
 fn cause(divergence: &RuleDivergence) -> String {
-    // What a block does that should have been refused, or what is missing behind one that should not, comes of that
-    // alone.
+    // Effects of a block that should have been refused, or missing ones after a wrong refusal, follow from that alone.
     if let Some(told) = divergence.traces.as_ref().and_then(refusal_difference) {
         return told;
     }
@@ -113,7 +110,7 @@ fn cause(divergence: &RuleDivergence) -> String {
             _ => format!("{field}: expected {expected}, found {found}"),
         };
     }
-    // What a person asserted, whatever its numbers are.
+    // The words of an assertion, whatever its numbers are.
     let said = divergence.assertion.as_ref().map_or("", |(said, _)| said.as_str());
     let words = without_guard(said).split_whitespace();
     let is_word = |word: &&str| word.starts_with(|c: char| c.is_alphabetic() || c == '=');
@@ -121,7 +118,7 @@ fn cause(divergence: &RuleDivergence) -> String {
     format!("asserted: {}", words.join(" "))
 }
 
-/// Where one side refuses and the other does not.
+/// The difference if one side refuses and the other does not.
 fn refusal_difference(traces: &Traces) -> Option<String> {
     let (expected, found) = (end(&traces.expected)?, end(&traces.found)?);
     match (expected.strip_prefix("fault"), found.strip_prefix("fault")) {
@@ -137,7 +134,7 @@ fn refusal_difference(traces: &Traces) -> Option<String> {
     }
 }
 
-/// A text without its numbers, such as those of lines; those of codes, behind a letter, stay.
+/// A text without numbers, such as those of lines; those of codes, after a letter, stay.
 fn without_numbers(text: &str) -> String {
     let mut of_a_code = false;
     let is_kept = |c: &char| {
@@ -147,7 +144,7 @@ fn without_numbers(text: &str) -> String {
     text.chars().filter(is_kept).collect()
 }
 
-/// Names of the arguments in which an effect is another one.
+/// Names of the arguments in which an effect differs.
 fn arguments(divergence: &Divergence) -> Vec<&str> {
     let fields = |text| -> BTreeMap<_, _> { tokens(text).filter_map(field).collect() };
     let (expected, found) = (fields(&divergence.expected), fields(&divergence.found));
@@ -155,12 +152,12 @@ fn arguments(divergence: &Divergence) -> Vec<&str> {
     names.into_iter().filter(|name| expected.get(name) != found.get(name)).collect()
 }
 
-/// How a trace ends, where it is not cut before.
+/// The end of a trace, unless it is cut before.
 fn end(trace: &str) -> Option<&str> {
     trace.lines().rev().find_map(|line| line.strip_prefix("end "))
 }
 
-/// A divergence out of the line that it is told in.
+/// Parses a divergence from its line.
 fn parts(line: &str) -> Option<Divergence> {
     let (place, rest) = line.split_once(": expected ")?;
     let (expected, found) = rest.split_once(", found ")?;
@@ -169,7 +166,7 @@ fn parts(line: &str) -> Option<Divergence> {
     Some(Divergence { block: None, field, expected, found })
 }
 
-/// An assertion without the option under which it is made: that the run was held to it says enough.
+/// An assertion without its guard: the option is that of the edition.
 pub(super) fn without_guard(assertion: &str) -> &str {
     let guarded = assertion.strip_prefix("when ").and_then(|rest| rest.split_once(": "));
     guarded.map_or(assertion, |(_, claim)| claim)
@@ -227,7 +224,7 @@ mod tests {
         }
     }
 
-    /// A quirk is the reason only of what the controller does that has it.
+    /// A quirk explains only the controller that has it.
     #[test]
     fn a_quirk_of_another_controller_explains_nothing() {
         let explained_by = |controller: &str, explanation: &[&str]| {

@@ -1,14 +1,14 @@
-//! What happens by the documents and on the controller, side by side: what differs is marked, and nothing else.
+//! The expected and the found trace side by side, with differences marked.
 //!
-//! A trace tells of the state what has changed. So a value is held against the one that is in force on the other side
-//! after the same block: to tell it again is no difference, and what the other side never tells is none either.
+//! A trace reports changes of the state. A value is compared with the one that is set on the other side after the same
+//! block. Reporting it again is not a difference, and neither is a field that one side never reports.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_runner::certify::Traces;
 use serde::Serialize;
 
-/// Numbers that are no further apart than this may be the same, told with fewer digits.
+/// Relative difference up to which numbers may be equal, reported with fewer digits.
 const RELATIVE_TOLERANCE: f64 = 6e-5;
 
 /// One of the two traces, line by line.
@@ -25,7 +25,7 @@ pub(super) struct Part<'a> {
     differs: bool,
 }
 
-/// Both traces. What is masked is not looked at.
+/// Both traces. Masked fields are not compared.
 pub(super) fn side_by_side<'a>(traces: &'a Traces, masked: &BTreeSet<String>) -> Vec<Side<'a>> {
     let (expected, found) =
         (ParsedTrace::parse(&traces.expected), ParsedTrace::parse(&traces.found));
@@ -43,10 +43,10 @@ struct ParsedTrace<'a> {
     groups: Vec<Group<'a>>,
 }
 
-/// A line that stands by itself, or a block with what happens in it.
+/// A single line, or a block with its effects.
 #[derive(Debug)]
 struct Group<'a> {
-    /// What it is, and how many such there were before.
+    /// Its kind, and how many of this kind came before.
     key: (&'a str, usize),
     lines: Vec<&'a str>,
     /// Values of settings and state after it; of parameters, those at the end.
@@ -89,14 +89,14 @@ impl<'a> ParsedTrace<'a> {
         self.groups.iter().find(|other| other.key == group.key)
     }
 
-    /// Everything that is done, where blocks are not told.
+    /// All effects, for a trace without blocks.
     fn doings(&self, masked: &BTreeSet<String>) -> Vec<&'a str> {
         self.groups.iter().flat_map(|group| group.doings(masked)).collect()
     }
 }
 
 impl<'a> Group<'a> {
-    /// Effects that are shown, in order.
+    /// Effects that are compared, in order.
     fn doings(&self, masked: &BTreeSet<String>) -> impl Iterator<Item = &'a str> {
         self.lines.iter().copied().filter(|line| is_compared_effect(line, masked))
     }
@@ -150,7 +150,7 @@ impl<'a> Group<'a> {
     }
 }
 
-/// Whether a line tells an effect that is looked at.
+/// Whether a line is an effect that is compared.
 fn is_compared_effect(line: &str, masked: &BTreeSet<String>) -> bool {
     let name = line.strip_prefix("  do ").and_then(|rest| rest.split(' ').next());
     name.is_some_and(|name| !masked.contains(name))
@@ -170,7 +170,7 @@ pub(super) fn field(token: &str) -> Option<(&str, &str)> {
     token.trim_start().split_once('=')
 }
 
-/// The words of a line with the blanks before them; brackets and quotation marks hold words together.
+/// The words of a line with the blanks before them; brackets and quotation marks keep words together.
 pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let mut rest = line;
     std::iter::from_fn(move || {
@@ -195,7 +195,7 @@ pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// How a run ended, without what is for people.
+/// The end of a run, without messages for people.
 fn end_tokens(line: &str) -> Vec<&str> {
     let is_compared = |token: &&str| {
         !["message=", "from=", "to="].iter().any(|name| token.trim_start().starts_with(name))
@@ -203,7 +203,7 @@ fn end_tokens(line: &str) -> Vec<&str> {
     tokens(line).filter(is_compared).collect()
 }
 
-/// Whether two effects are the same up to digits.
+/// Whether two effects are equal up to their digits.
 fn same_effect(one: &str, other: &str) -> bool {
     let (mut words, mut others) = (tokens(one), tokens(other));
     loop {
@@ -219,7 +219,7 @@ fn same_effect(one: &str, other: &str) -> bool {
     }
 }
 
-/// Whether two values are the same up to digits. Coordinates of a position that are left out are zero.
+/// Whether two values are equal up to their digits. Missing coordinates of a position are zero.
 fn same_value(one: &str, other: &str) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= RELATIVE_TOLERANCE * a.abs().max(b.abs()).max(1.0);
     if let (Ok(one), Ok(other)) = (one.parse(), other.parse()) {

@@ -1,7 +1,7 @@
-//! Expectations: what a named controller is known to do otherwise. Strict, never stale.
+//! Expectations: the known divergences of a controller. They are strict and never stale.
 //!
-//! A known divergence names rule, case and what is found. It is a failure when the controller does something else,
-//! when it has been mended, and when it is not listed.
+//! A known divergence has rule, case and what was found. The run fails if the controller does something else, if it no
+//! longer diverges, and if a divergence is not listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::certify::{Run, Verdict};
 
-/// A divergence that is known.
+/// A known divergence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct KnownDivergence {
@@ -18,14 +18,14 @@ pub struct KnownDivergence {
     pub rule: String,
     /// Its case.
     pub case: String,
-    /// What is found, as the report words it.
+    /// What is found, in the words of the report.
     pub found: String,
     /// The quirk, or the other option of a choice, that explains it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explanation: Option<String>,
 }
 
-/// What a controller is known to do otherwise when it is held to an edition.
+/// The known divergences of a controller from an edition.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Expectations {
@@ -33,7 +33,7 @@ pub struct Expectations {
     pub controller: String,
     /// Its version.
     pub version: String,
-    /// The edition that it is held to.
+    /// The edition that it is compared with.
     pub edition: String,
     /// The divergences, ordered by rule and case.
     #[serde(default)]
@@ -114,7 +114,7 @@ impl Expectations {
         Ok(read)
     }
 
-    /// What a run shows, as expectations.
+    /// The divergences of a run, as expectations.
     pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
         let known = run.cases.iter().filter_map(|result| {
             let divergence = result.verdict.own_divergence()?;
@@ -136,14 +136,14 @@ impl Expectations {
     /// The text of a file of expectations.
     ///
     /// # Errors
-    /// A text that TOML cannot hold.
+    /// TOML cannot hold the text.
     pub fn to_text(&self) -> Result<String, String> {
         toml::to_string(self).map_err(|error| error.to_string())
     }
 
-    /// Where a run and these expectations disagree; nothing when the run shows exactly what is listed.
+    /// Differences between a run and these expectations; none if the run diverges exactly as listed.
     ///
-    /// A listed case that the run did not select is stale only when `whole` says that everything was selected.
+    /// With `whole` every case was selected. Only then is a listed case stale because it was not run.
     pub fn compare<'a>(&'a self, run: &'a Run<'_>, whole: bool) -> Vec<ExpectationMismatch> {
         let mut listed: BTreeMap<(&str, &str), &KnownDivergence> = self
             .known
@@ -208,7 +208,7 @@ impl Expectations {
     }
 }
 
-/// What stands between the parts of an explanation.
+/// The text between the parts of an explanation.
 const AND: &str = " and ";
 
 fn joined(explanation: &[String]) -> Option<String> {

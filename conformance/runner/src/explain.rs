@@ -1,4 +1,4 @@
-//! Which quirks, or other readings of the documents, a departure comes to.
+//! Explains a divergence by quirks, or by other options of choices.
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::compare;
@@ -6,7 +6,7 @@ use gaugeblock_compare::observe::Observed;
 use gaugeblock_suite::{Case, Choice, ChoiceKind, Rule, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-/// An option of a choice or quirk that is not the one in force.
+/// An option of a choice or quirk that is not selected.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AlternativeOption<'a> {
     /// The choice or quirk.
@@ -15,7 +15,7 @@ pub(crate) struct AlternativeOption<'a> {
 }
 
 impl AlternativeOption<'_> {
-    /// What it is called in a report: a quirk by its id, a choice with the option that was seen.
+    /// Its name in a report: a quirk by its id, a choice with the option.
     pub(crate) fn name(&self) -> String {
         match self.choice.kind {
             ChoiceKind::Quirk => self.choice.id.clone(),
@@ -24,7 +24,7 @@ impl AlternativeOption<'_> {
     }
 }
 
-/// A run that departs from what an edition says.
+/// A divergence with all that its explanation depends on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DivergenceContext<'a> {
     /// The suite.
@@ -35,18 +35,18 @@ pub(crate) struct DivergenceContext<'a> {
     pub(crate) case: &'a Case,
     /// The case under the edition.
     pub(crate) scenario: &'a Scenario,
-    /// What the controller did.
+    /// The controller's outcome.
     pub(crate) found: &'a Outcome,
     /// The controller.
     pub(crate) controller: &'a dyn Adapter,
 }
 
 impl<'a> DivergenceContext<'a> {
-    /// The other options under which the model does what the controller did; none where nothing is found.
+    /// The other options under which the model has the controller's outcome; empty if none are found.
     ///
-    /// One that the rule names is tried first, then each other quirk, then as few as possible of all that the
-    /// controller is known for, then one that the rule names together with another one. Nothing is explained where
-    /// the outcomes are equal and an assertion fails.
+    /// The search tries, in this order: each option that the rule names, each other quirk, as few as possible of the
+    /// controller's known quirks, and pairs with an option that the rule names. If the outcomes are equal and only an
+    /// assertion fails, nothing explains it.
     pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
         let observables = self.controller.observables(self.scenario);
@@ -74,12 +74,12 @@ impl<'a> DivergenceContext<'a> {
         pairs.find(|pair| explains(pair)).map(Vec::from).unwrap_or_default()
     }
 
-    /// Whether the rule is about this.
+    /// Whether the rule names this choice or quirk.
     pub(crate) fn rule_names(&self, other: &AlternativeOption<'_>) -> bool {
         self.rule.options.contains(&other.choice.id)
     }
 
-    /// Each other option of what the rule names, then of each quirk.
+    /// All other options: of what the rule names, then of each quirk.
     fn candidates(&self) -> Vec<AlternativeOption<'a>> {
         let is_named = |choice: &&Choice| self.rule.options.contains(&choice.id);
         let choices = self.suite.choices.iter().filter(|c| c.language == self.rule.language);
@@ -89,7 +89,7 @@ impl<'a> DivergenceContext<'a> {
         named.chain(quirks).flat_map(|choice| alternatives(choice, in_force)).collect()
     }
 
-    /// What the controller is known for beyond the edition, those that the rule names last.
+    /// Quirks of the controller that the edition does not have, those that the rule names last.
     fn observed_options(&self) -> Vec<AlternativeOption<'a>> {
         let observed = self.controller.observed_edition().and_then(|id| self.suite.edition(id));
         let Some(observed) = observed else { return Vec::new() };
@@ -102,7 +102,7 @@ impl<'a> DivergenceContext<'a> {
         known
     }
 
-    /// Whether the edition that says what the controller really does says this.
+    /// Whether the controller's observed edition predicts this outcome.
     pub(crate) fn matches_observed_edition(&self, edition: &str) -> bool {
         let observed = self.controller.observed_edition().filter(|id| *id != edition);
         let Some(observed) = observed.and_then(|id| self.suite.edition(id)) else { return false };
@@ -113,7 +113,7 @@ impl<'a> DivergenceContext<'a> {
     }
 }
 
-/// Leaves out one after the other what is not needed, the last ones first.
+/// Removes options that are not needed, from the last to the first.
 fn minimal<'a>(
     mut all: Vec<AlternativeOption<'a>>,
     explains: impl Fn(&[AlternativeOption<'_>]) -> bool,

@@ -1,4 +1,4 @@
-//! Which option of each choice, and which quirk, a controller shows.
+//! Fingerprints: which option of each choice, and which quirk, a controller has.
 
 use std::collections::BTreeMap;
 
@@ -54,12 +54,12 @@ pub struct FingerprintEntry {
 }
 
 impl FingerprintEntry {
-    /// Whether it shows for sure what it is held to.
+    /// Whether it certainly has the expected option.
     pub fn agrees(&self) -> bool {
         matches!(&self.observed, ObservedOption::Option(option) if *option == self.expected)
     }
 
-    /// Whether it shows for sure something else than what it is held to.
+    /// Whether it certainly has another option.
     pub fn differs(&self) -> bool {
         match &self.observed {
             ObservedOption::Option(option) => *option != self.expected,
@@ -70,7 +70,7 @@ impl FingerprintEntry {
     }
 }
 
-/// What a controller shows of every choice, beside what it is held to.
+/// The observed option of every choice, with the expected one.
 pub fn fingerprint_entries(
     suite: &Suite,
     options: &Options,
@@ -88,7 +88,7 @@ pub fn fingerprint_entries(
     beside.collect()
 }
 
-/// What a controller shows of every choice, in order.
+/// The observed option of every choice, in order.
 pub fn fingerprint<'a>(
     suite: &'a Suite,
     options: &Options,
@@ -99,7 +99,7 @@ pub fn fingerprint<'a>(
     let known = known.map(|edition| suite.options(edition));
     let of = |choice: &'a Choice| {
         let used = observe_choice(choice, options, environment, controller, false);
-        // What is new about a controller must show on one that nothing ran on before.
+        // An unknown observation has to be confirmed in a fresh session.
         let is_known = known.as_ref().is_none_or(
             |known| matches!(&used, ObservedOption::Option(option) if known.is(&choice.id, option)),
         );
@@ -110,15 +110,15 @@ pub fn fingerprint<'a>(
         };
         (choice, observed)
     };
-    // Choices in another language than the controller's are no options of its edition.
+    // Choices in another language do not belong to the edition.
     let listed = suite.choices.iter().filter(|choice| options.get(&choice.id).is_some());
     let mut all: Vec<_> = listed.map(of).collect();
     widen_inconclusive(&mut all);
     all
 }
 
-/// A page that tells its options apart only under an option of another choice tells nothing of a controller that shows
-/// another one there.
+/// Some pages distinguish their options only under an option of another choice. If the controller has another option
+/// there, the page decides nothing.
 fn widen_inconclusive(all: &mut [(&Choice, ObservedOption)]) {
     let others: BTreeMap<String, ObservedOption> =
         all.iter().map(|(choice, observed)| (choice.id.clone(), observed.clone())).collect();
@@ -133,7 +133,7 @@ fn widen_inconclusive(all: &mut [(&Choice, ObservedOption)]) {
     }
 }
 
-/// What a controller shows of one choice.
+/// The observed option of one choice.
 pub fn observe_choice(
     choice: &Choice,
     options: &Options,
@@ -155,7 +155,7 @@ pub fn observe_choice(
         Err(error) => return ObservedOption::NotRun(error.to_string()),
     };
     if let End::Unsupported { what, .. } = &outcome.end {
-        // What it leaves alone it neither accepts nor refuses.
+        // An unsupported program is neither accepted nor refused.
         return ObservedOption::NotRun(what.clone());
     }
     let run = Observed::of(&outcome);
@@ -183,7 +183,7 @@ pub fn observe_choice(
     }
 }
 
-/// The editions by how many of the shown options they have, the nearest first.
+/// The editions by how many of the observed options they have, the nearest first.
 pub fn nearest(suite: &Suite, observed: &[(&Choice, ObservedOption)]) -> Vec<(String, usize)> {
     let observed: BTreeMap<&str, &str> = observed
         .iter()

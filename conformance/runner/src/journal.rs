@@ -1,5 +1,5 @@
-//! The journal of a long run: a header that says of what, then a line for each piece that is done. A kill at any
-//! moment loses at most the pieces in work.
+//! The journal of a long run: a header that identifies the run, then a line for each finished piece. A kill loses at
+//! most the pieces in work.
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -18,11 +18,11 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Begins a journal in a folder, or goes on with the one there; `done` is told of each piece that is done, one at
-    /// a time.
+    /// Opens a journal in a folder, new or to resume; `done` gets each finished piece, one at a time.
     ///
     /// # Errors
-    /// The folder cannot be written, a journal is there although nothing is to be resumed, or it is of something else.
+    /// The folder cannot be written, a journal is there although nothing is to be resumed, or it belongs to another
+    /// run.
     pub fn open<H, T>(
         folder: &Path,
         header: &H,
@@ -46,7 +46,7 @@ impl Journal {
             for at in 1.. {
                 line.clear();
                 lines.read_until(b'\n', &mut line).map_err(failed)?;
-                // A line without its end was being written when the run was killed.
+                // A line without its end was being written at the kill.
                 if line.last() != Some(&b'\n') {
                     break;
                 }
@@ -69,7 +69,7 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Writes down that a piece is done.
+    /// Records a finished piece.
     ///
     /// # Errors
     /// It cannot be written.

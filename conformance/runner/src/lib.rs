@@ -1,12 +1,12 @@
-//! The runner: holds a controller to the documents, rule by rule.
+//! The runner compares a controller with the documents, rule by rule.
 //!
 //! Data flows one way: the [suite](gaugeblock_suite) gives scenarios, an [adapter](gaugeblock_adapter) runs each on a
-//! controller, the reference model runs it too, both outcomes are [folded, compared and
-//! judged](gaugeblock_compare), and [`certify`] makes a verdict of it, which a report shows and [`expectations`] hold
-//! against what is known. Generated programs take the same way ([`fuzz`], [`motion_programs`]).
+//! controller, and the reference model runs it too. Both outcomes are [folded, compared and
+//! judged](gaugeblock_compare). [`certify`] makes a verdict, which a report prints and [`expectations`] compare with
+//! known divergences. Generated programs take the same way ([`fuzz`], [`motion_programs`]).
 //!
-//! **Invariants.** The runner trusts no controller. What was not run, not understood or not shown is never a pass. The
-//! order in which cases run changes nothing.
+//! **Invariants.** The runner trusts no controller. A case that was not run, not understood or not observable never
+//! passes. The order in which cases run changes nothing.
 
 pub mod certify;
 pub mod check;

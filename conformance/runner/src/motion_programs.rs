@@ -13,30 +13,30 @@ use gaugeblock_reference::motion::path::programmed;
 use gaugeblock_vocabulary::motion::{MotionAction, MotionEvent, MotionScript};
 use gaugeblock_vocabulary::{End, Outcome};
 
-/// How many cycles a program may take more where it should take as many, and which share where more is allowed.
+/// How many more cycles a program may take than expected, and by what share where a share is allowed.
 const CYCLES: f64 = 2.0;
 const SHARE: f64 = 1e-3;
-/// What is broken where a program that nothing holds comes to no end.
+/// The id of a breach: planning never ends although nothing holds the motion.
 const ENDLESS: &str = "no-end";
 
 /// Interprets a motion program.
 pub type Interpret<'a> = &'a (dyn Fn(&MotionProgram) -> Outcome + Sync);
 
-/// What is broken: the law or the change under which time differs, and words for a person.
+/// A breach of a law, or of the time that a transformation allows, with a description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
-    /// The law's id, the change in a word, or `no-end`.
+    /// The law's id, the transformation, or `no-end`.
     pub what: String,
-    /// What was seen.
+    /// What was found.
     pub words: String,
 }
 
 /// The result of one motion program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MotionResult {
-    /// Servo cycles; none where it was not planned.
+    /// Servo cycles; 0 if it was not planned.
     pub cycles: usize,
-    /// What is broken.
+    /// Breaches.
     pub broken: Vec<Breach>,
     /// What could not be planned, and why.
     pub not_planned: Option<String>,
@@ -45,7 +45,7 @@ pub struct MotionResult {
 }
 
 impl MotionResult {
-    /// Takes up that a program was not planned: a breach where the planner comes to no end though nothing holds it.
+    /// Records why a program was not planned. Endless planning is a breach if nothing holds the motion.
     fn record_unplanned(&mut self, program: &MotionProgram, stopped: Stopped) {
         if stopped.endless && motion_continues(&program.script) {
             self.broken.push(Breach { what: ENDLESS.to_owned(), words: stopped.why });
@@ -55,14 +55,14 @@ impl MotionResult {
     }
 }
 
-/// The motion program of a number, and the transformation that its time is checked under if one is enough.
+/// The motion program of a number, and the transformation for a run that checks only one.
 pub fn motion_program(seed: u64, number: u64) -> (MotionProgram, Transformation) {
     let mut entropy = Entropy::from_seed(seed, number);
     let change = *entropy.pick(&Transformation::ALL);
     (draw::motion_program(&mut entropy), change)
 }
 
-/// Judges a program: as it is, and changed without an operator.
+/// Judges a program as it is, and its time under each transformation.
 pub fn judge_program(
     of: (u64, u64),
     (program, changes): (&MotionProgram, &[Transformation]),
@@ -97,12 +97,12 @@ pub fn judge_program(
     result
 }
 
-/// What is broken where time differs under a change.
+/// The id of a breach of time under a transformation.
 pub fn time_breach_id(change: Transformation) -> String {
     format!("time.{}", change.name())
 }
 
-/// The smallest program that breaks the same.
+/// The smallest program with the same breach.
 pub fn shrunk(
     of: (u64, u64),
     (program, changes): (&MotionProgram, &[Transformation]),
@@ -112,7 +112,7 @@ pub fn shrunk(
     let breaks = |program: &MotionProgram, changes: &[Transformation]| {
         judge_program(of, (program, changes), runs).broken.iter().any(|breach| breach.what == what)
     };
-    // One of them is enough, or none.
+    // One transformation is enough, or none.
     let alone = changes.iter().copied().find(|change| what == time_breach_id(*change));
     let changes = match &alone {
         Some(change) => std::slice::from_ref(change),
@@ -122,7 +122,7 @@ pub fn shrunk(
     shrink::shrunk(program, attempts, &mut |smaller| breaks(smaller, changes))
 }
 
-/// Whether nothing holds the motion in the end.
+/// Whether the motion continues at the end of the script.
 fn motion_continues(script: &MotionScript) -> bool {
     let (mut feed, mut rapid, mut adaptive, mut stop, mut hold) = (1.0, 1.0, 1.0, false, false);
     for event in &script.events {
@@ -167,16 +167,16 @@ pub fn compared(
     change: Transformation,
 ) -> Option<(MotionProgram, MotionProgram)> {
     let mut alone = MotionProgram { every: None, ..program.clone() };
-    // The spindle goes on turning.
+    // The spindle keeps turning.
     let turns = |event: &MotionEvent| matches!(event.action, MotionAction::SpindleSpeed { .. });
     alone.script.events.retain(turns);
-    // An output at once switches at the end of a cycle, so that each may cost one.
+    // An immediate output switches at the end of a cycle, so each may cost one.
     alone.steps.retain(|step| !matches!(step, Step::Output { with_motion: false, .. }));
     let changed = change.of(&alone, &mut Entropy::from_seed(seed ^ 1, number))?;
     Some((alone, changed))
 }
 
-/// Whether a changed program takes the time that it should; which program was not planned, if one is not.
+/// Checks the time of a transformed program. An error names the program that could not be planned.
 fn check_time(
     of: (u64, u64),
     program: &MotionProgram,

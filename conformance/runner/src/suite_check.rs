@@ -1,4 +1,4 @@
-//! What the suite itself must satisfy: every declared outcome is reached, every golden is what the model does.
+//! What the suite itself must satisfy: every declared outcome is reached, and every golden is current.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Ed
     editions
 }
 
-/// What the model does in a case under an edition, and the rules that it reached.
+/// The model's outcome in a case under an edition, and the rules that it reached.
 pub fn model_run(
     suite: &Suite,
     case: &Case,
@@ -53,7 +53,7 @@ pub fn reached(suite: &Suite, rule: &Rule) -> BTreeSet<RuleOutcome> {
     reached
 }
 
-/// Every sentence in which the suite is not what it must be; nothing when it is.
+/// Every fault of the suite, as a sentence.
 pub fn faults(suite: &Suite) -> Vec<String> {
     let mut faults = Vec::new();
     for rule in &suite.rules {
@@ -82,7 +82,7 @@ pub fn faults(suite: &Suite) -> Vec<String> {
     faults
 }
 
-/// Why the laws do not say of a recorded case what its page says.
+/// Why the laws do not decide a recorded case as its page asserts.
 fn motion_fault(suite: &Suite, rule: &Rule, case: &MotionCase) -> Option<String> {
     let edition = suite.edition(gaugeblock_suite::DEFAULT_EDITION)?;
     let readings = suite.motion_options(edition);
@@ -90,7 +90,7 @@ fn motion_fault(suite: &Suite, rule: &Rule, case: &MotionCase) -> Option<String>
     Some(format!("{} / {}: {found}", rule.id, case.name))
 }
 
-/// The options of a choice of motion whose sayings hold if the laws read the documents by one of them.
+/// The options of a choice of motion whose assertions hold if the laws use one of them.
 fn options_shown<'a>(suite: &Suite, choice: &'a MotionChoice, under: &str) -> Vec<&'a str> {
     let Some(edition) = suite.edition(gaugeblock_suite::DEFAULT_EDITION) else { return Vec::new() };
     let mut readings = suite.motion_options(edition);
@@ -119,7 +119,7 @@ fn judged(
         .map_err(|(saying, found)| format!("{saying}, but: {found}"))
 }
 
-/// Why the model says nothing of a case: it does not support it, or the documents leave it open.
+/// Why the model leaves a case open: it does not support it, or the documents do not decide it.
 pub fn undetermined(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let edition = editions_of(suite, rule, case).into_iter().next()?;
     let end = model_run(suite, case, edition).0.end;

@@ -1,4 +1,4 @@
-//! Waivers: divergences that somebody answers for, until a day.
+//! Waivers: divergences that an owner accepts until a day.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::certify::Run;
 use crate::expectations::ExpectationMismatch;
 
-/// A day of the calendar.
+/// A calendar day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Day {
@@ -19,9 +19,9 @@ pub struct Day {
 }
 
 impl Day {
-    /// The day so many days after 1970-01-01.
+    /// The day that many days after 1970-01-01.
     pub fn after_epoch(days: u64) -> Self {
-        // Months from March on, in rounds of 400 years; those are of the same length.
+        // Years begin in March here, in cycles of 400 years, which all have the same length.
         let days = days + 719_468;
         let (round, of_round) = (days / 146_097, days % 146_097);
         let year = (of_round - of_round / 1460 + of_round / 36_524 - of_round / 146_096) / 365;
@@ -78,19 +78,19 @@ impl From<Day> for String {
     }
 }
 
-/// A divergence that somebody answers for.
+/// A divergence that an owner accepts.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Waiver {
     /// The rule.
     pub rule: String,
-    /// Its case; every case of the rule where none is named.
+    /// Its case; without one, every case of the rule.
     pub case: Option<String>,
-    /// Why it is let pass.
+    /// Why it is accepted.
     pub reason: String,
-    /// Who answers for it.
+    /// Its owner.
     pub owner: String,
-    /// The last day on which it counts.
+    /// The last day on which it is valid.
     pub expires: Day,
 }
 
@@ -107,7 +107,7 @@ pub struct Waived {
     pub rule: String,
     /// Its case.
     pub case: String,
-    /// Who answers for it, until when, and why.
+    /// Owner, last day and reason.
     pub why: String,
 }
 
@@ -131,7 +131,7 @@ impl Waivers {
     /// Reads a file of waivers.
     ///
     /// # Errors
-    /// It is not in the form, with line and column; or somebody waives something without saying who or why.
+    /// It is not in the form, with line and column; or a waiver has no reason or no owner.
     pub fn read(text: &str) -> Result<Self, String> {
         let read: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let is_said = |text: &str| !text.trim().is_empty();
@@ -144,7 +144,7 @@ impl Waivers {
         }
     }
 
-    /// The first waiver of a rule, or of a case of one, that the suite does not have, in a sentence.
+    /// A message about the first waiver of a rule or case that the suite does not have.
     pub fn first_unknown(&self, suite: &Suite) -> Option<String> {
         self.waiver.iter().find_map(|waiver| {
             let Waiver { rule, case, owner, .. } = waiver;
@@ -159,9 +159,9 @@ impl Waivers {
         })
     }
 
-    /// What is wrong in spite of the waivers, and what is waived: of `troubles`, or of all divergences of the run
-    /// where it was held against nothing else. A waiver waives what departs, never what was not judged. One of a rule
-    /// or case that the run was not asked for is left alone.
+    /// Splits mismatches into those that no valid waiver covers and those that are waived. `mismatches` defaults to all
+    /// divergences of the run. A waiver covers divergences, never cases without a verdict. Waivers of rules and cases
+    /// that were not selected are ignored.
     pub fn apply(
         &self,
         run: &Run<'_>,
@@ -210,7 +210,7 @@ impl Waivers {
     }
 }
 
-/// Every divergence of a run, as one that is not listed.
+/// Every divergence of a run as an unlisted one.
 fn divergences(run: &Run<'_>) -> Vec<ExpectationMismatch> {
     let departed = run.cases.iter().filter_map(|result| {
         Some(ExpectationMismatch::New {

@@ -1,5 +1,5 @@
-//! What an adapter declares to show, each looked for once: a member that is misspelt or has another form is found
-//! here, and not in the middle of a night.
+//! Checks that each declared observable occurs in an outcome: a misspelt member, or one of another form, is found
+//! before a campaign.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,21 +10,21 @@ use gaugeblock_vocabulary::{End, Entry, Event, Outcome, Scenario, Settings, Stat
 
 use super::result::{Check, CheckResult};
 
-/// Programs that are run for one word, at most, until one of them shows it.
+/// Programs to run for one word, at most, until an outcome has it.
 const TRIES: usize = 6;
 
-/// Programs that are asked for, at most: what is not supported is not run.
+/// Programs to request, at most; unsupported ones are not run.
 const ASKED: usize = 300;
 
-/// Mistakes that are told.
+/// Mistakes to report.
 const TOLD: usize = 4;
 
-/// A kind of what can be declared, and the words of it that an outcome tells.
+/// A kind of observable, and its words in an outcome.
 type Kind = (&'static str, fn(&Outcome) -> BTreeSet<&'static str>);
 
 const KINDS: [Kind; 3] = [("effects", effects), ("fields", fields), ("pins", pins)];
 
-/// Looks for each effect, field and pin that is declared, in what comes of programs of the suite.
+/// Checks each declared effect, field and pin in the outcomes of programs of the suite.
 pub(super) fn checks(adapter: &Exec, suite: &Suite) -> Vec<Check> {
     let observables = &adapter.declaration().observables;
     let mut looked = Looked { adapter, programs: programs(adapter, suite), came: BTreeMap::new() };
@@ -35,7 +35,7 @@ pub(super) fn checks(adapter: &Exec, suite: &Suite) -> Vec<Check> {
         .collect()
 }
 
-/// The programs that it can run and the documents say something of, the smallest first, with what happens by them.
+/// The programs that it supports and the documents define, the smallest first, with their specified outcomes.
 fn programs(adapter: &Exec, suite: &Suite) -> Vec<(Scenario, Outcome)> {
     let languages = &adapter.declaration().languages;
     let own = adapter.own_edition().and_then(|id| suite.edition(id));
@@ -60,18 +60,18 @@ fn of_edition(adapter: &Exec, suite: &Suite, edition: &Edition) -> Vec<(Scenario
     let scenarios = scenarios.filter(|scenario| adapter.supports(scenario).is_ok());
     let with_outcome = scenarios.map(|scenario| {
         let mut outcome = gaugeblock_reference::run(&scenario).0;
-        // What is in force anyway is no reason to run it.
+        // Words that are set from the start are no reason to run a program.
         outcome.start = Settings::default();
         (scenario, outcome)
     });
     with_outcome.filter(|(_, outcome)| outcome.end.undetermined().is_none()).collect()
 }
 
-/// What was looked at.
+/// What was checked.
 struct Looked<'a> {
     adapter: &'a Exec,
     programs: Vec<(Scenario, Outcome)>,
-    /// What came of programs, by their places: an outcome, or what is wrong with the answer.
+    /// Results of programs, by their places: an outcome, or what is wrong with the answer.
     came: BTreeMap<usize, Result<Outcome, String>>,
 }
 
@@ -122,7 +122,7 @@ impl Looked<'_> {
                 Ok(found) if told(found).contains(word) => {
                     return CheckResult::Passed(String::new());
                 }
-                // What it does not do, or refuses, says nothing of what it tells.
+                // A program that it does not support, or refuses, says nothing about what it reports.
                 Ok(Outcome { end, .. }) if end.name() != expected.end.name() => {}
                 Ok(Outcome { end: End::Fault(_), .. }) => {}
                 Ok(_) => lacking = lacking.or_else(|| Some(program.to_string())),
@@ -148,7 +148,7 @@ fn effects(outcome: &Outcome) -> BTreeSet<&'static str> {
     effects.collect()
 }
 
-/// Settings that were set, and what was told of the state.
+/// Settings that were set, and reported members of the state.
 fn fields(outcome: &Outcome) -> BTreeSet<&'static str> {
     let events = outcome.steps.iter().flat_map(|step| &step.events);
     let set = events.filter_map(|event| match event {

@@ -1,4 +1,4 @@
-//! What an adapter offers, each looked at once.
+//! Checks of the extensions that an adapter declares.
 
 use gaugeblock_adapter::exec::Exec;
 use gaugeblock_adapter::protocol::digest::{canonical, digest};
@@ -11,10 +11,10 @@ use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario}
 
 use super::result::{CHANGES, Check, CheckResult, compare_outcomes};
 
-/// A machine that moves a little.
+/// A machine for a short motion.
 const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";
 
-/// Looks at each offer, given a plain scenario and its outcome.
+/// Checks each declared extension, given a plain scenario and its outcome.
 pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<Check> {
     let offered =
         |(offer, ..): &&(Extension, &str, &str)| adapter.declaration().offers.contains(offer);
@@ -43,7 +43,7 @@ fn failed(error: &HarnessError) -> CheckResult {
     CheckResult::Failed(error.to_string())
 }
 
-/// The outcome is the same with an offer and without.
+/// Checks that the outcome is the same with the extension and without.
 fn same_with_extension(adapter: &Exec, offer: Extension, scenario: &Scenario) -> CheckResult {
     match adapter.run_with_extensions(&[], scenario) {
         Ok(plainly) => {
@@ -89,7 +89,7 @@ fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     compare_outcomes(first, &adapter.run_after(&changing(plain), plain), leaks)
 }
 
-/// What changes modes and parameters.
+/// A program that changes modes and parameters.
 fn changing(plain: &Scenario) -> Scenario {
     let mut changes = plain.clone();
     if plain.program.language == Language::Rs274 {
@@ -143,7 +143,7 @@ fn observables(adapter: &Exec, plain: &Scenario) -> CheckResult {
     }
 }
 
-/// Whether no more is shown than is declared. Parameters that are declared to be hidden need not be named again.
+/// Whether nothing is reported beyond the declaration. Declared hidden parameters need not be named again.
 fn is_within(observables: &Capabilities, own: &Capabilities) -> bool {
     let hidden_parameters = observables.hidden_parameters.clone();
     Capabilities { hidden_parameters, ..own.and(observables) } == *observables

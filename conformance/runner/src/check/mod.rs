@@ -1,5 +1,4 @@
-//! What is wrong with an adapter, before anything is certified: each check is one scenario or two, and says in a
-//! sentence what came of it.
+//! Checks an adapter before anything is certified. Each check runs one or two scenarios and reports one sentence.
 
 mod declared;
 mod extensions;
@@ -19,10 +18,10 @@ const PROGRAMS: &[(Language, &str, &str)] = &[
     (Language::Nct, "O1\nG0 X1\nM30\n", "O1\nG0 X[1/0]\nM30\n"),
 ];
 
-/// Runs in a row whose time is taken.
+/// Runs of the measurement of speed.
 const RUNS: u32 = 50;
 
-/// Looks at an adapter, with programs of the suite for what it declares to show. `clock` tells seconds.
+/// Runs all checks, with programs of the suite for declared observables. `clock` returns seconds.
 pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Check> {
     let declared = adapter.declaration();
     let told = format!("{} {}, protocol {}", declared.name, declared.version, declared.protocol);
@@ -123,7 +122,7 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
     ))
 }
 
-/// What the scenario stores comes back.
+/// Checks that a stored parameter is reported at the end.
 fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckResult {
     let declared = adapter.declaration();
     let observables =
@@ -149,7 +148,8 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckRe
     }
 }
 
-/// Nothing is left of a program that changed much. It may be refused: it has changed something before.
+/// Checks that a reset leaves nothing of a program that changes much. That program may be refused: it has changed
+/// something before.
 fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> CheckResult {
     if plain.program.language != Language::Rs274 {
         return CheckResult::Skipped(

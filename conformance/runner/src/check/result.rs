@@ -1,31 +1,31 @@
-//! What a check comes to.
+//! Results of checks.
 
 use std::collections::BTreeSet;
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::Outcome;
 
-/// What a check came to.
+/// The result of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CheckResult {
-    /// As it should be.
+    /// As required.
     Passed(String),
-    /// Not as it should be: the adapter has to be mended before a verdict means anything.
+    /// Not as required: fix the adapter before its verdicts mean anything.
     Failed(String),
-    /// It could not be looked at, and why.
+    /// It could not be checked, and why.
     Skipped(String),
 }
 
-/// A check and what it came to.
+/// A check and its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Check {
-    /// What is looked at.
+    /// What is checked.
     pub name: &'static str,
-    /// What came of it.
+    /// Its result.
     pub result: CheckResult,
 }
 
-/// A program that changes what a reset has to set back, and one that shows whether it was.
+/// A program that changes what a reset has to restore.
 pub(super) const CHANGES: &str =
     "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n";
 

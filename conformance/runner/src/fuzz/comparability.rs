@@ -1,4 +1,4 @@
-//! Which outcomes of rules two controllers can be compared on at all, by what they declare.
+//! Which outcomes of rules two controllers cannot be compared on, by their declarations.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,16 +8,15 @@ use gaugeblock_vocabulary::{Outcome, Scenario, Undetermined};
 use super::Plan;
 use super::statistics::name_of;
 
-/// Outcomes of rules that no case shows on both sides, and why.
+/// Outcomes of rules that no case reaches on both sides, and why.
 pub type NotComparable = BTreeMap<String, String>;
 
-/// What stands for a reason where no case reaches an outcome, whoever would run it.
+/// The reason if no case reaches an outcome on any controller.
 const NO_CASE: &str = "no case reaches them as these options read the documents";
 
 impl Plan<'_> {
-    /// Those of some outcomes that none of the cases which both controllers run reaches, each with what is said of
-    /// the first case that would: by the one that does not run it, or by the model, which does not say what becomes
-    /// of it.
+    /// Outcomes that no case reaches which both controllers run. The reason comes from the first case that would reach
+    /// it: one side does not support it, or the model leaves it open.
     pub fn not_comparable<'r>(
         &self,
         outcomes: impl IntoIterator<Item = (&'r str, RuleOutcome)>,
@@ -46,7 +45,7 @@ impl Plan<'_> {
         with_reason.collect()
     }
 
-    /// Why a scenario is not compared, where that is known before any controller but the model has run it.
+    /// Why a scenario is not compared, if the declarations or the model decide it.
     pub(super) fn reason_not_compared(
         &self,
         scenario: &Scenario,

@@ -17,9 +17,9 @@ use super::statistics::{Statistics, count};
 /// A difference between two controllers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// Where it shows first.
+    /// The first difference.
     pub divergence: Divergence,
-    /// What it is by.
+    /// Its signature.
     pub signature: Signature,
 }
 
@@ -30,25 +30,25 @@ pub enum FuzzResult {
     Same,
     /// A difference, or a controller that crashed, hung or flooded.
     Differs(Box<Difference>),
-    /// The last bit of a transcendental function, or of a position that was computed, decides: nothing can be said.
+    /// The last bit of a transcendental function or of a computed position decides; there is no verdict.
     Fragile,
-    /// One of the two does not do this.
+    /// One side does not support it.
     Unsupported,
     /// The documents leave it open.
     Unspecified,
-    /// Nothing can be said, and why: not run, not understood.
+    /// No verdict, and why: not run, or not understood.
     NotJudged(String),
 }
 
 thread_local! {
-    /// What the model's run before has left for the next one.
+    /// Buffers of the model for the next run.
     static MODEL: Cell<RunCache> = Cell::default();
 }
 
-/// What a side showed, and of the model its evidence too.
+/// The outcome of a side, with the rule coverage if it is the model.
 pub(super) type CoveredOutcome = (Outcome, Option<RuleCoverage>);
 
-/// What both sides showed of a scenario, and the evidence of the model where it is one of them.
+/// The outcomes of both sides, with the rule coverage if one is the model.
 #[derive(Debug)]
 pub(super) struct OutcomePair {
     expected: Outcome,
@@ -57,7 +57,7 @@ pub(super) struct OutcomePair {
 }
 
 impl Plan<'_> {
-    /// Runs a scenario on both and compares.
+    /// Runs a scenario on both sides and compares.
     pub fn judge(&self, scenario: &Scenario, statistics: &mut Statistics) -> FuzzResult {
         let expected = self.run_expected(scenario, statistics);
         let both = expected.and_then(|expected| self.run_tested(scenario, expected, statistics));
@@ -67,8 +67,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Runs a scenario on the side that is compared with: the expected outcome, or the result if it is known
-    /// already.
+    /// Runs a scenario on the reference side: the expected outcome, or the result if it is already known.
     pub(super) fn run_expected(
         &self,
         scenario: &Scenario,
@@ -94,7 +93,7 @@ impl Plan<'_> {
         Ok((expected, coverage))
     }
 
-    /// Runs a scenario on the side under test: both outcomes, or the result if it is known already.
+    /// Runs a scenario on the side under test: both outcomes, or the result if it is already known.
     pub(super) fn run_tested(
         &self,
         scenario: &Scenario,
@@ -119,7 +118,7 @@ impl Plan<'_> {
         Ok(OutcomePair { expected, found, coverage: coverage.or(other) })
     }
 
-    /// Compares what both sides showed of a scenario.
+    /// Compares the outcomes of both sides.
     pub(super) fn compare_pair(
         &self,
         scenario: &Scenario,
@@ -202,7 +201,7 @@ fn controller_name(side: &dyn Adapter) -> &str {
     &side.capabilities().name
 }
 
-/// The outcome of a scenario, and of the model its evidence too. What the other side showed is what is expected of it.
+/// Runs a scenario on one side. The other side's outcome is the expected one.
 fn run_side(
     side: &dyn Adapter,
     scenario: &Scenario,
@@ -221,7 +220,7 @@ fn run_side(
     (outcome, None)
 }
 
-/// Whether a run says nothing of the scenario: it is not supported, or the documents leave it open.
+/// The result if a run is unsupported, or if the documents leave it open.
 fn undetermined_result(
     side: &dyn Adapter,
     outcome: &Outcome,

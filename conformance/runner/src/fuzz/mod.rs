@@ -29,20 +29,20 @@ pub use judge::{Difference, FuzzResult};
 pub use plan::{ALIKE, Plan, Random};
 use statistics::Statistics;
 
-/// How many programs are run and journaled together.
+/// How many programs a chunk has.
 pub const CHUNK: u64 = 64;
-/// How many programs of a chunk that could not be judged are kept.
+/// How many programs without a verdict a chunk keeps.
 const KEPT: usize = 2;
 
 impl Plan<'_> {
-    /// Runs a chunk of so many programs.
+    /// Runs a chunk of programs.
     fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
         let mut not_judged = Vec::new();
         let first = chunk * CHUNK;
         let numbers: Vec<_> = (first..(first + CHUNK).min(programs)).collect();
-        // A side that does many programs on end has its own code at hand: that is a tenth faster than by turns.
+        // Each side runs many programs in a row, which keeps its code in the cache: a tenth faster.
         let both_within = self.iut.is_in_process() && self.against.is_in_process();
         let together = if both_within { numbers.len().max(1) } else { 1 };
         for numbers in numbers.chunks(together) {
@@ -58,8 +58,8 @@ impl Plan<'_> {
                         .map(move |number| (*number, self.scenario_under(*number, options.clone())))
                 })
                 .collect();
-            // Each time the one that was made last comes first: most of it is still at hand. What is counted are
-            // sums, whatever the order.
+            // The last one made comes first, while it is in the cache. Only sums are counted, so the order does not
+            // matter.
             let last_first = scenarios.iter().rev();
             let expected =
                 last_first.map(|(_, scenario)| self.run_expected(scenario, &mut statistics));
@@ -88,23 +88,22 @@ impl Plan<'_> {
     }
 }
 
-/// How much is run.
+/// The extent of a campaign.
 #[derive(Debug)]
 pub struct Extent<'a> {
     /// The part of all chunks.
     pub shard: Shard,
     /// Programs of all shards together; `u64::MAX` for no end.
     pub programs: u64,
-    /// How many run at once.
+    /// How many chunks run at once.
     pub jobs: NonZero<usize>,
-    /// Chunks that were done before.
+    /// Finished chunks of an earlier run.
     pub done: &'a BTreeSet<u64>,
-    /// Set from outside when it is time to stop; a chunk that is not finished is not counted.
+    /// Set by the caller to stop; an unfinished chunk is not counted.
     pub stop: &'a AtomicBool,
 }
 
-/// Runs chunk after chunk; `each` is told of every one when it is done, on the caller's thread, and says whether to
-/// go on.
+/// Runs chunk after chunk. `each` gets every finished one, on the caller's thread, and returns whether to go on.
 pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> bool) {
     let next = AtomicU64::new(0);
     let (sender, receiver) = mpsc::sync_channel::<Chunk>(64);
