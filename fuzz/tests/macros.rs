@@ -35,7 +35,7 @@ fn modal_calls_interpolate_as_often_as_the_closed_form_says() {
 }
 
 #[test]
-fn a_call_leaves_its_caller_what_it_had() {
+fn a_call_preserves_the_callers_parameters() {
     let mut compared = 0;
     for number in 0..PROGRAMS {
         let pair = locals(&mut Entropy::from_seed(4, number));

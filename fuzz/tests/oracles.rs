@@ -66,7 +66,7 @@ fn chunked_input_changes_nothing() {
 
 /// A text that is cut between a carriage return and its line feed: M99 comes back to the line that it left.
 #[test]
-fn a_cut_line_end_is_no_line_after_m99() {
+fn cut_line_end_after_m99_is_not_a_line() {
     let scenario = Scenario::of("m8\r\nm98 p101\r\nm2\r\no101\r\nm99\r\n");
     for number in 0..60 {
         let mut entropy = Entropy::from_seed(6, number);

@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_changes_it_has_a_copy_of_its_own() {
+    fn write_makes_a_private_copy() {
         let one: Shared<BTreeMap<u32, u32>> = [(1, 2)].into();
         let mut other = one.clone();
         assert!(core::ptr::eq(&*one, &*other));

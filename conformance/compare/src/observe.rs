@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_local_name_is_shown_where_it_exists() {
+    fn local_name_is_observable_only_in_its_scope() {
         let program = "#<w> = 5\no1 sub\ng0\n#<w> = 9\no1 endsub\no1 call\no1 call\ng0\nm2\n";
         let number = |value| Some(Value::Number(value));
         assert_eq!(

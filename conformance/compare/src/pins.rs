@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_brief_may_go_unseen() {
+    fn short_pulse_may_be_missed() {
         let pulse = values(&[(1.0, 0.0), (0.0, 1.0), (1.0, 0.0), (0.0, f64::INFINITY)]);
         for seen in [&[1.0, 0.0, 1.0, 0.0][..], &[1.0, 0.0], &[]] {
             assert!(matches_samples(&pulse, seen, &observables(0.01)), "{seen:?}");
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lasts_is_seen() {
+    fn lasting_value_must_be_seen() {
         let steps = values(&[(1.0, 0.5), (0.0, 0.0), (2.0, f64::INFINITY)]);
         assert!(matches_samples(&steps, &[1.0, 2.0], &observables(0.01)));
         assert!(!matches_samples(&steps, &[2.0], &observables(0.01)));
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn a_controller_that_shows_all_shows_brief_values_too() {
+    fn without_a_sampling_period_short_pulses_must_be_seen() {
         let pulse = values(&[(1.0, 0.0), (0.0, f64::INFINITY)]);
         assert!(matches_samples(&pulse, &[1.0, 0.0], &observables(0.0)));
         assert!(!matches_samples(&pulse, &[], &observables(0.0)));

@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_equals_no_number() {
+    fn nan_equals_nan() {
         assert!(numbers(f64::NAN, -f64::NAN, 0.0));
         assert!(!numbers(f64::NAN, 0.0, 1.0) && !numbers(0.0, f64::NAN, 1.0));
     }

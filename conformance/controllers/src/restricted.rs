@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn without_blocks_what_a_refused_block_did_is_open_and_nothing_else() {
+    fn without_blocks_only_effects_of_a_refused_block_are_open() {
         let program = "g0 x1\nx2 x3\nm2\n";
         let more = compared(program, &told(&[1.0, 2.0], 2.0, fault(program)));
         assert_eq!(more.divergence, None);
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fault_loses_what_the_other_does_not_tell() {
+    fn fault_drops_what_the_other_does_not_report() {
         let scenario = Scenario::of("g0 x1\nx2 x3\nm2\n");
         let of = |observables: &Capabilities| {
             restrict_outcome(gaugeblock_reference::run(&scenario).0, observables).end
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn it_shows_what_both_show() {
+    fn restricted_controller_exposes_what_both_expose() {
         let boxed = || Box::new(Reference::default()) as Box<dyn Adapter>;
         let both = Restricted::new(boxed(), boxed());
         let scenario = Scenario::of("g0 x1\nm2\n");

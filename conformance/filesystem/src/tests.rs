@@ -45,7 +45,7 @@ fn mode(path: &Path) -> u32 {
 }
 
 #[test]
-fn a_new_file_has_the_usual_permissions_and_nothing_is_left_beside_it() {
+fn new_file_has_default_permissions_and_no_leftovers() {
     let scratch = Scratch::new("new");
     fs::write(scratch.path("usual"), "").unwrap();
     write_output(&scratch.path("out"), "text").unwrap();
@@ -134,7 +134,7 @@ fn a_device_a_fifo_and_an_open_file_are_written_in_place() {
 }
 
 #[test]
-fn what_cannot_be_written_is_as_before() {
+fn failed_write_leaves_the_old_file() {
     let scratch = Scratch::new("refused");
     fs::create_dir(scratch.path("folder")).unwrap();
     assert!(write_output(&scratch.path("folder"), "text").is_err());

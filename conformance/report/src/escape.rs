@@ -28,7 +28,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_terminal_would_obey_is_written_out() {
+    fn terminal_control_sequences_are_escaped() {
         assert_eq!(escape_text("plain\n\ttext – ü"), "plain\n\ttext – ü");
         assert_eq!(escape_text("a\x1b]0;owned\x07b\r"), "a\\u001b]0;owned\\u0007b\\u000d");
         assert_eq!(escape_text("\u{202e}txt\u{9b}2J"), "\\u202etxt\\u009b2J");

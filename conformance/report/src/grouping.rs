@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_accidental_makes_no_other_cause() {
+    fn lines_and_numbers_do_not_change_the_cause() {
         for (difference, expected) in [
             ("main.ngc:4: feed_rate: expected 12.3, found 0", "feed_rate: another value"),
             ("motion: expected traverse, found none", "motion: expected traverse, found none"),
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_follows_from_a_refusal_that_is_missing_is_no_other_cause() {
+    fn consequences_of_a_missing_refusal_are_one_cause() {
         let refused = "end fault kind=repeated_word file=\"main.ngc\" line=1 message=\"x 12, G17\"\nparameters 5220=1\n";
         let accepted = "step main.ngc:1\nend program_end\n";
         for (expected, found, told) in [

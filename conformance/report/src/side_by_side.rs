@@ -260,13 +260,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_again_or_never_is_not_marked() {
+    fn repeated_and_missing_values_are_not_marked() {
         let found = "gaugeblock outcome 0\nlanguage rs274\nstart\nblock main.ngc:1\n  do straight_traverse end=(x1.00001 y1)\n  state motion=traverse position=(x1 y1)\nblock main.ngc:2\n  do straight_feed end=(x5 y-2 z0)\n  state motion=feed position=(x5 y-2)\nend program_end\nparameters 31=1 5220=1\n";
         assert_eq!(marked(found, &["controller_mode"]), [vec![], vec![]] as [Vec<String>; 2]);
     }
 
     #[test]
-    fn what_differs_is_marked_on_both_sides() {
+    fn differences_are_marked_on_both_sides() {
         let found = "gaugeblock outcome 0\nlanguage rs274\nstart units=mm\nblock main.ngc:1\n  do straight_traverse end=(x1 y1)\n  state motion=traverse position=(x1 y1)\nblock main.ngc:2\n  do straight_feed end=(x5 y1)\n  state motion=feed position=(x5 y1)\nend fault kind=bad_block file=\"main.ngc\" line=3 message=\"no such word\"\nparameters 5220=1\n";
         let [expected, found] = marked(found, &["controller_mode"]);
         assert_eq!(

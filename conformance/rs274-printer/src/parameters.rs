@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_holds_what_it_held_and_what_it_must() {
+    fn parameter_file_keeps_its_entries_and_adds_required_ones() {
         assert!(read("31 5\n31 5\n").is_err());
         let before = read("31 5\n5220\t2\nabc\n").unwrap();
         assert_eq!(before, BTreeMap::from([(31, 5.0), (5220, 2.0)]));

@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_nothing_holds_and_that_never_ends_is_a_breach() {
+    fn endless_motion_without_hold_is_a_breach() {
         let released = [MotionAction::Hold(true), MotionAction::Hold(false)];
         for script in [vec![], released.to_vec(), vec![MotionAction::Abort]] {
             let result = result(script, true);
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn rides_whose_times_are_compared_differ_in_their_change_alone() {
+    fn timed_programs_differ_only_by_their_transformation() {
         for number in 0..50 {
             let (program, _) = motion_program(1, number);
             let (alone, changed) =
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_is_held_to_the_end_is_not_planned() {
+    fn program_held_to_the_end_is_not_planned() {
         let holds = [
             MotionAction::Hold(true),
             MotionAction::FeedStop(true),

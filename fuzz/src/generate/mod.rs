@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_single_rule_can_be_asked_for() {
+    fn single_rule_can_be_selected() {
         let config = GeneratorConfig {
             only: vec!["dwell".to_owned()],
             mutated_programs: 0,

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn members_stand_in_the_order_of_their_texts_and_have_one_spelling() {
+    fn members_are_sorted_by_text_and_have_one_spelling() {
         let indexed: Indexed<u32, f64> = [(31, 1.0), (5220, 2.0), (7, 3.0)].into_iter().collect();
         let text = serde_json::to_string(&indexed).unwrap();
         assert_eq!(text, r#"{"31":1.0,"5220":2.0,"7":3.0}"#);

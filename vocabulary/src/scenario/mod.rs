@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_line_of_a_block_stands_in_its_file() {
+    fn block_line_exists_in_its_file() {
         let files = BTreeMap::from([("cave.ngc".to_owned(), "g1\ng2".to_owned())]);
         let program = Program { main: "g0\rm2".to_owned(), files, ..Program::default() };
         let line = |file, line| program.line(&BlockLocation::new(file, line));

@@ -128,7 +128,7 @@ proptest! {
 }
 
 #[test]
-fn an_axis_that_is_not_recorded_stands_where_it_is_said_to() {
+fn unrecorded_axis_keeps_its_given_position() {
     let elsewhere = Position { x: 9.0, y: 7.0, ..Position::default() };
     let position = samples(&[[1.0, 2.0, 0.0, 0.0]]).positions(elsewhere)[0];
     assert_eq!(position, Position { x: 1.0, y: 7.0, w: 2.0, ..Position::default() });

@@ -8,7 +8,7 @@ fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
 }
 
 #[test]
-fn the_name_may_stand_anywhere() {
+fn name_may_be_anywhere() {
     let end = Position { x: 1.5, ..Position::default() };
     let expected = Ok(Effect::ArcFeed { end, first_centre: 0.1, second_centre: -2.0, turns: -1 });
     for text in [
@@ -30,7 +30,7 @@ fn the_name_may_stand_anywhere() {
 }
 
 #[test]
-fn what_is_wrong_is_told() {
+fn invalid_input_is_reported() {
     for (text, why) in [
         (r#"{"effect":"dance"}"#, "unknown variant `dance`"),
         (r#"{"seconds":1,"effect":"dance"}"#, "unknown variant `dance`"),

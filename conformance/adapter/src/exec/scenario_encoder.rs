@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_its_default_is_not_told() {
+    fn defaults_are_not_encoded() {
         let (line, _) = told(&Scenario::of("m2\n"), &mut ScenarioEncoder::default());
         let run =
             r#"{"id":7,"op":"run","scenario":{"program":{"language":"rs274","main":"m2\n"}}}"#;
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_comes_back() {
+    fn encoded_scenario_round_trips() {
         let mut scenario = Scenario::of("m2\n");
         scenario.program.block_delete = true;
         scenario.program.start = Start::Mdi;

@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn members_stand_in_order_without_white_space() {
+    fn members_are_sorted_without_white_space() {
         let value =
             serde_json::json!({"b": [1.0, {}, [], "\n\u{e9}\""], "a": {"z": null, "y": true}});
         let mut text = String::new();

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_offer_is_listed_by_the_name_that_stands_in_a_declaration() {
+    fn each_extension_is_listed_by_its_name_in_declarations() {
         let listed: Vec<Extension> = EXTENSIONS.iter().map(|(offer, ..)| *offer).collect();
         assert_eq!(listed, Extension::value_variants());
         for (offer, name, _) in EXTENSIONS {

@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_plain_program_needs_nothing_and_a_feature_is_needed_by_what_it_names() {
+    fn plain_program_needs_no_features() {
         assert!(needed(&Scenario::of("g0 x1\n")).is_empty());
         let mut scenario = Scenario::of("g0 x1\n");
         scenario.machine.spindles = 2;
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn features_stand_in_order_and_once() {
+    fn features_are_sorted_and_unique() {
         assert!(FEATURES.is_sorted_by(|a, b| a.0 < b.0));
     }
 }

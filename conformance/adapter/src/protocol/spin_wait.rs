@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn looks_in_vain_become_rare_and_one_that_finds_something_brings_them_back() {
+    fn failed_polls_become_rare_and_a_success_resets() {
         let mut looks = PollSchedule::default();
         assert_eq!(without(&mut looks), 0);
         for pause in [2, 4, 8, 16, 32, 64, 64] {

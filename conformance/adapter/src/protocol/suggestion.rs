@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_says_what_was_meant_where_it_lists_what_there_is() {
+    fn message_with_known_words_gets_a_suggestion() {
         for (message, expected) in [
             (
                 "unknown field `positon`, expected one of `motion`, `position` at line 1",

@@ -59,7 +59,7 @@ fn place(outcome: Result<Outcome, HarnessError>) -> Result<f64, String> {
 }
 
 #[test]
-fn what_is_told_ahead_begins_before_it_is_asked_for_and_is_run_once() {
+fn prefetched_run_begins_early_and_runs_once() {
     let it = Noting::start("begins", "pass", &[]);
     for x in 1..4 {
         let next = scenario(&format!("g0 x{x}"));
@@ -71,7 +71,7 @@ fn what_is_told_ahead_begins_before_it_is_asked_for_and_is_run_once() {
 }
 
 #[test]
-fn what_another_program_does_is_told_to_nobody() {
+fn prefetched_result_of_another_program_is_discarded() {
     let (told, other) = (scenario("g0 x99"), scenario("g0 x1"));
     let die = "sys.exit(3)";
     let hang = "import time; time.sleep(60)";
@@ -91,7 +91,7 @@ fn what_another_program_does_is_told_to_nobody() {
 }
 
 #[test]
-fn what_it_does_itself_is_told_to_who_runs_it() {
+fn own_actions_are_reported_to_the_caller() {
     let told = scenario("g0 x99");
     let rave = "print(json.dumps({'id': request['id'], 'outcome': {}}), flush=True); continue";
     for (name, does, why) in [
@@ -110,7 +110,7 @@ fn what_it_does_itself_is_told_to_who_runs_it() {
 
 /// It has its time from when it is waited for, however long nobody did: a pipe holds less than this answer.
 #[test]
-fn an_answer_that_nobody_took_is_not_too_late() {
+fn unread_answer_is_not_late() {
     let tell = "print(json.dumps({'id': request['id'], 'outcome': {'language': 'rs274', 'start': {}, 'steps': [], 'end': {'end': 'fault', 'message': 'x' * 500000}}}), flush=True); continue";
     let it = Noting::start("waits", tell, &[]);
     let told = scenario("g0 x99");
@@ -124,7 +124,7 @@ fn an_answer_that_nobody_took_is_not_too_late() {
 /// It is set back while its answer is read: where that is none, nobody waits for what comes of the reset, however
 /// long an answer may take.
 #[test]
-fn who_has_failed_is_not_waited_for() {
+fn failed_session_is_not_waited_for() {
     let rave = "import time; print('{\"id\": 0}', flush=True); time.sleep(4000)";
     let limits = Limits { time: Duration::from_secs(3600), ..limits() };
     let it = Noting::start_within("not-waited-for", rave, &[], limits);

@@ -64,7 +64,7 @@ fn a_controller_gets_the_same_verdicts_through_the_protocol() {
 }
 
 #[test]
-fn the_verdicts_are_the_same_however_they_are_told() {
+fn verdicts_do_not_depend_on_transport() {
     let only: Vec<&str> = ["saved-state", "trajectory", "subroutines", "abort", "pause", "tool"]
         .iter()
         .flat_map(|chapter| ["--only", chapter])

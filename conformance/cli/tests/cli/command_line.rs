@@ -32,7 +32,7 @@ fn refused(arguments: &[&str], status: i32, words: &[&str]) {
 }
 
 #[test]
-fn wrong_input_is_told_with_its_place() {
+fn invalid_input_is_reported_with_its_place() {
     let here = folder("wrong-input");
     let directory = here.to_str().expect("UTF-8");
     refused(&["run", "no-such-file.ngc"], 2, &["no-such-file.ngc", "hint:"]);
@@ -88,7 +88,7 @@ fn rs274_writes_over_nothing_that_it_reads() {
 }
 
 #[test]
-fn a_hint_says_what_an_absent_file_is() {
+fn hint_names_the_role_of_a_missing_file() {
     let here = folder("absent");
     let program = file(&here, "good.ngc", b"g21\nm2\n");
     let absent = |arguments: &[&str], role: &str| {
@@ -111,7 +111,7 @@ fn limited(folder: &Path, blocks: u32, arguments: &[&str], into: Stdio) -> Outpu
 }
 
 #[test]
-fn output_that_is_cut_off_is_told() {
+fn cut_off_output_is_reported() {
     let here = folder("full");
     let program = file(&here, "program.ngc", b"g21\nm2\n");
     let calls: &[&[&str]] = &[
@@ -135,7 +135,7 @@ fn output_that_is_cut_off_is_told() {
 }
 
 #[test]
-fn a_reader_that_went_away_is_no_error() {
+fn closed_reader_is_not_an_error() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
     let piped = command.arg("rules").stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = piped.spawn().expect("the command runs");
@@ -198,7 +198,7 @@ fn options_and_files_of_a_scenario_count() {
 }
 
 #[test]
-fn a_wrong_suite_is_told_with_its_page() {
+fn faulty_suite_is_reported_with_its_page() {
     let here = folder("wrong-suite");
     std::fs::create_dir_all(here.join("feed")).expect("a folder for the test");
     file(&here.join("feed"), "odd.toml", b"id = \"feed.odd\"\nsentence = \"x\"\ncolour = 3\n");
@@ -213,7 +213,7 @@ fn a_wrong_suite_is_told_with_its_page() {
 
 /// A ledger says of each sentence who carries it: a page that is deleted carries none.
 #[test]
-fn a_ledger_that_names_no_page_is_told_with_its_line() {
+fn ledger_with_unknown_page_is_reported_with_its_line() {
     let here = folder("deleted-page");
     let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("../suite");
     let gone = "coolant/off.toml";
@@ -263,7 +263,7 @@ fn an_absent_controller_could_not_finish() {
 }
 
 #[test]
-fn production_is_held_to_no_quirks() {
+fn production_accepts_no_quirks() {
     let observed = ["--edition", "rs274-2.9-observed"];
     for command in ["certify", "fingerprint"] {
         let call = [command, "--controller", "production", observed[0], observed[1]];
@@ -272,7 +272,7 @@ fn production_is_held_to_no_quirks() {
 }
 
 #[test]
-fn a_report_folder_that_cannot_be_written_is_told_before_anything_runs() {
+fn unwritable_report_folder_is_refused_before_any_run() {
     let here = folder("report");
     let blocked = file(&here, "a-file", b"");
     let inside = format!("{blocked}/report");

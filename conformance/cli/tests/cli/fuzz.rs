@@ -24,7 +24,7 @@ const SELF: &[&str] =
     &["fuzz", "--controller", "reference", "--programs", "200", "--format", "json"];
 
 #[test]
-fn wrong_calls_are_told() {
+fn usage_errors_are_reported() {
     refused(&["fuzz", "--shard", "3/2"], "3/8");
     refused(&["fuzz", "--resume"], "--report");
     refused(&["fuzz", "--options", "all"], "random");
@@ -35,7 +35,7 @@ fn wrong_calls_are_told() {
 }
 
 #[test]
-fn a_killed_run_goes_on_and_tells_the_same() {
+fn resumed_run_gives_the_same_report() {
     let here = folder("fuzz-resume");
     let report = here.to_str().expect("UTF-8");
     let whole = gaugeblock(&[SELF, &["--report", report]].concat());
@@ -52,7 +52,7 @@ fn a_killed_run_goes_on_and_tells_the_same() {
 }
 
 #[test]
-fn a_run_is_no_part_of_a_much_longer_one_which_has_other_programs() {
+fn journal_of_another_length_is_refused() {
     let here = folder("fuzz-longer");
     let report = here.to_str().expect("UTF-8");
     let of = |programs, more: &[&str]| {

@@ -101,7 +101,7 @@ fn assert_all_gone(family: &[(u32, String)]) {
 }
 
 #[test]
-fn a_task_controller_that_dies_is_told_and_leaves_nothing_behind() {
+fn dead_task_controller_is_reported_and_leaves_no_processes() {
     let file = waiting("dies.ngc");
     let arguments = ["run", file.to_str().expect("UTF-8"), "--controller", "linuxcnc"];
     let Some(mut command) = gaugeblock("a controller that dies", &arguments) else { return };
@@ -116,7 +116,7 @@ fn a_task_controller_that_dies_is_told_and_leaves_nothing_behind() {
 }
 
 #[test]
-fn a_killed_referee_leaves_nothing_behind() {
+fn killed_referee_leaves_no_processes() {
     let file = waiting("killed.ngc");
     let arguments = ["run", file.to_str().expect("UTF-8"), "--controller", "linuxcnc"];
     let Some(mut command) = gaugeblock("a referee that dies", &arguments) else { return };

@@ -69,7 +69,7 @@ fn says(output: &Output, status: i32, words: &[&str]) {
 }
 
 #[test]
-fn a_long_rest_between_segments_is_none_that_nobody_ends() {
+fn long_rest_between_segments_is_not_endless() {
     let folder = folder("nowhere");
     let part = format!("g21 g90 g94 g64 p0.01 f600\ng1 x1\n{}m2\n", "g1 x1\n".repeat(300));
     std::fs::write(folder.join("part.ngc"), part).expect("a file for the test");
@@ -110,7 +110,7 @@ fn an_operator_is_played_from_a_script() {
 }
 
 #[test]
-fn the_feed_that_is_asked_for_has_overrides_in_it() {
+fn requested_feed_includes_overrides() {
     let mut scenario = Scenario::default();
     "g21 g90 g94 g64 p0.01 f3000\nm52 p1\ng1 x100\nm2\n".clone_into(&mut scenario.program.main);
     let script = "events = [
@@ -153,7 +153,7 @@ fn no_random_motions_show_nothing() {
 }
 
 #[test]
-fn what_is_read_is_not_written_over() {
+fn inputs_are_never_overwritten() {
     let folder = folder("over");
     let script = "events = []\n";
     std::fs::write(folder.join("script.toml"), script).expect("a file");
@@ -295,7 +295,7 @@ fn samples_come_back_in_both_forms_and_one_wrong_number_is_found() {
 }
 
 #[test]
-fn wrong_calls_are_told_with_their_place() {
+fn usage_errors_are_reported_with_their_place() {
     let folder = folder("wrong");
     std::fs::write(folder.join("bad.toml"), "period = 0.001\n[axes]\nx = { velocity = -1 }\n")
         .expect("a file");

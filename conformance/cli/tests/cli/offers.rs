@@ -37,7 +37,7 @@ fn came_to(verdict: &Verdict, reason: &str) -> bool {
 }
 
 #[test]
-fn whatever_is_offered_the_other_verdicts_stand() {
+fn declared_extensions_do_not_change_other_verdicts() {
     let suite =
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let start = |command: &str| {
@@ -101,7 +101,7 @@ fn a_session_goes_on_after_a_cancelled_run() {
 }
 
 #[test]
-fn samples_that_are_none_are_told_and_not_judged() {
+fn invalid_samples_are_reported_and_not_judged() {
     let limits_of_motion =
         MotionLimits::from_text("period = 0.001\n[axes.x]\nvelocity = 1.0\n").expect("limits");
     let scenario = Scenario::of("g0 x1\nm2\n");
@@ -179,7 +179,7 @@ fn answering(then: Then) -> String {
 }
 
 #[test]
-fn a_connection_that_goes_wrong_is_told() {
+fn connection_failures_are_reported() {
     let scenario = Scenario::of("g0 x1\nm2\n");
     let limits = limits();
     let cases: [(Then, &str); 3] = [
@@ -213,7 +213,7 @@ fn a_connection_that_goes_wrong_is_told() {
 }
 
 #[test]
-fn where_nobody_listens_the_command_says_what_to_do() {
+fn refused_connection_has_a_hint() {
     let free = TcpListener::bind("127.0.0.1:0").expect("a free port");
     let address = free.local_addr().expect("its address").to_string();
     drop(free);
@@ -230,7 +230,7 @@ fn where_nobody_listens_the_command_says_what_to_do() {
 }
 
 #[test]
-fn a_check_looks_at_what_is_offered() {
+fn adapter_check_covers_each_declared_extension() {
     let command = env!("CARGO_BIN_EXE_gaugeblock");
     let adapter = format!("{command} serve --controller production --offer {ALL}");
     let output = gaugeblock(&["adapter", "check", &adapter]);

@@ -158,7 +158,7 @@ fn nothing_that_is_expected_is_exported() {
 }
 
 #[test]
-fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
+fn missing_sheet_is_not_run_and_empty_fields_are_not_judged() {
     let folder = campaign("partial", PROFILE);
     let paper = controller(&folder);
     ends_with(2, &["certify", "--controller", &paper]);
@@ -194,7 +194,7 @@ fn what_did_not_come_back_was_not_run_and_what_is_left_empty_is_not_judged() {
 }
 
 #[test]
-fn what_cannot_be_read_is_not_judged_and_is_told_with_its_place() {
+fn unreadable_answer_is_not_judged_and_reported_with_its_place() {
     for (name, old, new, words) in [
         ("form", "ended = \"\"", "ended = program end", "0001/answer.toml): line 12"),
         ("word", "ended = \"\"", "ended = \"fine\"", "\"fine\" is none of: program end, "),

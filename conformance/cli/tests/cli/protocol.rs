@@ -140,19 +140,19 @@ fn each_gets_its_verdict(list: &'static str, twice: RepeatSampling) {
 }
 
 #[test]
-fn whatever_a_controller_does_the_other_verdicts_stand_and_nothing_is_left() {
+fn misbehaving_controller_does_not_change_other_verdicts() {
     let list = include_str!("misbehaviours.txt");
     assert!(misbehaviours(list).len() > 50, "{}", misbehaviours(list).len());
     each_gets_its_verdict(list, RepeatSampling(0));
 }
 
 #[test]
-fn a_controller_that_answers_otherwise_the_second_time_is_told_from_one_that_does_not() {
+fn repeated_runs_find_a_nondeterministic_controller() {
     each_gets_its_verdict(include_str!("asked_twice.txt"), RepeatSampling(100));
 }
 
 #[test]
-fn a_controller_that_crashes_is_no_pass() {
+fn crash_is_not_a_pass() {
     let meddled = format!("{LOOP}    request['op'] == 'run' and sys.exit(3)\n");
     let controller = format!("exec:{}", changed("crashes.py", &[(LOOP, &meddled)]));
     let output = gaugeblock(&[
@@ -169,7 +169,7 @@ fn a_controller_that_crashes_is_no_pass() {
 }
 
 #[test]
-fn a_controller_that_cannot_be_asked_is_told_before_anything_runs() {
+fn unusable_controller_is_refused_before_any_run() {
     for (name, changes, words) in [
         ("no-start.py", vec![("import json\n", "raise SystemExit(7)\n")], "exit status 7"),
         (
@@ -252,7 +252,7 @@ fn nothing_that_a_controller_says_moves_a_cursor() {
 }
 
 #[test]
-fn a_check_tells_what_is_wrong_with_an_adapter() {
+fn adapter_check_reports_each_fault() {
     const ALARM: &str = "\"end\": {\"end\": \"fault\", \"block\": block, \"message\": f\"no such code: G{number:g}\"}";
     let fault = "if letter == \"g\" and number > 99.9:";
     for (name, changes, words) in [

@@ -101,7 +101,7 @@ fn evil() -> (Meddled, Vec<String>) {
 }
 
 #[test]
-fn what_a_controller_says_is_text_in_every_report() {
+fn controller_text_is_escaped_in_every_report() {
     let (controller, only) = evil();
     let texts = reported(&controller, &only, |report| {
         let counts = report.counts();
@@ -126,7 +126,7 @@ fn what_a_controller_says_is_text_in_every_report() {
 
 /// A controller that refuses nothing makes one mistake, of many rules.
 #[test]
-fn what_differs_alike_stands_together_in_every_report() {
+fn equal_differences_are_grouped_in_every_report() {
     fn accepts(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
         if matches!(outcome.end, End::Fault(_)) {
             outcome.end = End::ProgramEnd;
@@ -159,7 +159,7 @@ fn what_differs_alike_stands_together_in_every_report() {
 }
 
 #[test]
-fn the_smallest_program_of_a_divergence_is_found_where_it_is_asked_for() {
+fn smallest_program_of_a_divergence_is_found_on_request() {
     let (controller, only) = evil();
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
@@ -243,7 +243,7 @@ fn verdicts(folder: &Path) -> Vec<(String, String, String)> {
 
 /// A toy that accepts every code.
 #[test]
-fn what_is_known_or_waived_is_named_so_and_does_not_fail() {
+fn known_and_waived_divergences_do_not_fail() {
     let (before, now, merged) = (folder("before"), folder("now"), folder("merged"));
     let [before_path, now_path, merged_path] =
         [&before, &now, &merged].map(|folder| folder.to_str().expect("UTF-8"));
@@ -317,7 +317,7 @@ fn certified(controller: &str, into: &Path, more: &[&str]) -> (Option<i32>, Stri
 }
 
 #[test]
-fn of_a_controller_of_which_nothing_was_judged_nothing_is_certified() {
+fn nothing_judged_is_not_certified() {
     const SAYS: &str = "Nothing was judged: nothing is certified.";
     let (mute, into) = (template("mute", true), folder("nothing-judged"));
     let own = folder("nothing-judged-before");
@@ -343,7 +343,7 @@ fn of_a_controller_of_which_nothing_was_judged_nothing_is_certified() {
 }
 
 #[test]
-fn what_passed_in_the_baseline_and_is_not_judged_now_has_changed() {
+fn pass_that_is_not_judged_now_is_a_change() {
     let (before, now) = (folder("passed"), folder("passed-no-more"));
     let (status, ..) = certified(&template("whole", false), &before, &[]);
     assert_eq!(status, Some(0));
@@ -392,7 +392,7 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
 }
 
 #[test]
-fn what_a_run_cannot_be_held_against_is_a_wrong_call() {
+fn unsuitable_expectations_are_a_usage_error() {
     let (here, now) = (folder("coolant"), folder("coolant-now"));
     let [path, now_path] = [&here, &now].map(|folder| folder.to_str().expect("UTF-8"));
     let call = ["certify", "--controller", "reference", "--only", "coolant"];

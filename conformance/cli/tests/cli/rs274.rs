@@ -47,7 +47,7 @@ fn it_does_what_is_known_of_it() {
 }
 
 #[test]
-fn it_departs_from_its_document_exactly_as_expected() {
+fn divergences_are_exactly_the_expected_ones() {
     let arguments = ["certify", "--controller", "rs274", "--expectations", EXPECTATIONS];
     if let Some(output) = gaugeblock("the whole suite under linuxcnc-2.9", &arguments) {
         ends_with(&output, 0);
@@ -55,7 +55,7 @@ fn it_departs_from_its_document_exactly_as_expected() {
 }
 
 #[test]
-fn without_expectations_its_departures_are_told_with_document_and_program() {
+fn without_expectations_divergences_are_reported_with_document_and_program() {
     let arguments = ["certify", "--controller", "rs274", "--only", "saved-state.feed"];
     if let Some(output) = gaugeblock("departures from the 2.9 manual", &arguments) {
         let text = ends_with(&output, 1);

@@ -41,7 +41,7 @@ fn cases(arguments: &[&str]) -> Cases {
 }
 
 #[test]
-fn it_stands_on_the_protocol_part_of_the_template() {
+fn grown_adapter_contains_the_template() {
     let protocol = |text: &'static str| {
         text.find("for request in map").map(|at| &text[at..]).expect("the loop of the protocol")
     };
@@ -90,7 +90,7 @@ fn gets_the_verdicts_of_the_one_that_is_built_in(command: &str) {
 }
 
 #[test]
-fn behind_the_protocol_it_gets_the_verdicts_of_the_adapter_that_is_built_in() {
+fn protocol_adapter_gets_the_verdicts_of_the_built_in_one() {
     let served = format!("exec:{} serve --controller rs274", env!("CARGO_BIN_EXE_gaugeblock"));
     gets_the_verdicts_of_the_one_that_is_built_in(&served);
 }

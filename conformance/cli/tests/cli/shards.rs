@@ -88,7 +88,7 @@ fn parts_that_are_missing_there_twice_or_of_another_run_are_refused() {
 }
 
 #[test]
-fn a_run_that_is_killed_again_and_again_comes_to_the_same_report() {
+fn repeatedly_killed_run_gives_the_same_report() {
     let whole = folder("uninterrupted");
     let call = ["certify", "--controller", "reference", "--jobs", "2"];
     gaugeblock(&[&call[..], &["--report", text(&whole)]].concat());

@@ -43,7 +43,7 @@ fn asked(edition: &str, only: &str) -> Vec<(Scenario, usize)> {
 }
 
 #[test]
-fn what_has_its_default_is_left_out() {
+fn defaults_are_left_out() {
     let suite =
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let defaults = suite.defaults();

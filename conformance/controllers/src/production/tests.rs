@@ -26,7 +26,7 @@ fn a_quirk_is_refused_by_name() {
 }
 
 #[test]
-fn a_pause_that_nobody_ends_is_the_end() {
+fn pause_without_resume_ends_the_run() {
     let run = outcome(&Scenario::of("m0\ng4 p1\nm2\n"));
     assert_eq!(run.end, End::Paused);
     assert!(run.steps.last().is_some_and(|step| step.block.line == 1 && step.state.is_none()));

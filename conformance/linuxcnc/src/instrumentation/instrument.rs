@@ -414,7 +414,7 @@ mod tests {
     }
 
     #[test]
-    fn probes_stand_after_each_line_and_tags_on_control_lines() {
+    fn lines_get_probes_and_control_lines_tags() {
         assert_eq!(
             without_probes("o1 if [1] (c)\nx1 (msg,hi)\n"),
             "probe|o1 if [1] (c);@gb0@0.1|probe|x1 (msg,hi)|probe"
@@ -422,7 +422,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_stands_before_or_on_a_percent_sign() {
+    fn percent_lines_stay_unchanged() {
         assert_eq!(without_probes("\n%\nm2\n%"), "|%|probe|m2|probe|%|probe");
     }
 
@@ -446,7 +446,7 @@ mod tests {
     }
 
     #[test]
-    fn the_marker_stands_nowhere_in_the_program() {
+    fn marker_does_not_occur_in_the_program() {
         let (plan, _) = plan("(print,@GB0@)\n");
         assert_eq!(plan.marker, "@gb1@");
         assert_eq!(plan.tagged("o1 endif;@gb1@2.17"), Some((2, 17)));

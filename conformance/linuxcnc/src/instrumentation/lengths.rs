@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_time_is_no_length() {
+    fn inverse_time_is_not_a_length() {
         let mut lengths = Lengths::default();
         lengths.feed(30.0, Some(FeedMode::InverseTime));
         assert_eq!(lengths.use_unit(LengthUnit::Inch).feed_rate, None);

@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn an_abort_is_told_from_what_its_text_says() {
+    fn abort_is_distinguished_from_its_text() {
         let of = |main: &str, stderr: &str| read(main, stderr, 1).unwrap().kind;
         let abort = "(abort,divide by zero)\n";
         assert_eq!(
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_message_is_no_fault() {
+    fn unknown_message_is_not_a_fault() {
         assert!(matches!(
             read("g0\n", "executing\nsurprise\ng0\n", 1),
             Err(HarnessError::UnknownMessage(_))

@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn what_others_left_in_it_is_not_heard() {
+    fn output_of_earlier_runs_is_ignored() {
         let said =
             "executing\nHAL: ERROR: insufficient memory for component 'interp7'\nwrong\nline\n";
         assert_eq!(without_complaints(said.to_owned()), "executing\nwrong\nline\n");

@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn calls_and_texts_are_told_apart() {
+    fn calls_and_texts_are_distinguished() {
         let stdout = "    1 N..... USE_LENGTH_UNITS(CANON_UNITS_MM)\n    2 N1234567SET_FEED_RATE(3.0000)\n\
             hello\n    9 N..... forged\n    3 N5     MESSAGE(\"a (b\")\n    4 N..... SPINDLE.0.WAIT_ORIENT_COMPLETE(3.0000)\n";
         let lines = lines(stdout, &plan(), false).unwrap();

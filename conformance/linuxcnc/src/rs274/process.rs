@@ -179,14 +179,14 @@ mod tests {
     }
 
     #[test]
-    fn a_hang_a_flood_and_a_crash_are_told_apart() {
+    fn hang_flood_and_crash_are_distinguished() {
         assert_eq!(shell("sleep 5", SHORT).unwrap().stop, Stop::TimedOut);
         assert_eq!(shell("while :; do echo flood; done", SHORT).unwrap().stop, Stop::Flooded);
         assert!(matches!(shell("kill -SEGV $$", SHORT), Err(HarnessError::Crashed { .. })));
     }
 
     #[test]
-    fn nothing_is_left_behind() {
+    fn no_process_survives() {
         let begun = now();
         let output = shell("sleep 5 >&- 2>&- & echo $!", SHORT).unwrap();
         assert_eq!(output.stop, Stop::Exited(0));

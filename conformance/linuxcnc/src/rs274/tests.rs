@@ -69,7 +69,7 @@ fn a_move_is_an_effect_of_its_block() {
 }
 
 #[test]
-fn settings_change_where_the_calls_stand() {
+fn settings_change_at_their_calls() {
     let Some(outcome) = run("g91 g20 f5 g1 x1\ng4 p0.5 g90\nm2\n") else { return };
     let Event::Set(before) = &outcome.steps[0].events[0] else { panic!("settings first") };
     assert_eq!(before.units, Some(LengthUnit::Inch));
@@ -78,7 +78,7 @@ fn settings_change_where_the_calls_stand() {
 }
 
 #[test]
-fn what_the_end_resets_is_seen() {
+fn settings_reset_at_the_end_are_reported() {
     let Some(outcome) = run("g91 g18 g99 f3\ng41.1 d1\n/ m2 (bye)\n") else { return };
     let end = settings_at_end(&outcome);
     assert_eq!(end.distance.map(|mode| mode.word()), Some("absolute"));
@@ -188,7 +188,7 @@ fn messages_go_to_their_channels() {
 }
 
 #[test]
-fn parameters_are_shown_after_blocks_and_at_the_end() {
+fn parameters_are_reported_after_blocks_and_at_the_end() {
     let Some(outcome) = run("#31=2.5\n#[30+2]=7\n#<x>=1\nm2\n") else { return };
     let changed = |step: usize| match &outcome.steps[step].state {
         Some(State::Rs274(state)) => state.parameter.clone().unwrap_or_default().0,
@@ -242,7 +242,7 @@ fn feed_under_inverse_time_is_had_back() {
 }
 
 #[test]
-fn a_deleted_block_is_no_step() {
+fn deleted_block_is_not_a_step() {
     let Some(controller) = controller() else { return };
     let mut scenario = Scenario::of("/g0 x1\ng0 x2\nm2\n");
     assert_eq!(blocks(&controller.run(&scenario).unwrap()), [1, 2, 3]);
@@ -285,21 +285,21 @@ fn what_it_stubs_is_unsupported() {
 }
 
 #[test]
-fn where_a_spline_ends_is_unsupported_where_no_probe_tells_it() {
+fn spline_without_a_probe_at_its_end_is_unsupported() {
     let Some(outcome) = run("f9 g5.1 x1 y1 i1 j1 m2\n") else { return };
     let End::Unsupported { what, .. } = &outcome.end else { panic!("{:?}", outcome.end) };
     assert!(what.contains("where a spline ends"), "{what}");
 }
 
 #[test]
-fn a_crash_is_no_outcome() {
+fn crash_gives_no_outcome() {
     let Some(controller) = controller() else { return };
     let result = controller.run(&Scenario::of("o<a(b)c> call\nm2\n"));
     assert!(matches!(result, Err(HarnessError::Crashed { .. })), "{result:?}");
 }
 
 #[test]
-fn a_missing_binary_is_told() {
+fn missing_binary_is_reported() {
     let error = Rs274::find(Some(Path::new("/nowhere/rs274"))).unwrap_err();
     assert!(matches!(error, ControllerError::Missing { .. }));
     let error = Rs274::find(Some(Path::new("/bin/true"))).unwrap_err();
@@ -339,14 +339,14 @@ fn an_end_that_is_refused_is_refused_where_it_stands() {
 }
 
 #[test]
-fn a_long_end_shows_its_state() {
+fn long_end_has_its_state() {
     let Some(outcome) = run(&format!("g91\nm2 ({})\n", "x".repeat(230))) else { return };
     assert_eq!(outcome.end, End::ProgramEnd);
     assert_eq!(settings_at_end(&outcome).distance, Some(gaugeblock_vocabulary::Distance::Absolute));
 }
 
 #[test]
-fn all_programs_run_unobserved_where_that_is_asked_for() {
+fn all_programs_run_unobserved_on_request() {
     let Some(mut controller) = controller() else { return };
     let scenario = Scenario::of("g20 f10\ng1 x1\nm2\n");
     let sampled = controller.run(&scenario);

@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn lost_samples_are_no_samples() {
+    fn lost_samples_make_no_recording() {
         assert_eq!(rows("0 1\n2 1\n", 1), Err("samples before number 2 were lost".to_owned()));
         assert_eq!(rows("overrun\n", 1), Err("the sampler says: overrun".to_owned()));
         assert!(rows("", 1).is_err());

@@ -68,7 +68,7 @@ fn outputs_switch_and_inputs_are_read() {
 }
 
 #[test]
-fn what_stands_before_a_refused_block_has_been_carried_out() {
+fn blocks_before_a_refused_one_are_executed() {
     let Some(outcome) = run(&Scenario::of("g0 x1\nm7\ng1 x2\nm2\n")) else { return };
     assert_eq!(effects(&outcome), [(1, "straight_traverse")]);
     let End::Fault(fault) = &outcome.end else { panic!("{:?}", outcome.end) };
@@ -77,7 +77,7 @@ fn what_stands_before_a_refused_block_has_been_carried_out() {
 }
 
 #[test]
-fn a_program_leaves_nothing_for_the_next_one() {
+fn runs_do_not_leak_state() {
     let Some(before) = run(&Scenario::of("m2\n")) else { return };
     let all = "g20 g91 g18 g93 g55 g92 x1\nm50 p0\nm70\ng0 y1\n#31=5\nm64 p0\nt1 m6\nm0\n";
     let mut scenario = Scenario::of(all);
@@ -168,14 +168,14 @@ fn user_programs_take_their_arguments_and_may_fail() {
 }
 
 #[test]
-fn the_mode_of_the_controller_is_told() {
+fn controller_mode_is_reported() {
     let Some(outcome) = run(&Scenario::of("g0 x1\nm2\n")) else { return };
     let Some(State::Rs274(state)) = &outcome.steps[0].state else { panic!("no state") };
     assert_eq!(state.controller_mode, Some(ControllerMode::Auto));
 }
 
 #[test]
-fn a_program_that_never_ends_is_told_and_ended() {
+fn endless_program_is_killed_and_reported() {
     let Ok(mut controller) = LinuxCnc::find() else { return };
     controller.longest = Duration::from_secs(1);
     let waits = Scenario::of("m66 p0 l3 q100\nm2\n");
@@ -193,7 +193,7 @@ fn a_program_that_never_ends_is_told_and_ended() {
 }
 
 #[test]
-fn what_could_reach_the_host_is_not_run() {
+fn program_that_reaches_the_host_is_not_run() {
     let Some(controller) = controller() else { return };
     let outside = std::env::temp_dir().join(format!("gaugeblock-log-{}", std::process::id()));
     let logs = ["LOGOPEN", "LOGAPPEND"]

@@ -105,7 +105,7 @@ fn the_order_of_work_changes_nothing() {
 }
 
 #[test]
-fn a_crash_is_no_pass_and_the_report_is_complete() {
+fn crash_is_not_a_pass_and_the_report_is_complete() {
     let suite = suite();
     let only = ["saved-state".to_owned()];
     let crashing = faulty(|_| {
@@ -124,7 +124,7 @@ fn a_crash_is_no_pass_and_the_report_is_complete() {
 }
 
 #[test]
-fn what_a_person_should_know_of_the_run_is_in_the_report() {
+fn report_has_the_notes_of_the_run() {
     let suite = suite();
     let only = ["saved-state".to_owned()];
     let model = Reference::default();
@@ -169,7 +169,7 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
 }
 
 #[test]
-fn what_a_controller_leaves_alone_it_neither_accepts_nor_refuses() {
+fn unsupported_program_is_neither_accepted_nor_refused() {
     let suite = suite();
     let leaves_all_alone = faulty(|mut outcome| {
         let block = BlockLocation::new(Program::MAIN, 1);
@@ -204,7 +204,7 @@ fn a_move_left_out_is_found() {
 }
 
 #[test]
-fn a_setting_repeated_is_no_difference() {
+fn repeated_setting_is_not_a_difference() {
     let suite = suite();
     let only = ["feed".to_owned()];
     let wordy = faulty(|mut outcome| {
@@ -262,7 +262,7 @@ fn values_of_pins_are_compared_and_their_times_are_not() {
 }
 
 #[test]
-fn a_field_that_is_not_told_differs_where_all_of_them_are() {
+fn missing_field_differs_if_all_fields_are_reported() {
     let run = |state: &str| {
         let text = format!(
             "gaugeblock outcome 0\nlanguage nct\nstart\nblock main.ngc:1\n  state {state}\nend program_end\n"
@@ -400,7 +400,7 @@ fn the_page_of_a_controller_without_fault_says_so() {
 }
 
 #[test]
-fn a_baseline_knows_what_was() {
+fn baseline_fails_only_new_and_changed_results() {
     let suite = suite();
     let only = ["saved-state".to_owned()];
     let (silent, whole) = (faulty(silent), Reference::default());
@@ -440,7 +440,7 @@ fn a_baseline_knows_what_was() {
 }
 
 #[test]
-fn a_waiver_is_what_somebody_answers_for_until_a_day() {
+fn waiver_needs_owner_reason_and_day() {
     let suite = suite();
     let only = ["saved-state".to_owned()];
     let (before, after) =

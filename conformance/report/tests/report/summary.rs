@@ -105,7 +105,7 @@ fn departs(_: usize, text: &str) -> Verdict {
 }
 
 #[test]
-fn what_a_controller_says_is_nothing_but_text() {
+fn controller_text_is_escaped() {
     let fails = |at: usize, text: &str| match at % 2 {
         0 => Verdict::Inconclusive(text.to_owned()),
         _ => Verdict::Unsupported(text.to_owned()),

@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_smaller_program_shows_it_at_what_is_left_of_the_block() {
+    fn smaller_program_has_it_in_the_rest_of_the_block() {
         let of = |small: &str, large: &str| is_left_of(&shape(small), &shape(large));
         assert!(of("f1", "n10 g1 x1.5 f12"));
         assert!(of("m72", "f2 m72"));

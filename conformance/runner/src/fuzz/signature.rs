@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_accidental_goes() {
+    fn signature_drops_lines_and_numbers() {
         assert_eq!(
             signature("end", "refused at main.ngc:3 (zero_feed)", "program end"),
             "end: program end against refused (zero_feed)"

@@ -140,7 +140,7 @@ fn production_interpolates_as_often_as_the_closed_form_says() {
 }
 
 #[test]
-fn production_leaves_a_caller_what_it_had() {
+fn production_preserves_the_callers_parameters() {
     for number in 0..PROGRAMS {
         let pair = locals(&mut Entropy::from_seed(4, number));
         let [one, other] =
@@ -295,7 +295,7 @@ fn the_first_programs_that_are_not_judged_are_kept() {
 }
 
 #[test]
-fn what_no_case_can_show_is_told_apart_by_what_a_controller_declares() {
+fn incomparable_outcomes_follow_from_declarations() {
     let restless = WithoutDwell(Capabilities::everything("restless", "1"));
     let reference = Reference::default();
     let plan = plan(&restless, &reference);

@@ -30,7 +30,7 @@ fn run<'a>(suite: &'a Suite, edition: &'a Edition) -> Run<'a> {
 }
 
 #[test]
-fn it_is_held_to_the_editions_of_documents() {
+fn it_is_compared_with_editions_of_documents() {
     let suite = suite();
     let ids: Vec<_> = editions(&suite).iter().map(|edition| edition.id.as_str()).collect();
     assert_eq!(

@@ -17,7 +17,7 @@ fn every_declared_outcome_is_reached_and_every_golden_is_current() {
 }
 
 #[test]
-fn the_model_shows_each_option_that_it_is_given() {
+fn model_has_each_option_that_it_is_given() {
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
     let controller = Reference::default();

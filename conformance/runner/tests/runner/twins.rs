@@ -96,7 +96,7 @@ fn every_rule_that_refuses_nothing_has_twins() {
 }
 
 #[test]
-fn what_a_page_calls_twins_are_twins() {
+fn declared_twins_are_twins() {
     let suite = suite();
     let bare = without_rules(&suite);
     let mut wrong = Vec::new();

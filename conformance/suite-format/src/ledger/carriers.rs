@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_is_not_there_carries_nothing_and_the_line_says_where() {
+    fn missing_page_is_reported_with_its_ledger_line() {
         let suite = Suite::read(&files()).expect("the suite");
         let text = r#"
 [[section]]

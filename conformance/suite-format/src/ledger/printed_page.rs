@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn fonts_and_cells_are_told_apart() {
+    fn fonts_and_cells_are_distinguished() {
         let lines = lines(XML);
         assert_eq!(lines[1].row(), "Word | Meaning");
         assert_eq!(lines[1].cell_lefts(), [300, 400]);

@@ -182,7 +182,7 @@ fn every_ledger_is_complete_and_agrees_with_the_pages() {
 }
 
 #[test]
-fn every_ledger_stands_as_it_is_written() {
+fn every_ledger_is_in_canonical_form() {
     for path in toml_files(&suite().join("documents")) {
         let text = fs::read_to_string(&path).unwrap();
         let ledger = Ledger::parse(&text).unwrap();

@@ -59,7 +59,7 @@ fn run(program: &str, more: &Value) -> String {
 }
 
 #[test]
-fn what_is_not_understood_is_refused_and_the_session_goes_on() {
+fn unknown_request_is_refused_and_the_session_goes_on() {
     let answers = said(
         "{\"id\":1,\"op\":\"dance\"}\n\nno json\n{\"id\":3,\"op\":\"reset\",\"later\":1}\n{\"id\":4,\"op\":\"bye\"}\n{\"id\":5,\"op\":\"reset\"}\n",
     );
@@ -78,7 +78,7 @@ fn a_run_has_its_outcome() {
 }
 
 #[test]
-fn what_is_not_offered_is_refused() {
+fn undeclared_extension_is_refused() {
     let answers = said("{\"id\":1,\"op\":\"state\"}\n{\"id\":2,\"op\":\"outcome\"}\n");
     assert!(answers.iter().all(|answer| answer["refused"].is_string()), "{answers:?}");
 }
@@ -101,7 +101,7 @@ fn batches_wait_for_credit_and_make_the_whole() {
 }
 
 #[test]
-fn a_digest_is_that_of_the_outcome_which_can_be_asked_for() {
+fn digest_is_that_of_the_outcome_on_request() {
     let run = run("g0 x1.5\nm2\n", &json!({"digest": true}));
     let told = said_by(&[Extension::Digest], &format!("{run}{{\"id\":8,\"op\":\"outcome\"}}\n"));
     let outcome: Outcome = serde_json::from_value(told[1]["outcome"].clone()).unwrap();
@@ -130,7 +130,7 @@ fn a_cancel_is_answered_whether_or_not_the_run_is_over() {
 }
 
 #[test]
-fn the_operators_events_are_asked_for_one_by_one() {
+fn operators_events_are_requested_one_by_one() {
     let when = json!({"block": {"file": "main.ngc", "line": 2}, "execution": 1, "offset": 0.0});
     let run = run("g0 x1\ng0 x2\nm2\n", &json!({"live": [when]}));
     let event = json!({"id": 7, "op": "operator", "event": {"when": when, "action": "abort"}});
@@ -173,7 +173,7 @@ fn a_large_answer_is_a_new_file_and_no_link_is_followed() {
 }
 
 #[test]
-fn over_the_network_no_file_is_written_and_the_session_ends_at_what_is_not_json() {
+fn network_session_writes_no_files_and_ends_at_invalid_json() {
     let folder = PrivateFolder::new("serve").unwrap();
     let requests = format!("{}{}", hello(folder.path()), large());
     let told = said_to(Caller::Network, &[Extension::Files, Extension::State], &requests);

@@ -150,7 +150,7 @@ fn every_script_is_one() {
 }
 
 #[test]
-fn versions_and_numbers_that_stand_twice_are_the_same() {
+fn repeated_versions_and_numbers_agree() {
     let value = |path: &str, key: &str| {
         let text = read(path);
         let value = text.lines().find_map(|line| line.strip_prefix(key));
@@ -186,7 +186,7 @@ fn versions_and_numbers_that_stand_twice_are_the_same() {
 }
 
 #[test]
-fn every_input_of_the_action_is_used_and_told() {
+fn every_input_of_the_action_is_used_and_documented() {
     let action = read("action.yml");
     let document = documents("action.yml", &action).remove(0);
     let told = read("docs/ci.md");
@@ -232,7 +232,7 @@ fn certified(folder: &Path, inputs: &[(&str, &str)]) -> (String, String) {
 }
 
 #[test]
-fn the_action_judges_and_tells() {
+fn action_judges_and_reports() {
     let folder = folder("action");
     let only = ("ONLY", "saved-state.feed\n saved-state.units");
     let (said, summary) =

@@ -112,7 +112,7 @@ fn commands(script: &str) -> Vec<Vec<String>> {
 }
 
 #[test]
-fn calls_are_found_wherever_they_stand() {
+fn calls_are_found_anywhere_in_a_block() {
     for (script, expected) in [
         ("gaugeblock certify --controller rs274", vec!["certify --controller rs274"]),
         ("expect 0 target/release/gaugeblock fuzz --seed 1\n", vec!["fuzz --seed 1"]),

@@ -92,7 +92,7 @@ fn each_call_is_a_setting_or_an_effect() {
 }
 
 #[test]
-fn what_says_nothing_is_passed_over() {
+fn unrelated_calls_are_ignored() {
     let calls = [
         "ON_RESET()",
         "START_CHANGE()",
@@ -105,7 +105,7 @@ fn what_says_nothing_is_passed_over() {
 }
 
 #[test]
-fn a_setting_repeated_is_no_event() {
+fn repeated_setting_is_not_an_event() {
     assert_eq!(
         events(&mut canon(), &["MIST_ON()", "MIST_ON()", "DWELL(1.0000)", "MIST_ON()"]).len(),
         2

@@ -120,7 +120,7 @@ fn scenarios(controller: &Rs274) -> Vec<Scenario> {
 }
 
 #[test]
-fn a_fork_does_what_a_start_does() {
+fn forked_run_equals_started_run() {
     let Some(controller) = controller() else { return };
     let scenarios = scenarios(&controller);
     assert!(scenarios.len() > 200, "{}", scenarios.len());
@@ -160,7 +160,7 @@ fn a_fork_does_what_a_start_does() {
 }
 
 #[test]
-fn a_hang_a_flood_and_a_crash_are_told_apart() {
+fn hang_flood_and_crash_are_distinguished() {
     let Some(controller) = controller() else { return };
     assert_eq!(run(&controller, HANG).unwrap().stop, Stop::TimedOut);
     assert_eq!(run(&controller, FLOOD).unwrap().stop, Stop::Flooded);
@@ -192,7 +192,7 @@ fn a_server_that_died_is_replaced() {
 }
 
 #[test]
-fn a_run_whose_server_dies_is_none() {
+fn run_without_its_server_has_no_outcome() {
     let Some(controller) = controller() else { return };
     let folder = Workspace::in_memory("rs274").unwrap();
     let mut fork = begin(&controller, &folder, HANG);
@@ -203,7 +203,7 @@ fn a_run_whose_server_dies_is_none() {
 }
 
 #[test]
-fn nothing_runs_on_when_nobody_listens() {
+fn run_ends_when_the_reader_is_gone() {
     let Some(controller) = controller() else { return };
     let folder = Workspace::in_memory("rs274").unwrap();
     let fork = begin(&controller, &folder, HANG);
@@ -213,7 +213,7 @@ fn nothing_runs_on_when_nobody_listens() {
 }
 
 #[test]
-fn what_cannot_be_forked_is_started_and_said() {
+fn without_fork_support_runs_are_started_and_noted() {
     let servers = Servers::new();
     let shell = Started { binary: Path::new("/bin/sh"), python: None };
     let arguments = ["-c", "exit 0"].map(OsString::from).to_vec();
