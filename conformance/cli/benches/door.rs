@@ -173,13 +173,13 @@ impl Adapter for Beside {
 #[derive(Debug)]
 struct Least {
     /// In process, behind the protocol, and of a bare round trip.
-    ways: [Vec<Duration>; 3],
+    modes: [Vec<Duration>; 3],
     cases: usize,
 }
 
 impl Least {
     fn of(cases: usize) -> Self {
-        Self { ways: Default::default(), cases }
+        Self { modes: Default::default(), cases }
     }
 
     fn within(&mut self, place: usize, time: Duration) {
@@ -195,7 +195,7 @@ impl Least {
     }
 
     fn add(&mut self, way: usize, place: usize, time: Duration) {
-        let times = &mut self.ways[way];
+        let times = &mut self.modes[way];
         times.resize(times.len().max(place + 1), Duration::MAX);
         times[place] = times[place].min(time);
     }
@@ -203,7 +203,7 @@ impl Least {
     /// Microseconds a case.
     fn means(&self) -> [f64; 3] {
         let cases = u32::try_from(self.cases).unwrap_or(u32::MAX);
-        self.ways
+        self.modes
             .each_ref()
             .map(|times| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(cases))
     }
@@ -222,7 +222,7 @@ fn print(what: &str, [within, behind, bare]: [f64; 3]) {
 fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
     let defaults = suite.defaults();
     let operation =
-        Operation::Run { scenario: Box::new(scenario.clone()), ways: RunModes::default() };
+        Operation::Run { scenario: Box::new(scenario.clone()), modes: RunModes::default() };
     let mut request = serde_json::to_value(&Request { id: 1, operation })?;
     let default = serde_json::to_value(Scenario::default())?;
     if let Some(told) = request["scenario"].as_object_mut() {

@@ -124,9 +124,9 @@ impl Judge<'_> {
         entries.retain(|entry| entry.field != "parameter");
         let (parameters, others): (Vec<_>, Vec<_>) =
             fields.iter().cloned().partition(|field| field.field == "parameter");
-        let told = stated || self.observables.blocks;
+        let is_reported = stated || self.observables.blocks;
         let finding = self.fields(&others, &entries, |field| {
-            told && self.observables.fields_at_effects.contains(field)
+            is_reported && self.observables.fields_at_effects.contains(field)
                 || stated && self.observables.fields.contains(field)
         });
         if matches!(finding, Finding::Fails(_)) || parameters.is_empty() {

@@ -95,12 +95,12 @@ impl Walk<'_> {
                 self.comparison.masked.insert("moves in place".to_owned());
             }
         }
-        let shown = |observed: &&ObservedEffect| {
+        let observable = |observed: &&ObservedEffect| {
             self.observables.effects.contains(observed.effect.name())
                 && (self.observables.moves_in_place || !observed.in_place)
         };
-        let left: Vec<_> = expected.effects.iter().filter(shown).collect();
-        let right: Vec<_> = found.effects.iter().filter(shown).collect();
+        let left: Vec<_> = expected.effects.iter().filter(observable).collect();
+        let right: Vec<_> = found.effects.iter().filter(observable).collect();
         for place in 0..left.len().max(right.len()) {
             match (left.get(place), right.get(place)) {
                 (Some(a), Some(b)) => {
@@ -151,8 +151,8 @@ impl Walk<'_> {
         if !same {
             return Some(missing(Some(block.clone()), describe(a), describe(b)));
         }
-        let shown = &self.observables.fields_at_effects;
-        self.fields(block, &a.settings.entries(), &b.settings.entries(), shown)
+        let observable = &self.observables.fields_at_effects;
+        self.fields(block, &a.settings.entries(), &b.settings.entries(), observable)
     }
 
     /// The first state that differs, and its step.
@@ -207,8 +207,8 @@ impl Walk<'_> {
     }
 
     fn step(&mut self, a: &ObservedStep, b: &ObservedStep) -> Option<Divergence> {
-        let shown = &self.observables.fields;
-        self.fields(&a.block, &state::entries(a), &state::entries(b), shown)
+        let observable = &self.observables.fields;
+        self.fields(&a.block, &state::entries(a), &state::entries(b), observable)
     }
 
     fn fields(
@@ -216,13 +216,13 @@ impl Walk<'_> {
         block: &BlockLocation,
         expected: &[Entry],
         found: &[Entry],
-        shown: &BTreeSet<String>,
+        observable: &BTreeSet<String>,
     ) -> Option<Divergence> {
         for (place, entry) in expected.iter().enumerate() {
             let fits = |other: &&Entry| other.field == entry.field && other.index == entry.index;
             // Most fields stand at the same place on both sides.
             let other = found.get(place).filter(fits).or_else(|| found.iter().find(fits));
-            let is_shown = shown.contains(entry.field);
+            let is_shown = observable.contains(entry.field);
             let (true, Some(other)) = (is_shown, other) else {
                 if is_shown && self.observables.reports_all_fields {
                     let (expected, found) = (rounded(&entry.value), "nothing".to_owned());
@@ -269,13 +269,13 @@ impl Walk<'_> {
         let block = expected.steps.last()?.block.clone();
         let none = BTreeSet::new();
         let is_told = self.observables.blocks || is_accepted(&expected.end);
-        let shown = if is_told { &self.observables.fields_at_effects } else { &none };
+        let observable = if is_told { &self.observables.fields_at_effects } else { &none };
         let entries = |settings: &Settings| settings.entries();
         let settings = self.fields(
             &block,
             &entries(expected.last_settings()),
             &entries(found.last_settings()),
-            shown,
+            observable,
         );
         settings.or_else(|| self.parameters(expected, found)).or_else(|| self.pins(expected, found))
     }
@@ -312,8 +312,8 @@ impl Walk<'_> {
     fn parameters(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         // A language without numbered parameters has none to show.
         let left = expected.parameters.as_ref()?;
-        let shown = found.parameters.as_ref().filter(|_| self.observables.final_parameters);
-        let Some(right) = shown else {
+        let observable = found.parameters.as_ref().filter(|_| self.observables.final_parameters);
+        let Some(right) = observable else {
             self.comparison.masked.insert("parameters at the end".to_owned());
             return None;
         };

@@ -163,7 +163,7 @@ mod tests {
     }
 
     /// An outcome with moves along X in one step, and the point at the end.
-    fn told(moves: &[f64], at: f64, end: End) -> Outcome {
+    fn reported_outcome(moves: &[f64], at: f64, end: End) -> Outcome {
         let point = |x| Position { x, ..Position::default() };
         let step = Step {
             block: BlockLocation::new("", 0),
@@ -196,22 +196,34 @@ mod tests {
     #[test]
     fn without_blocks_effects_and_the_end_are_compared() {
         let program = "g0 x1\nx2\nm2\n";
-        let right = compared(program, &told(&[1.0, 2.0], 2.0, End::ProgramEnd));
+        let right = compared(program, &reported_outcome(&[1.0, 2.0], 2.0, End::ProgramEnd));
         assert_eq!(right.divergence, None);
         assert!(right.masked.contains("blocks"), "{:?}", right.masked);
         let field = |found: &Outcome| compared(program, found).divergence.map(|found| found.field);
-        assert_eq!(field(&told(&[1.0, 2.0], 3.0, End::ProgramEnd)).as_deref(), Some("position"));
-        assert_eq!(field(&told(&[1.0], 2.0, End::ProgramEnd)).as_deref(), Some("effect"));
+        assert_eq!(
+            field(&reported_outcome(&[1.0, 2.0], 3.0, End::ProgramEnd)).as_deref(),
+            Some("position")
+        );
+        assert_eq!(
+            field(&reported_outcome(&[1.0], 2.0, End::ProgramEnd)).as_deref(),
+            Some("effect")
+        );
     }
 
     #[test]
     fn without_blocks_only_effects_of_a_refused_block_are_open() {
         let program = "g0 x1\nx2 x3\nm2\n";
-        let more = compared(program, &told(&[1.0, 2.0], 2.0, fault(program)));
+        let more = compared(program, &reported_outcome(&[1.0, 2.0], 2.0, fault(program)));
         assert_eq!(more.divergence, None);
         assert!(more.masked.contains("effects of a refused block"), "{:?}", more.masked);
-        assert!(compared(program, &told(&[], 0.0, fault(program))).divergence.is_some());
-        assert!(compared(program, &told(&[1.0, 2.0], 2.0, End::ProgramEnd)).divergence.is_some());
+        assert!(
+            compared(program, &reported_outcome(&[], 0.0, fault(program))).divergence.is_some()
+        );
+        assert!(
+            compared(program, &reported_outcome(&[1.0, 2.0], 2.0, End::ProgramEnd))
+                .divergence
+                .is_some()
+        );
     }
 
     #[test]

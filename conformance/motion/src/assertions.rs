@@ -55,8 +55,8 @@ pub fn check_assertions(
     let judgement = judge_under(choices, samples, path, &limits, &case.script());
     let mut broken = first_violations(&judgement);
     let mut holds = false;
-    for (text, saying) in case.assertions.iter().zip(case.parsed()) {
-        let found = match saying {
+    for (text, assertion) in case.assertions.iter().zip(case.parsed()) {
+        let found = match assertion {
             MotionAssertion::Holds => {
                 holds = true;
                 check_law_of_page(&judgement, rule)

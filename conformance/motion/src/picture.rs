@@ -24,7 +24,7 @@ pub struct Picture<'a> {
     /// Speed along the path by sample.
     pub speed: &'a [f64],
     /// The feed that was asked for, by sample, overrides counted; not a number where none was, as in a rapid move.
-    pub asked: &'a [f64],
+    pub requested: &'a [f64],
     /// What share of its limit each axis' acceleration takes, -1 to 1 where it is lawful: letter, and a number a
     /// sample.
     pub acceleration: &'a [(char, Vec<f64>)],
@@ -141,7 +141,7 @@ impl Picture<'_> {
 
     fn draw_speed(&self, area: &Area<'_>) -> Drawn {
         let highest =
-            self.speed.iter().chain(self.asked).copied().filter(|speed| speed.is_finite());
+            self.speed.iter().chain(self.requested).copied().filter(|speed| speed.is_finite());
         let highest =
             Some(highest.fold(0.0, f64::max) * 1.05).filter(|it| *it > 0.0).unwrap_or(1.0);
         let mut chart = ChartBuilder::on(area)
@@ -159,9 +159,9 @@ impl Picture<'_> {
             .light_line_style(TRANSPARENT)
             .bold_line_style(GREY.mix(0.4))
             .draw()?;
-        for run in finite_runs(self.asked) {
+        for run in finite_runs(self.requested) {
             chart.draw_series(LineSeries::new(
-                self.over_time(self.asked, run),
+                self.over_time(self.requested, run),
                 LIMIT.stroke_width(1),
             ))?;
         }

@@ -32,7 +32,7 @@ struct Control {
 /// A program of the campaign, and what was read of its folder.
 #[derive(Debug)]
 struct Entry {
-    asked: ExportedProgram,
+    exported: ExportedProgram,
     /// The answer, or what is wrong with it, with its place.
     answer: Result<SheetContent, (String, String)>,
 }
@@ -74,8 +74,9 @@ impl Offline {
         }
         let mut capabilities = no_observables(&control);
         let mut entries = BTreeMap::new();
-        for asked in &manifest.programs {
-            let entry = Entry { asked: asked.clone(), answer: read_content(folder, asked) };
+        for exported in &manifest.programs {
+            let entry =
+                Entry { exported: exported.clone(), answer: read_content(folder, exported) };
             if let Ok(SheetContent::Answered(sheet, blocks)) = &entry.answer {
                 let observables =
                     observables_of_sheet(&no_observables(&control), sheet, blocks.as_ref());
@@ -85,7 +86,7 @@ impl Offline {
                 capabilities.blocks |= observables.blocks;
                 capabilities.faults_have_blocks |= observables.faults_have_blocks;
             }
-            entries.insert(asked.scenario.clone(), entry);
+            entries.insert(exported.scenario.clone(), entry);
         }
         Ok(Self { folder: folder.to_owned(), manifest, entries, capabilities })
     }
@@ -99,7 +100,7 @@ impl Offline {
         let mains = std::iter::once((Program::MAIN, &program.main));
         let files = program.files.iter().map(|(name, text)| (name.as_str(), text));
         for (name, text) in mains.chain(files) {
-            let place = format!("{}/{name}", entry.asked.folder);
+            let place = format!("{}/{name}", entry.exported.folder);
             let Ok(found) = std::fs::read(self.folder.join(&place)) else { continue };
             let plain = |bytes: &[u8]| String::from_utf8_lossy(bytes).replace("\r\n", "\n");
             if plain(&found) != plain(text.as_bytes()) {
@@ -135,7 +136,7 @@ impl Adapter for Offline {
     fn pending(&self, scenario: &Scenario) -> Option<String> {
         let entry = self.entry(scenario)?;
         matches!(entry.answer, Ok(SheetContent::Blank))
-            .then(|| format!("{}/{SHEET} is not filled in", entry.asked.folder))
+            .then(|| format!("{}/{SHEET} is not filled in", entry.exported.folder))
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
@@ -148,7 +149,8 @@ impl Adapter for Offline {
 
     fn notes(&self) -> Vec<String> {
         let has_samples = |entry: &Entry| {
-            entry.asked.samples && self.folder.join(&entry.asked.folder).join(SAMPLES).exists()
+            entry.exported.samples
+                && self.folder.join(&entry.exported.folder).join(SAMPLES).exists()
         };
         let is_told =
             |entry: &&Entry| !matches!(entry.answer, Ok(SheetContent::Blank)) || has_samples(entry);
@@ -193,7 +195,7 @@ impl Adapter for Offline {
             Err((place, why)) => return unreadable(place, why),
             Ok(SheetContent::Blank | SheetContent::Answered(..)) => {}
         }
-        let place = format!("{}/{SAMPLES}", entry.asked.folder);
+        let place = format!("{}/{SAMPLES}", entry.exported.folder);
         if let Err(error) = self.check_unmodified(entry, &motion.scenario.program) {
             return failed(error);
         }
@@ -218,9 +220,12 @@ impl Adapter for Offline {
 }
 
 /// What was written down of a program.
-fn read_content(folder: &Path, asked: &ExportedProgram) -> Result<SheetContent, (String, String)> {
+fn read_content(
+    folder: &Path,
+    exported: &ExportedProgram,
+) -> Result<SheetContent, (String, String)> {
     let read = |file: &str| {
-        let place = format!("{}/{file}", asked.folder);
+        let place = format!("{}/{file}", exported.folder);
         match std::fs::read_to_string(folder.join(&place)) {
             Ok(text) => Ok((place, text)),
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
@@ -230,9 +235,9 @@ fn read_content(folder: &Path, asked: &ExportedProgram) -> Result<SheetContent, 
         }
     };
     let (place, text) = read(SHEET)?;
-    let answer = Answer::read(&text, asked).map_err(|why| (place.clone(), why))?;
+    let answer = Answer::read(&text, exported).map_err(|why| (place.clone(), why))?;
     let (of_blocks, text) = read(BLOCKS)?;
-    let blocks = read_blocks(&text, &asked.axes).map_err(|why| (of_blocks.clone(), why))?;
+    let blocks = read_blocks(&text, &exported.axes).map_err(|why| (of_blocks.clone(), why))?;
     match answer {
         Answer::Blank if blocks.is_some() => {
             Err((place, "`ended` is empty, but blocks were written down".to_owned()))

@@ -21,9 +21,9 @@ pub fn answer(
     controller: &dyn Adapter,
     by_block: bool,
 ) -> Result<Vec<(&'static str, String)>, HarnessError> {
-    let Question { asked, scenario, limits } = question;
+    let Question { exported, scenario, limits } = question;
     let impossible = |why: &str| {
-        vec![(SHEET, text(asked, &Values { not_possible: why.to_owned(), ..Values::default() }))]
+        vec![(SHEET, text(exported, &Values { not_possible: why.to_owned(), ..Values::default() }))]
     };
     if let Some(limits) = limits {
         let script = MotionScript::default();
@@ -46,17 +46,17 @@ pub fn answer(
         return Ok(impossible(what));
     }
     let observables = controller.observables(scenario);
-    let mut values = values(asked, &outcome, &observables);
+    let mut values = values(exported, &outcome, &observables);
     let mut files = Vec::new();
     if by_block {
         values.modes.clear();
-        files.push((super::BLOCKS, blocks_text(&asked.axes, &blocks(&outcome))));
+        files.push((super::BLOCKS, blocks_text(&exported.axes, &blocks(&outcome))));
     }
-    files.push((SHEET, text(asked, &values)));
+    files.push((SHEET, text(exported, &values)));
     Ok(files)
 }
 
-fn values(asked: &ExportedProgram, outcome: &Outcome, observables: &Capabilities) -> Values {
+fn values(exported: &ExportedProgram, outcome: &Outcome, observables: &Capabilities) -> Values {
     let observed = Observed::of(outcome);
     let mut values = Values { ended: ended(&outcome.end).to_owned(), ..Values::default() };
     if let End::Fault(fault) = &outcome.end {
@@ -79,11 +79,11 @@ fn values(asked: &ExportedProgram, outcome: &Outcome, observables: &Capabilities
     let is_hidden =
         |number| observables.hidden_parameters.iter().any(|range| range.contains(&number));
     if let Some(parameters) = outcome.parameters.as_ref().filter(|_| observables.final_parameters) {
-        let asked = asked.variables.iter().filter(|number| !is_hidden(**number));
+        let exported = exported.variables.iter().filter(|number| !is_hidden(**number));
         let value = |number: &u32| parameters.0.get(number).copied().unwrap_or_default();
-        values.variables = asked.map(|number| (*number, value(number))).collect();
+        values.variables = exported.map(|number| (*number, value(number))).collect();
     }
-    if asked.messages && observables.effects.contains("message") {
+    if exported.messages && observables.effects.contains("message") {
         let message = |effect: &Effect| {
             let Effect::Message { channel, text } = effect else { return None };
             Some((*channel, text.clone()))

@@ -79,7 +79,7 @@ impl Answer {
     ///
     /// # Errors
     /// What cannot be read, with its place.
-    pub fn read(text: &str, asked: &ExportedProgram) -> Result<Self, String> {
+    pub fn read(text: &str, exported: &ExportedProgram) -> Result<Self, String> {
         let form: Form = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
             format!("line {line}: {}", error.message().lines().next().unwrap_or_default())
@@ -103,7 +103,7 @@ impl Answer {
             ended,
             alarm: form.alarm.text.trim().to_owned(),
             block: form.block()?,
-            position: form.position(&asked.axes)?,
+            position: form.position(&exported.axes)?,
             variables: form.variables()?,
             messages: form.messages(),
             settings: Settings::default(),
@@ -191,7 +191,7 @@ mod tests {
     use super::super::sheet::{Values, text};
     use super::*;
 
-    fn asked() -> ExportedProgram {
+    fn exported() -> ExportedProgram {
         ExportedProgram {
             folder: "0001".to_owned(),
             scenario: String::new(),
@@ -221,9 +221,9 @@ mod tests {
             modes: BTreeMap::from([("distance".to_owned(), "incremental".to_owned())]),
             ..Values::default()
         };
-        let written = text(&asked(), &values);
-        let Ok(Answer::Ran(sheet)) = Answer::read(&written, &asked()) else {
-            panic!("{:?}\n{written}", Answer::read(&written, &asked()))
+        let written = text(&exported(), &values);
+        let Ok(Answer::Ran(sheet)) = Answer::read(&written, &exported()) else {
+            panic!("{:?}\n{written}", Answer::read(&written, &exported()))
         };
         assert_eq!((sheet.alarm, sheet.block), (values.alarm, values.block));
         assert_eq!((sheet.position, sheet.messages), (Some(position), Some(all)));
@@ -232,11 +232,11 @@ mod tests {
 
     #[test]
     fn an_empty_sheet_is_blank_and_zero_is_something() {
-        let blank = text(&asked(), &Values::default());
-        assert_eq!(Answer::read(&blank, &asked()), Ok(Answer::Blank));
-        assert_eq!(Answer::read("", &asked()), Ok(Answer::Blank));
+        let blank = text(&exported(), &Values::default());
+        assert_eq!(Answer::read(&blank, &exported()), Ok(Answer::Blank));
+        assert_eq!(Answer::read("", &exported()), Ok(Answer::Blank));
         let zero = blank.replacen("x = \"\"", "x = 0", 1);
-        assert!(Answer::read(&zero, &asked()).is_err());
+        assert!(Answer::read(&zero, &exported()).is_err());
     }
 
     #[test]

@@ -90,14 +90,14 @@ Suite {} of gaugeblock {}, edition {}, {}.
 
 /// The page of a program.
 pub fn operator(question: &Question) -> String {
-    let Question { asked, scenario, limits } = question;
+    let Question { exported, scenario, limits } = question;
     let mut set_up = set_up(scenario);
     for (axis, limit) in limits.iter().flat_map(|limits| &limits.axes) {
         let unit = if matches!(axis, Axis::A | Axis::B | Axis::C) { "degrees" } else { "mm" };
         let axis = axis.word().to_uppercase();
         set_up.push(format!("axis {axis}, in {unit}: {}", limits_of(*limit)));
     }
-    let mut text = format!("# Program {} ({})\n\n## Set up\n\n", asked.folder, asked.chapter);
+    let mut text = format!("# Program {} ({})\n\n## Set up\n\n", exported.folder, exported.chapter);
     if set_up.is_empty() {
         text.push_str("As the README says; nothing else.\n");
     } else {
@@ -143,18 +143,18 @@ pub fn operator(question: &Question) -> String {
         text,
         "\n## Write down, in `{SHEET}`\n\n* how it ended; after an alarm its text, and its line"
     );
-    let axes: Vec<_> = asked.axes.iter().map(|axis| axis.word().to_uppercase()).collect();
+    let axes: Vec<_> = exported.axes.iter().map(|axis| axis.word().to_uppercase()).collect();
     let _never = writeln!(
         text,
         "* unless it ended in an alarm: where the tool stands, in program coordinates: {}",
         axes.join(" ")
     );
-    if !asked.variables.is_empty() {
+    if !exported.variables.is_empty() {
         let variables: Vec<_> =
-            asked.variables.iter().map(|variable| format!("#{variable}")).collect();
+            exported.variables.iter().map(|variable| format!("#{variable}")).collect();
         let _never = writeln!(text, "* what is in these variables: {}", variables.join(" "));
     }
-    if asked.messages {
+    if exported.messages {
         text.push_str("* what it showed, printed or logged, in order\n");
     }
     text

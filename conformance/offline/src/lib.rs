@@ -85,20 +85,22 @@ impl Manifest {
         let plain = |name: &str| {
             !name.is_empty() && name.chars().all(|character| character.is_ascii_digit())
         };
-        match manifest.programs.iter().find(|asked| !plain(&asked.folder)) {
+        match manifest.programs.iter().find(|exported| !plain(&exported.folder)) {
             None => Ok(manifest),
-            Some(asked) => Err(format!("{name}: {:?} is no folder of a program", asked.folder)),
+            Some(exported) => {
+                Err(format!("{name}: {:?} is no folder of a program", exported.folder))
+            }
         }
     }
 }
 
 /// The files of a program's folder that a person fills in, by name, with nothing filled in.
-pub fn blank_files(asked: &ExportedProgram) -> Vec<(&'static str, String)> {
-    let sheet = (SHEET, sheet::text(asked, &Values::default()));
-    if asked.samples {
+pub fn blank_files(exported: &ExportedProgram) -> Vec<(&'static str, String)> {
+    let sheet = (SHEET, sheet::text(exported, &Values::default()));
+    if exported.samples {
         return vec![sheet];
     }
-    vec![sheet, (BLOCKS, blocks::blocks_text(&asked.axes, &Vec::new()))]
+    vec![sheet, (BLOCKS, blocks::blocks_text(&exported.axes, &Vec::new()))]
 }
 
 /// What a scenario is found by: all of it but how the documents are read, which a control does not depend on.

@@ -15,7 +15,7 @@ use super::{ExportedProgram, digest, digest_of_motion};
 #[derive(Clone, Debug)]
 pub struct Question {
     /// What is asked.
-    pub asked: ExportedProgram,
+    pub exported: ExportedProgram,
     /// What is run.
     pub scenario: Scenario,
     /// What the axes can do, where samples are asked for.
@@ -42,8 +42,8 @@ pub fn questions(
         for case in rule.motion.iter().filter(|case| !case.is_recorded()) {
             match motion_question(rule, case, &options, edition) {
                 Ok(question) => {
-                    let key = question.asked.scenario.clone();
-                    found.entry(key).or_insert(question).asked.cases += 1;
+                    let key = question.exported.scenario.clone();
+                    found.entry(key).or_insert(question).exported.cases += 1;
                 }
                 Err(why) => *left_out.entry(why.to_owned()).or_default() += 1,
             }
@@ -62,24 +62,24 @@ pub fn questions(
             let key = digest(&scenario);
             let question =
                 found.entry(key.clone()).or_insert_with(|| new_question(key, rule, &scenario));
-            question.asked.cases += 1;
+            question.exported.cases += 1;
             let all: BTreeSet<u32> =
-                question.asked.variables.iter().copied().chain(asserted).collect();
-            question.asked.variables = all.into_iter().collect();
+                question.exported.variables.iter().copied().chain(asserted).collect();
+            question.exported.variables = all.into_iter().collect();
         }
     }
     let mut questions: Vec<Question> = found.into_values().collect();
     questions.sort_by_cached_key(|question| {
-        (setup_key(question), question.asked.chapter.clone(), question.asked.scenario.clone())
+        (setup_key(question), question.exported.chapter.clone(), question.exported.scenario.clone())
     });
     for (question, number) in questions.iter_mut().zip(1_u32..) {
-        question.asked.folder = format!("{number:04}");
+        question.exported.folder = format!("{number:04}");
     }
     (questions, left_out)
 }
 
 fn new_question(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Question {
-    let asked = ExportedProgram {
+    let exported = ExportedProgram {
         folder: String::new(),
         scenario: scenario_digest,
         chapter: rule.chapter().to_owned(),
@@ -89,7 +89,7 @@ fn new_question(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Qu
         messages: has_messages(&scenario.program),
         samples: false,
     };
-    Question { asked, scenario: scenario.clone(), limits: None }
+    Question { exported, scenario: scenario.clone(), limits: None }
 }
 
 /// A program whose samples are asked for.
@@ -102,20 +102,21 @@ fn motion_question(
     if !case.script().events.is_empty() {
         return Err("somebody has to act at an exact moment of the run");
     }
-    let asked = gaugeblock_motion::scenario_and_path(case, options, edition.environment.as_ref());
-    let (scenario, _) = asked.map_err(|_| "the specification does not say it yet")?;
+    let exported =
+        gaugeblock_motion::scenario_and_path(case, options, edition.environment.as_ref());
+    let (scenario, _) = exported.map_err(|_| "the specification does not say it yet")?;
     let expected = gaugeblock_reference::run(&scenario).0;
     check_exportable(&scenario, &expected)?;
     let limits = case.limits().map_err(|_| "its machine is not known")?;
     let begun = new_question(digest_of_motion(&scenario, &limits), rule, &scenario);
-    let asked =
-        ExportedProgram { variables: Vec::new(), messages: false, samples: true, ..begun.asked };
-    Ok(Question { asked, scenario, limits: Some(limits) })
+    let exported =
+        ExportedProgram { variables: Vec::new(), messages: false, samples: true, ..begun.exported };
+    Ok(Question { exported, scenario, limits: Some(limits) })
 }
 
 /// What has to be set up, as a text that sorts: the usual first.
 fn setup_key(question: &Question) -> (bool, bool, String) {
-    let Question { scenario, limits, asked: _ } = question;
+    let Question { scenario, limits, exported: _ } = question;
     let usual = Scenario::default();
     let Program { block_delete, start, .. } = &scenario.program;
     let is_usual = scenario.machine == usual.machine

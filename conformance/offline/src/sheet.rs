@@ -89,9 +89,9 @@ pub enum Answer {
 }
 
 /// The text of a sheet.
-pub(super) fn text(asked: &ExportedProgram, values: &Values) -> String {
+pub(super) fn text(exported: &ExportedProgram, values: &Values) -> String {
     let quoted = |word: &str| toml::Value::from(word).to_string();
-    if asked.samples {
+    if exported.samples {
         return format!(
             "# Only if your control or machine cannot run this, or not be recorded: why.\nnot_possible = {}\n",
             quoted(&values.not_possible)
@@ -99,7 +99,7 @@ pub(super) fn text(asked: &ExportedProgram, values: &Values) -> String {
     }
     let mut text = format!(
         "# What program {} did. Write between the quotes what you saw. What you leave empty is not judged.\n\n# How it ended:\n",
-        asked.folder
+        exported.folder
     );
     let mut put = |line: &str| {
         text.push_str(line);
@@ -113,7 +113,7 @@ pub(super) fn text(asked: &ExportedProgram, values: &Values) -> String {
         "# Only if your control or machine cannot run this at all: why. Then nothing else is needed.",
     );
     put(&format!("not_possible = {}\n", quoted(&values.not_possible)));
-    if asked.messages {
+    if exported.messages {
         put(
             "# What the program showed, in order: [\"first\", \"second\"], or [] for nothing. Put print: or log: in front of a text that",
         );
@@ -144,15 +144,15 @@ pub(super) fn text(asked: &ExportedProgram, values: &Values) -> String {
         "# that is then in force. All axes or none; 0 for an axis that your machine does not have. Leave it empty after an alarm.",
     );
     put("[position]");
-    for axis in &asked.axes {
+    for axis in &exported.axes {
         let value = values.position.map_or_else(|| quoted(""), |at| number(at.get(*axis)));
         put(&format!("{} = {value}", axis.word()));
     }
-    if !asked.variables.is_empty() {
+    if !exported.variables.is_empty() {
         put(
             "\n# Variables after the end. An empty one is not judged: write 0 where it is 0.\n[variables]",
         );
-        for variable in &asked.variables {
+        for variable in &exported.variables {
             let value = values.variables.get(variable);
             let value = value.map_or_else(|| quoted(""), |value| number(*value));
             put(&format!("\"#{variable}\" = {value}"));

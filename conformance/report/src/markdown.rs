@@ -73,7 +73,7 @@ fn head(report: &Report<'_>) -> String {
 /// What is not as it is known to be.
 fn changes(report: &Report<'_>) -> String {
     let Some(mismatches) = &report.mismatches else { return String::new() };
-    let told = mismatches.iter().map(|mismatch| {
+    let items = mismatches.iter().map(|mismatch| {
         let (rule, case) = mismatch.place();
         let place = code(&format!("{rule} / {case}"));
         match mismatch {
@@ -84,30 +84,30 @@ fn changes(report: &Report<'_>) -> String {
             ExpectationMismatch::Stale { why, .. } => format!("**stale** {place}: {}", code(why)),
         }
     });
-    let mended = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
-    let told: Vec<_> = told.chain(mended.map(|it| format!("**mended** {}", code(it)))).collect();
+    let fixed = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
+    let items: Vec<_> = items.chain(fixed.map(|it| format!("**mended** {}", code(it)))).collect();
     let count = |of: fn(&ExpectationMismatch) -> bool| {
         mismatches.iter().filter(|mismatch| of(mismatch)).count()
     };
     let new = count(|mismatch| matches!(mismatch, ExpectationMismatch::New { .. }));
     let changed = count(|mismatch| matches!(mismatch, ExpectationMismatch::Changed { .. }));
     let stale = count(|mismatch| matches!(mismatch, ExpectationMismatch::Stale { .. }));
-    let mended = told.len() - mismatches.len();
+    let fixed = items.len() - mismatches.len();
     let stale = if stale == 0 { String::new() } else { format!(", {stale} stale") };
     let title = "Against what is known";
-    section(&format!("{title}: {new} new, {changed} changed{stale}, {mended} mended"), &told)
+    section(&format!("{title}: {new} new, {changed} changed{stale}, {fixed} mended"), &items)
 }
 
 /// The profiles that are claimed.
 fn profiles(report: &Report<'_>) -> String {
     let claimed = report.profiles.iter().filter(|profile| profile.claimed);
-    let told: Vec<_> = claimed
+    let items: Vec<_> = claimed
         .map(|result| {
             let says = if result.passes() { "passes" } else { "**fails**" };
             format!("{says} {} {}", code(&result.profile.id), result.profile.version)
         })
         .collect();
-    if told.is_empty() { String::new() } else { section("Claimed profiles", &told) }
+    if items.is_empty() { String::new() } else { section("Claimed profiles", &items) }
 }
 
 /// The rules of which most cases diverge.
@@ -205,16 +205,16 @@ fn program(program: &str, language: Language) -> String {
 }
 
 fn not_judged(report: &Report<'_>) -> String {
-    let told = report.run.cases.iter().filter_map(|result| {
+    let items = report.run.cases.iter().filter_map(|result| {
         let why = result.verdict.undetermined_reason()?;
         let place = code(&format!("{} / {}", result.rule.id, result.name));
         Some(format!("{place}: {}, {}", result.verdict.word(), code(why)))
     });
-    let told: Vec<_> = told.collect();
-    if told.is_empty() {
+    let items: Vec<_> = items.collect();
+    if items.is_empty() {
         return String::new();
     }
-    section(&format!("Not judged, which is no pass: {}", told.len()), &told)
+    section(&format!("Not judged, which is no pass: {}", items.len()), &items)
 }
 
 /// Why cases were not run, folded: the most frequent reason first.
@@ -224,16 +224,16 @@ fn unsupported(report: &Report<'_>) -> String {
         return String::new();
     }
     reasons.sort_by_key(|(_, cases)| std::cmp::Reverse(*cases));
-    let told: Vec<_> =
+    let items: Vec<_> =
         reasons.iter().map(|(why, cases)| format!("{cases} × {}", code(why))).collect();
-    let list = list(&told);
+    let list = list(&items);
     format!("\n<details><summary>What it was not asked, and why</summary>\n\n{list}\n</details>\n")
 }
 
 fn notes(report: &Report<'_>) -> String {
     let notes = report.notes.iter().filter(|note| !note.starts_with(MENDED));
-    let told: Vec<_> = notes.map(|note| code(note)).collect();
-    if told.is_empty() { String::new() } else { section("Notes", &told) }
+    let items: Vec<_> = notes.map(|note| code(note)).collect();
+    if items.is_empty() { String::new() } else { section("Notes", &items) }
 }
 
 fn foot(report: &Report<'_>) -> String {
@@ -242,15 +242,15 @@ fn foot(report: &Report<'_>) -> String {
     format!("\ngaugeblock {}, suite {}\n", plain(&header.gaugeblock_version), plain(&suite))
 }
 
-fn section(title: &str, told: &[String]) -> String {
-    let list = list(told);
+fn section(title: &str, items: &[String]) -> String {
+    let list = list(items);
     let gap = if list.is_empty() { "" } else { "\n" };
     format!("\n### {title}\n{gap}{list}")
 }
 
-fn list(told: &[String]) -> String {
-    let items: String = told.iter().take(ITEMS).map(|item| format!("- {item}\n")).collect();
-    format!("{items}{}", more(told.len()))
+fn list(items: &[String]) -> String {
+    let items: String = items.iter().take(ITEMS).map(|item| format!("- {item}\n")).collect();
+    format!("{items}{}", more(items.len()))
 }
 
 fn more(count: usize) -> String {

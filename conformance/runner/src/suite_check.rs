@@ -116,7 +116,7 @@ fn judged(
         edition.environment.as_ref(),
     )?;
     gaugeblock_motion::check_assertions(case, rule, readings, (&samples, &path))
-        .map_err(|(saying, found)| format!("{saying}, but: {found}"))
+        .map_err(|(assertion, found)| format!("{assertion}, but: {found}"))
 }
 
 /// Why the model leaves a case open: it does not support it, or the documents do not decide it.

@@ -169,7 +169,7 @@ impl Waivers {
         today: Day,
     ) -> (Vec<ExpectationMismatch>, Vec<Waived>) {
         let mismatches = mismatches.unwrap_or_else(|| divergences(run));
-        let departs = |rule: &str, case: &str| {
+        let diverges = |rule: &str, case: &str| {
             let mut of_place = run.cases.iter().filter(|it| it.rule.id == rule && it.name == case);
             of_place.any(|result| result.verdict.divergence().is_some())
         };
@@ -180,7 +180,7 @@ impl Waivers {
             let mut all = self.waiver.iter().zip(&mut used);
             let waived = all.find(|(waiver, _)| waiver.covers(rule, case));
             match waived {
-                Some((waiver, used)) if departs(rule, case) => {
+                Some((waiver, used)) if diverges(rule, case) => {
                     *used = true;
                     let Waiver { owner, reason, expires, .. } = waiver;
                     let (rule, case) = (rule.to_owned(), case.to_owned());
@@ -212,14 +212,14 @@ impl Waivers {
 
 /// Every divergence of a run as an unlisted one.
 fn divergences(run: &Run<'_>) -> Vec<ExpectationMismatch> {
-    let departed = run.cases.iter().filter_map(|result| {
+    let divergences = run.cases.iter().filter_map(|result| {
         Some(ExpectationMismatch::New {
             rule: result.rule.id.clone(),
             case: result.name.to_owned(),
             found: result.verdict.divergence()?.summary(),
         })
     });
-    departed.collect()
+    divergences.collect()
 }
 
 #[cfg(test)]

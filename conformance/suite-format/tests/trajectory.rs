@@ -22,7 +22,7 @@ fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
 }
 
 fn breaks(case: &MotionCase, law: &str) -> bool {
-    let of_law = |saying: &MotionAssertion| matches!(saying, MotionAssertion::Breaks { law: id, .. } if id == law);
+    let of_law = |assertion: &MotionAssertion| matches!(assertion, MotionAssertion::Breaks { law: id, .. } if id == law);
     case.is_recorded() && case.parsed().iter().any(of_law)
 }
 
@@ -48,10 +48,12 @@ fn each_law_has_a_page_with_good_and_bad_samples_and_a_program() {
 fn a_law_that_is_named_is_one() {
     let suite = suite();
     let cases = suite.rules.iter().flat_map(|rule| &rule.motion);
-    for (case, saying) in cases.flat_map(|case| case.parsed().into_iter().map(move |s| (case, s))) {
+    for (case, assertion) in
+        cases.flat_map(|case| case.parsed().into_iter().map(move |s| (case, s)))
+    {
         let (MotionAssertion::Breaks { law, .. }
         | MotionAssertion::NotApplicable { law }
-        | MotionAssertion::NotJudged { law }) = saying
+        | MotionAssertion::NotJudged { law }) = assertion
         else {
             continue;
         };

@@ -161,9 +161,9 @@ impl Lines {
                 (gone, is_ready) = (true, true);
                 continue;
             }
-            let came = self.wait(left, !unsent.is_empty());
-            waited = came == WaitResult::TimedOut;
-            is_ready = matches!(came, WaitResult::Ready { output: true });
+            let result = self.wait(left, !unsent.is_empty());
+            waited = result == WaitResult::TimedOut;
+            is_ready = matches!(result, WaitResult::Ready { output: true });
             is_open = self.send(&mut unsent);
             is_ready |= !is_open;
         }
@@ -185,7 +185,7 @@ impl Lines {
         let streams = &mut streams[..if has_unsent { 3 } else { 2 }];
         let pace =
             Timespec { tv_sec: 0, tv_nsec: left.min(LIVENESS_INTERVAL).subsec_nanos().into() };
-        let came = match poll(streams, Some(&pace)) {
+        let result = match poll(streams, Some(&pace)) {
             Ok(0) => return WaitResult::TimedOut,
             Ok(_) => WaitResult::Ready { output: !streams[0].revents().is_empty() },
             // Only the next check comes earlier.
@@ -194,7 +194,7 @@ impl Lines {
         if !streams[1].revents().is_empty() {
             self.read_stderr();
         }
-        came
+        result
     }
 
     /// Length of the last line.

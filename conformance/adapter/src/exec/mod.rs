@@ -297,8 +297,8 @@ impl Exec {
     ) -> Result<(), HarnessError> {
         if session.has_extension(Extension::Shows) {
             let own = self.capabilities();
-            let told = session.query_observables(scenario, own)?;
-            self.observables_cache.insert(scenario, own.and(&told));
+            let reported = session.query_observables(scenario, own)?;
+            self.observables_cache.insert(scenario, own.and(&reported));
         }
         Ok(())
     }

@@ -45,8 +45,8 @@ impl Session {
         let asked = Operation::Shows { scenario: Box::new(scenario.clone()) };
         match self.request(&asked)? {
             Reply::Shows(observables) => {
-                let told = observables.capabilities(own.clone());
-                told.map_err(|error| unreadable("answer to `shows`", error.as_bytes()))
+                let reported = observables.capabilities(own.clone());
+                reported.map_err(|error| unreadable("answer to `shows`", error.as_bytes()))
             }
             // It gives the same answer to `run`.
             Reply::Unsupported(_) => Ok(own.clone()),

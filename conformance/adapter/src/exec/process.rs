@@ -73,7 +73,7 @@ impl Process {
         }
         // Before the process is reaped its id is not reused, so its group can be killed safely.
         self.end_group();
-        self.ended = self.child.wait().ok().map(told);
+        self.ended = self.child.wait().ok().map(describe_exit);
         self.ended.clone()
     }
 
@@ -127,7 +127,7 @@ fn without_shell(command: &str) -> String {
 }
 
 /// How a process ended, in words.
-fn told(status: ExitStatus) -> String {
+fn describe_exit(status: ExitStatus) -> String {
     match (status.code(), status.signal()) {
         (Some(code), _) => format!("exit status {code}"),
         (None, Some(signal)) => format!("signal {signal}"),

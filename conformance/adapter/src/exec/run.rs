@@ -53,20 +53,20 @@ impl Session {
             (self.has_extension(Extension::Stream) && !digest).then_some(Stream { credit: CREDIT });
         let (live, at_once) = self.split_operator_events(&scenario.operator);
         let live = live.iter().map(|event| event.when.clone()).collect();
-        let ways = RunModes { stream, digest, live };
-        let line = self.encoder.encode_run(self.last + 1, (scenario, at_once), &ways)?;
-        Ok((line, ways))
+        let modes = RunModes { stream, digest, live };
+        let line = self.encoder.encode_run(self.last + 1, (scenario, at_once), &modes)?;
+        Ok((line, modes))
     }
 
     /// Sends the request. The reset before it has checked that no surplus output was left.
-    pub(super) fn send_run(&mut self, (line, ways): (Vec<u8>, RunModes)) -> PendingRun {
+    pub(super) fn send_run(&mut self, (line, modes): (Vec<u8>, RunModes)) -> PendingRun {
         self.has_run = true;
         self.last += 1;
-        let credit = ways.stream.map_or(0, |stream| stream.credit);
+        let credit = modes.stream.map_or(0, |stream| stream.credit);
         let before = ReceivedSoFar { credit, ..ReceivedSoFar::default() };
         PendingRun {
             unsent: self.lines.write_line(&line),
-            accepts_digest: ways.digest,
+            accepts_digest: modes.digest,
             received: before,
         }
     }
@@ -86,7 +86,7 @@ impl Session {
         let (reply, steps) = self.await_reply((RUN, expected), unsent, live, before)?;
         let mut outcome = match reply {
             Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
-            Reply::Digest(told) if by_digest => self.outcome_by_digest(&told, expected)?,
+            Reply::Digest(reported) if by_digest => self.outcome_by_digest(&reported, expected)?,
             reply => self.outcome_from_reply(RUN, reply)?,
         };
         outcome.steps.splice(0..0, steps);
@@ -143,11 +143,11 @@ impl Session {
     /// The expected outcome if the digest is equal, or the one that the controller sends on request.
     fn outcome_by_digest(
         &mut self,
-        told: &str,
+        reported: &str,
         expected: Option<&Outcome>,
     ) -> Result<Outcome, HarnessError> {
         if let Some(expected) = expected
-            && told == digest(expected)
+            && reported == digest(expected)
         {
             return Ok(expected.clone());
         }

@@ -40,13 +40,13 @@ impl ScenarioEncoder {
         &mut self,
         id: u64,
         (scenario, operator): (&Scenario, &[OperatorEvent]),
-        ways: &RunModes,
+        modes: &RunModes,
     ) -> Result<Vec<u8>, HarnessError> {
         let not_told = |error: serde_json::Error| HarnessError::NotRun(error.to_string());
         let Scenario { program, options, machine, environment, operator: _, budget } = scenario;
         self.encode_options(options).map_err(not_told)?;
-        let RunModes { stream, digest, live } = ways;
-        let told = WireScenario {
+        let RunModes { stream, digest, live } = modes;
+        let encoded = WireScenario {
             program: WireProgram::of(program),
             options: self.last.1.as_deref(),
             machine: (*machine != self.usual).then_some(machine),
@@ -57,7 +57,7 @@ impl ScenarioEncoder {
         };
         let mut line = Vec::with_capacity(REQUEST_BYTES_USUAL);
         let request =
-            Line { id, op: "run", scenario: told, stream: *stream, digest: *digest, live };
+            Line { id, op: "run", scenario: encoded, stream: *stream, digest: *digest, live };
         serde_json::to_writer(&mut line, &request).map_err(not_told)?;
         line.push(b'\n');
         Ok(line)
@@ -69,9 +69,9 @@ impl ScenarioEncoder {
             return Ok(());
         }
         let differs = |(id, option): &(&String, &String)| self.assumed.get(id) != Some(option);
-        let told: BTreeMap<_, _> = options.0.iter().filter(differs).collect();
+        let encoded: BTreeMap<_, _> = options.0.iter().filter(differs).collect();
         let text =
-            (!told.is_empty()).then(|| serde_json::value::to_raw_value(&told)).transpose()?;
+            (!encoded.is_empty()).then(|| serde_json::value::to_raw_value(&encoded)).transpose()?;
         self.last = (options.clone(), text);
         Ok(())
     }
@@ -176,9 +176,9 @@ mod tests {
     use super::*;
     use crate::protocol::{Operation, Request};
 
-    fn told(scenario: &Scenario, teller: &mut ScenarioEncoder) -> (String, Scenario) {
+    fn round_trip(scenario: &Scenario, encoder: &mut ScenarioEncoder) -> (String, Scenario) {
         let line =
-            teller.encode_run(7, (scenario, &scenario.operator), &RunModes::default()).unwrap();
+            encoder.encode_run(7, (scenario, &scenario.operator), &RunModes::default()).unwrap();
         let Request { operation, .. } = serde_json::from_slice(&line).unwrap();
         let Operation::Run { scenario, .. } = operation else { panic!("{operation:?}") };
         (String::from_utf8(line).unwrap(), *scenario)
@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn defaults_are_not_encoded() {
-        let (line, _) = told(&Scenario::of("m2\n"), &mut ScenarioEncoder::default());
+        let (line, _) = round_trip(&Scenario::of("m2\n"), &mut ScenarioEncoder::default());
         let run =
             r#"{"id":7,"op":"run","scenario":{"program":{"language":"rs274","main":"m2\n"}}}"#;
         assert_eq!(line, format!("{run}\n"));
@@ -207,10 +207,10 @@ mod tests {
         scenario.environment.wires.insert("1".to_owned(), 2);
         scenario.environment.user_programs = vec![UserProgram::default()];
         scenario.budget.steps = 5;
-        let mut teller = ScenarioEncoder::default();
+        let mut encoder = ScenarioEncoder::default();
         for name in [None, Some("another")] {
             scenario.environment.name = name.map(str::to_owned);
-            assert_eq!(told(&scenario, &mut teller).1, scenario);
+            assert_eq!(round_trip(&scenario, &mut encoder).1, scenario);
         }
     }
 }

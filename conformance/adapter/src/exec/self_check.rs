@@ -40,8 +40,8 @@ impl Exec {
     pub fn digest_of(&self, scenario: &Scenario) -> Result<Option<String>, HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
-        let ways = RunModes { digest: true, ..RunModes::default() };
-        let run = Operation::Run { scenario: Box::new(scenario.clone()), ways };
+        let modes = RunModes { digest: true, ..RunModes::default() };
+        let run = Operation::Run { scenario: Box::new(scenario.clone()), modes };
         match session.request(&run)? {
             Reply::Digest(digest) => Ok(Some(digest)),
             Reply::Outcome(_) | Reply::File(_) => Ok(None),
@@ -63,7 +63,7 @@ impl Exec {
         session.reset()?;
         session.begin_request()?;
         let scenario = Box::new(cancelled.clone());
-        let run = request(session.last, &Operation::Run { scenario, ways: RunModes::default() })?;
+        let run = request(session.last, &Operation::Run { scenario, modes: RunModes::default() })?;
         if !session.cancel(run) {
             return Ok(None);
         }

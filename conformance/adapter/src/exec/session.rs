@@ -96,8 +96,8 @@ impl Session {
     }
 
     /// Whether the adapter declares an extension.
-    pub(super) fn has_extension(&self, offer: Extension) -> bool {
-        self.extensions.contains(&offer)
+    pub(super) fn has_extension(&self, extension: Extension) -> bool {
+        self.extensions.contains(&extension)
     }
 
     /// Leaves these options out of requests.
@@ -112,7 +112,7 @@ impl Session {
 
     /// Uses no extensions except these.
     pub(super) fn restrict_extensions(&mut self, offers: &[Extension]) {
-        self.extensions.retain(|offer| offers.contains(offer));
+        self.extensions.retain(|extension| offers.contains(extension));
     }
 
     /// Whether final parameters can be queried apart from the outcome.
@@ -160,11 +160,11 @@ impl Session {
         // The answer may have arrived long ago.
         self.check_alive_and_silent()?;
         if self.has_extension(Extension::State) {
-            let standing = self.state()?;
-            let fresh = self.reset_state.get_or_insert_with(|| standing.clone());
-            if *fresh != standing {
+            let state = self.state()?;
+            let fresh = self.reset_state.get_or_insert_with(|| state.clone());
+            if *fresh != state {
                 let what = "after `reset` something else is in force than after the first one";
-                return Err(unreadable(what, told(fresh, &standing).as_bytes()));
+                return Err(unreadable(what, first_difference(fresh, &state).as_bytes()));
             }
         }
         Ok(())
@@ -174,8 +174,8 @@ impl Session {
     pub(super) fn state(&mut self) -> Result<Box<ControllerState>, HarnessError> {
         let state = Operation::State {};
         let reply = self.request(&state)?;
-        if let Reply::State(standing) = reply {
-            return Ok(standing);
+        if let Reply::State(state) = reply {
+            return Ok(state);
         }
         Err(self.unexpected_reply(state.name(), &reply))
     }
@@ -252,8 +252,8 @@ impl Session {
 
     /// Whether only a reset can follow the first answer to a run.
     fn has_single_answer(&self) -> bool {
-        let has_no_more = |offer: &Extension| {
-            matches!(offer, Extension::Cancel | Extension::Fresh | Extension::Motion)
+        let has_no_more = |extension: &Extension| {
+            matches!(extension, Extension::Cancel | Extension::Fresh | Extension::Motion)
         };
         self.expects_another_run && self.extensions.iter().all(has_no_more)
     }
@@ -360,9 +360,9 @@ pub(super) fn unsupported(scenario: &Scenario, why: String) -> Outcome {
 }
 
 /// The first member in which two states differ.
-fn told(fresh: &ControllerState, now: &ControllerState) -> String {
-    let lines = |standing: &ControllerState| {
-        serde_json::to_string(standing).unwrap_or_default().replace(",\"", "\n\"")
+fn first_difference(fresh: &ControllerState, now: &ControllerState) -> String {
+    let lines = |state: &ControllerState| {
+        serde_json::to_string(state).unwrap_or_default().replace(",\"", "\n\"")
     };
     let (fresh, now) = (lines(fresh), lines(now));
     let other = now.lines().zip(fresh.lines()).find(|(now, fresh)| now != fresh);

@@ -83,19 +83,19 @@ impl AnswerReader {
         // What has been compared is left out of what is parsed.
         let before = format!("{{\"language\":\"{language}\",\"start\":{{}},\"steps\":[]");
         let short = [before.as_bytes(), rest.0].concat();
-        let told: PartialOutcome<'_> = serde_json::from_slice(&short).ok()?;
-        let outcome = told.with(&self.start.1, expected.steps.clone());
+        let partial: PartialOutcome<'_> = serde_json::from_slice(&short).ok()?;
+        let outcome = partial.with(&self.start.1, expected.steps.clone());
         Some(Answer { id, reply: Reply::Outcome(Box::new(outcome)) })
     }
 
     fn outcome(&mut self, line: &[u8]) -> serde_json::Result<Answer> {
-        let Form { id, outcome: mut told } = serde_json::from_slice(line)?;
-        let start = told.start.get();
+        let Form { id, outcome: mut partial } = serde_json::from_slice(line)?;
+        let start = partial.start.get();
         if *self.start.0 != *start {
             self.start = (start.into(), serde_json::from_str(start)?);
         }
-        let steps = std::mem::take(&mut told.steps);
-        let outcome = told.with(&self.start.1, steps);
+        let steps = std::mem::take(&mut partial.steps);
+        let outcome = partial.with(&self.start.1, steps);
         Ok(Answer { id, reply: Reply::Outcome(Box::new(outcome)) })
     }
 }
@@ -131,25 +131,25 @@ mod tests {
         for program in ["g21 f100\n(msg, now)\ng1 x1.5 y-2\nm2\n", "#31=5\ng999\n", "?"] {
             let expected = outcome(program);
             let whole = line(7, &expected);
-            let mut alike = AnswerReader::default();
-            assert_eq!(alike.as_expected(&whole, 7, &expected), None, "the start is not known");
+            let mut reader = AnswerReader::default();
+            assert_eq!(reader.as_expected(&whole, 7, &expected), None, "the start is not known");
             let no_start = String::from_utf8(whole.clone()).unwrap();
             let (before, behind) = no_start.split_once("{\"units").unwrap();
             let (_, behind) = behind.split_once(",\"steps").unwrap();
             let no_start = format!("{before},\"steps{behind}");
-            assert!(alike.read(no_start.as_bytes(), Some((7, &expected))).is_err(), "{no_start}");
-            alike.read(&whole, None).unwrap();
-            let read = alike.as_expected(&whole, 7, &expected);
+            assert!(reader.read(no_start.as_bytes(), Some((7, &expected))).is_err(), "{no_start}");
+            reader.read(&whole, None).unwrap();
+            let read = reader.as_expected(&whole, 7, &expected);
             assert_eq!(read, serde_json::from_slice(&whole).ok(), "{program}");
-            assert_eq!(alike.as_expected(&line(8, &expected), 7, &expected), None);
-            assert_eq!(alike.as_expected(&line(7, &outcome("m2")), 7, &expected), None);
+            assert_eq!(reader.as_expected(&line(8, &expected), 7, &expected), None);
+            assert_eq!(reader.as_expected(&line(7, &outcome("m2")), 7, &expected), None);
             for place in 0..whole.len() {
                 let mut other = whole.clone();
                 other[place] = if other[place] == b'1' { b'2' } else { b'1' };
                 for other in [&other, &whole[..place]] {
-                    let read = text(alike.read(other, Some((7, &expected))));
+                    let read = text(reader.read(other, Some((7, &expected))));
                     assert_eq!(read, text(serde_json::from_slice(other)), "{program}: {place}");
-                    alike.read(&whole, None).unwrap();
+                    reader.read(&whole, None).unwrap();
                 }
             }
         }
@@ -161,7 +161,7 @@ mod tests {
         let outcome = |start: &str| {
             format!(r#"{{"id":7,"outcome":{{"language":"rs274","start":{start},{end}}}}}"#)
         };
-        let mut alike = AnswerReader::default();
+        let mut reader = AnswerReader::default();
         for line in [
             outcome(r#"{"units":"mm"}"#),
             outcome(r#"{"units":"mm"}"#),
@@ -177,7 +177,7 @@ mod tests {
         ] {
             let text = |read: serde_json::Result<Answer>| read.map_err(|error| error.to_string());
             let plain = text(serde_json::from_str(&line));
-            assert_eq!(text(alike.read(line.as_bytes(), None)), plain, "{line}");
+            assert_eq!(text(reader.read(line.as_bytes(), None)), plain, "{line}");
         }
     }
 }

@@ -54,21 +54,23 @@ fn write(value: &Value, text: &mut String) {
             }
             text.push(']');
         }
-        Value::Number(number) => text.push_str(&told(number.as_f64().unwrap_or_default())),
+        Value::Number(number) => {
+            text.push_str(&ecmascript_number(number.as_f64().unwrap_or_default()))
+        }
         Value::Null | Value::Bool(_) | Value::String(_) => text.push_str(&value.to_string()),
     }
 }
 
 /// A number as ECMAScript prints it: the fewest digits that come back, a power of ten only below 1e-6 and from 1e21.
-fn told(number: f64) -> String {
+fn ecmascript_number(number: f64) -> String {
     if number == 0.0 {
         return "0".to_owned();
     }
     if (1e-6..1e21).contains(&number.abs()) {
         return number.to_string();
     }
-    let told = format!("{number:e}");
-    if told.contains("e-") { told } else { told.replace('e', "e+") }
+    let text = format!("{number:e}");
+    if text.contains("e-") { text } else { text.replace('e', "e+") }
 }
 
 #[cfg(test)]
@@ -89,7 +91,7 @@ mod tests {
             (-1.25e300, "-1.25e+300"),
             (333_333_333.333_333_3, "333333333.3333333"),
         ] {
-            assert_eq!(told(number), expected);
+            assert_eq!(ecmascript_number(number), expected);
         }
     }
 

@@ -67,10 +67,10 @@ mod tests {
 
     #[test]
     fn each_extension_is_listed_by_its_name_in_declarations() {
-        let listed: Vec<Extension> = EXTENSIONS.iter().map(|(offer, ..)| *offer).collect();
+        let listed: Vec<Extension> = EXTENSIONS.iter().map(|(extension, ..)| *extension).collect();
         assert_eq!(listed, Extension::value_variants());
-        for (offer, name, _) in EXTENSIONS {
-            assert_eq!(serde_json::to_value(offer).unwrap(), *name);
+        for (extension, name, _) in EXTENSIONS {
+            assert_eq!(serde_json::to_value(extension).unwrap(), *name);
         }
     }
 }

@@ -43,7 +43,7 @@ impl TryFrom<Request> for super::Request {
             "reset" => Operation::Reset {},
             "run" => Operation::Run {
                 scenario: scenario.ok_or_else(|| lacks("scenario"))?,
-                ways: RunModes { stream: form.stream, digest: form.digest, live: form.live },
+                modes: RunModes { stream: form.stream, digest: form.digest, live: form.live },
             },
             "move" => Operation::Move {
                 scenario: scenario.ok_or_else(|| lacks("scenario"))?,

@@ -65,7 +65,7 @@ pub enum Operation {
         scenario: Box<Scenario>,
         /// How it may be told.
         #[serde(flatten)]
-        ways: RunModes,
+        modes: RunModes,
     },
     /// [`Extension::Motion`]: run this, and tell what is commanded of the axes. Answered by `samples`, `file` or
     /// `unsupported`.

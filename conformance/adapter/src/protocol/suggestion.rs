@@ -10,13 +10,13 @@ pub(super) fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
 /// Adds a suggestion to a message that lists the known words.
 pub(crate) fn with_suggestion(message: &str) -> String {
     // The form of serde's message: `unknown field `x`, expected one of `y`, `z``.
-    let told = || {
+    let suggested = || {
         let (before, list) = message.split_once(", expected ")?;
         let word = before.strip_suffix('`')?.rsplit_once('`')?.1;
         let other = suggest(word, list.split('`').skip(1).step_by(2))?;
         Some(format!("{before} (did you mean `{other}`?), expected {list}"))
     };
-    told().unwrap_or_else(|| message.to_owned())
+    suggested().unwrap_or_else(|| message.to_owned())
 }
 
 /// The number of insertions, deletions, changes and swaps of neighbours.

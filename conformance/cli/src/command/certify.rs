@@ -253,14 +253,14 @@ fn run_with_journal<'a>(
         }
     };
     let twice = RepeatSampling(header.twice);
-    let course = RunOptions {
+    let run_options = RunOptions {
         shard,
         finished: done,
         repeat: twice,
         shrink_attempts: arguments.shrink,
         on_result: &mut each,
     };
-    let run = run_plan(plan, controller, course);
+    let run = run_plan(plan, controller, run_options);
     bar.finish_and_clear();
     match mismatch {
         Some(why) => Err(CliError::failure(format!("the journal: {why}"), "is the disk full?")),

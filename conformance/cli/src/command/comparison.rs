@@ -101,13 +101,13 @@ impl ComparisonFiles {
         run: &mut Run<'_>,
         whole: bool,
     ) -> (Option<Vec<ExpectationMismatch>>, Vec<String>) {
-        let (mut mismatches, mut notes, mut who) = (None, Vec::new(), None);
+        let (mut mismatches, mut notes, mut source) = (None, Vec::new(), None);
         if let Some(expectations) = &self.expectations {
-            (mismatches, who) = (Some(expectations.compare(run, whole)), Some(EXPECTATIONS));
+            (mismatches, source) = (Some(expectations.compare(run, whole)), Some(EXPECTATIONS));
         }
         if let Some(baseline) = &self.baseline {
             let (new, mended) = baseline.compare(run);
-            (mismatches, who) = (Some(new), Some(BASELINE));
+            (mismatches, source) = (Some(new), Some(BASELINE));
             notes = mended;
         }
         let mut waived = Vec::new();
@@ -115,7 +115,7 @@ impl ComparisonFiles {
             let (left, held) = waivers.apply(run, mismatches, *today);
             (mismatches, waived) = (Some(left), held);
         }
-        run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, who);
+        run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, source);
         (mismatches, notes)
     }
 }

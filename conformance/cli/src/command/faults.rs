@@ -39,8 +39,8 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
                 None => edition,
             };
             let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
-            let departs = |case: &&CaseResult<'_>| case.verdict.divergence().is_some();
-            let failing: Vec<_> = run.cases.iter().filter(departs).collect();
+            let diverges = |case: &&CaseResult<'_>| case.verdict.divergence().is_some();
+            let failing: Vec<_> = run.cases.iter().filter(diverges).collect();
             let rules = failing.iter().map(|case| case.rule.id.as_str()).collect();
             bar.inc(1);
             Some(Caught { fault: *fault, cases: failing.len(), rules })

@@ -41,14 +41,18 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
     let options = suite.options(edition);
     controller::check_options(controller.as_ref(), &options)?;
     controller::check_language(controller.as_ref(), edition)?;
-    let shown = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
-    let nearest = nearest(suite, &shown);
-    let known =
-        shown.iter().filter(|(_, shown)| matches!(shown, ObservedOption::Option(_))).count();
+    let observed = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
+    let nearest = nearest(suite, &observed);
+    let known = observed
+        .iter()
+        .filter(|(_, observed)| matches!(observed, ObservedOption::Option(_)))
+        .count();
     match arguments.format {
         Format::Json => {
-            let options: serde_json::Map<_, _> =
-                shown.iter().map(|(choice, shown)| (choice.id.clone(), json!(shown))).collect();
+            let options: serde_json::Map<_, _> = observed
+                .iter()
+                .map(|(choice, observed)| (choice.id.clone(), json!(observed)))
+                .collect();
             let editions: Vec<_> = nearest
                 .iter()
                 .map(|(id, agree)| json!({ "edition": id, "agree": agree }))
@@ -61,8 +65,8 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
         }
         Format::Text => {
             let mut text = String::new();
-            for (choice, shown) in &shown {
-                let _infallible = writeln!(text, "{:<40} {shown}", choice.id);
+            for (choice, observed) in &observed {
+                let _infallible = writeln!(text, "{:<40} {observed}", choice.id);
             }
             if let Some((id, agree)) = nearest.first() {
                 let _infallible =
@@ -71,6 +75,7 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
             write_out(&text);
         }
     }
-    let unknown = shown.iter().any(|(_, shown)| matches!(shown, ObservedOption::Nothing(_)));
+    let unknown =
+        observed.iter().any(|(_, observed)| matches!(observed, ObservedOption::Nothing(_)));
     Ok(if unknown { 3 } else { 0 })
 }

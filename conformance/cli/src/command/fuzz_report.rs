@@ -206,14 +206,17 @@ impl Report<'_> {
                 .collect();
             let folder = folder.join(format!("{:03}-{name}", at + 1));
             write_program(&folder, &finding.scenario)?;
-            let told = describe(at + 1, finding);
-            user_files::write_whole(&folder.join("divergence.txt"), escape_text(&told).as_bytes())?;
+            let description = describe(at + 1, finding);
+            user_files::write_whole(
+                &folder.join("divergence.txt"),
+                escape_text(&description).as_bytes(),
+            )?;
         }
         for NotJudged { number, why, scenario } in self.not_judged.values() {
             let folder = folder.join(format!("not-judged-{number}"));
             write_program(&folder, scenario)?;
-            let told = escape_text(why) + "\n";
-            user_files::write_whole(&folder.join("why.txt"), told.as_bytes())?;
+            let description = escape_text(why) + "\n";
+            user_files::write_whole(&folder.join("why.txt"), description.as_bytes())?;
         }
         Ok(())
     }

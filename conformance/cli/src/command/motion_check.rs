@@ -67,7 +67,7 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
             summary.headline(),
         ];
         let (samples, path, limits, script) = (&samples, &path, &limits, &script);
-        Drawing { title, samples, path, limits, script, told: None }.write(file)?;
+        Drawing { title, samples, path, limits, script, feeds: None }.write(file)?;
     }
     write_out(&plan::summary_text(&summary, &arguments.program));
     Ok(plan::exit_status(&summary))

@@ -104,7 +104,7 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
         suite: suite.digest.clone(),
         edition: edition.id.clone(),
         profiles: arguments.profile.clone(),
-        programs: questions.iter().map(|question| question.asked.clone()).collect(),
+        programs: questions.iter().map(|question| question.exported.clone()).collect(),
         left_out,
     };
     if questions.is_empty() {
@@ -114,7 +114,7 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
         ));
     }
     write_campaign(&out, &manifest, &questions)?;
-    let cases: usize = manifest.programs.iter().map(|asked| asked.cases).sum();
+    let cases: usize = manifest.programs.iter().map(|exported| exported.cases).sum();
     let left_out: usize = manifest.left_out.values().sum();
     write_out(&format!(
         "{}: {} programs for {cases} cases of {}\n{left_out} cases cannot run offline\n",
@@ -166,14 +166,14 @@ fn write_campaign(
     write("README.md".into(), &readme(manifest))?;
     write(CONTROL.into(), &control_text("", "", 0.001))?;
     for question in questions {
-        let Question { asked, scenario, limits: _ } = question;
-        let folder = Path::new(&asked.folder);
+        let Question { exported, scenario, limits: _ } = question;
+        let folder = Path::new(&exported.folder);
         write(folder.join(gaugeblock_vocabulary::Program::MAIN), &scenario.program.main)?;
         for (name, text) in &scenario.program.files {
             write(folder.join(name), text)?;
         }
         write(folder.join(OPERATOR), &operator(question))?;
-        for (name, text) in blank_files(asked) {
+        for (name, text) in blank_files(exported) {
             write(folder.join(name), &text)?;
         }
     }
@@ -202,14 +202,14 @@ fn fill_in(arguments: &Filled, suite: &Suite) -> Result<u8, CliError> {
             Some(Ok(files)) => {
                 for (name, text) in files {
                     user_files::write_whole(
-                        &arguments.folder.join(&question.asked.folder).join(name),
+                        &arguments.folder.join(&question.exported.folder).join(name),
                         text,
                     )?;
                 }
             }
             Some(Err(why)) => {
                 failed += 1;
-                write_error(&format!("{}: {why}", question.asked.folder));
+                write_error(&format!("{}: {why}", question.exported.folder));
             }
             None => failed += 1,
         }
@@ -235,10 +235,10 @@ fn open(
     let (questions, _) = questions(suite, edition, &manifest.profiles);
     let mut open = Vec::new();
     for question in questions {
-        let folder = arguments.folder.join(&question.asked.folder);
+        let folder = arguments.folder.join(&question.exported.folder);
         let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        let answer = Answer::read(&read(SHEET), &question.asked);
-        let blocks = read_blocks(&read(BLOCKS), &question.asked.axes);
+        let answer = Answer::read(&read(SHEET), &question.exported);
+        let blocks = read_blocks(&read(BLOCKS), &question.exported.axes);
         let has_samples = folder.join(SAMPLES).exists();
         if answer == Ok(Answer::Blank) && blocks == Ok(None) && !has_samples {
             open.push(question);

@@ -20,7 +20,7 @@ pub(crate) struct Drawing<'a> {
     pub(crate) limits: &'a MotionLimits,
     pub(crate) script: &'a MotionScript,
     /// Speed along the path by sample, and the feed that was asked for, where the planner tells them.
-    pub(crate) told: Option<(&'a [f64], &'a [f64])>,
+    pub(crate) feeds: Option<(&'a [f64], &'a [f64])>,
 }
 
 impl Drawing<'_> {
@@ -29,7 +29,7 @@ impl Drawing<'_> {
         let positions = self.samples.positions(Position::default());
         let commanded: Vec<_> = positions.iter().map(|at| [at.x, at.y, at.z]).collect();
         let passed = speeds(&commanded, self.samples.period());
-        let (speed, asked) = self.told.unwrap_or((&passed, &[]));
+        let (speed, requested) = self.feeds.unwrap_or((&passed, &[]));
         let deviation = deviations(self.samples, self.path, self.limits, self.script);
         let acceleration = accelerations(self.samples, self.limits);
         let picture = Picture {
@@ -39,7 +39,7 @@ impl Drawing<'_> {
             deviation: &deviation,
             period: self.samples.period(),
             speed,
-            asked,
+            requested,
             acceleration: &acceleration,
         };
         let svg = picture

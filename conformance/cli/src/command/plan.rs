@@ -110,10 +110,11 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
             other => format!(", {other}"),
         };
         let title = [format!("{} on {machine}{who}", arguments.file.display()), summary.headline()];
-        let told = moved.told.as_ref().map(|(speed, asked)| (speed.as_slice(), asked.as_slice()));
+        let feeds =
+            moved.feeds.as_ref().map(|(speed, requested)| (speed.as_slice(), requested.as_slice()));
         let script = &circumstances.script;
         let (samples, path, limits) = (&moved.samples, &path, &limits);
-        Drawing { title, samples, path, limits, script, told }.write(file)?;
+        Drawing { title, samples, path, limits, script, feeds }.write(file)?;
     }
     write_out(&summary_text(&summary, &arguments.file));
     Ok(exit_status(&summary))
@@ -156,7 +157,7 @@ pub(crate) fn summary_text(summary: &Summary, file: &Path) -> String {
 /// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.
 struct PlannedMotion {
     samples: Samples,
-    told: Option<(Vec<f64>, Vec<f64>)>,
+    feeds: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 fn plan_samples(
@@ -173,7 +174,7 @@ fn plan_samples(
             "the part before this block can be planned",
         )
     })?;
-    Ok(PlannedMotion { samples: planned.samples, told: Some((planned.speed, planned.asked)) })
+    Ok(PlannedMotion { samples: planned.samples, feeds: Some((planned.speed, planned.requested)) })
 }
 
 /// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
@@ -200,7 +201,7 @@ fn record_samples(
         }
     };
     let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
-    Ok(PlannedMotion { samples, told: None })
+    Ok(PlannedMotion { samples, feeds: None })
 }
 
 /// What a machine's axes can do.

@@ -126,7 +126,11 @@ fn requested_feed_includes_overrides() {
     let limits = MotionLimits::from_text(MILL).expect("limits");
     let planned = plan_with(&outcome, &limits, &circumstances).expect("a motion");
     for (cycle, speed) in [(250, 50.0), (550, 75.0), (850, 75.0), (1150, 75.0), (1450, 0.0)] {
-        assert!((planned.asked[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.asked[cycle]);
+        assert!(
+            (planned.requested[cycle] - speed).abs() < 1e-9,
+            "{cycle}: {}",
+            planned.requested[cycle]
+        );
         assert!((planned.speed[cycle] - speed).abs() < 1e-9, "{cycle}: {}", planned.speed[cycle]);
     }
 }

@@ -167,14 +167,14 @@ fn smallest_program_of_a_divergence_is_found_on_request() {
     let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
     let mut each = |_: &CaseResult<'_>| {};
     let twice = RepeatSampling::default();
-    let course = RunOptions {
+    let run_options = RunOptions {
         shard: Shard::WHOLE,
         finished: Vec::new(),
         repeat: twice,
         shrink_attempts: 200,
         on_result: &mut each,
     };
-    let run = run_plan(plan, &controller, course);
+    let run = run_plan(plan, &controller, run_options);
     let shrunk = |case: &CaseResult<'_>| {
         let smallest = case.verdict.divergence()?.shrunk.clone()?;
         Some((smallest, case.program.len()))

@@ -47,7 +47,7 @@ pub struct Planned {
     /// The feed that is asked for, likewise, whichever way the path is run: the programmed one times what overrides
     /// make of it, and 0 where the motion is held. Not a number in rapid moves and where it follows from a time or a
     /// spindle.
-    pub asked: Vec<f64>,
+    pub requested: Vec<f64>,
 }
 
 /// Why a program is not planned to its end, and at which block.
@@ -108,7 +108,7 @@ pub fn plan_with(
         }
     }
     drive.rest()?;
-    Ok(Planned { samples: drive.samples, speed: drive.speed, asked: drive.asked })
+    Ok(Planned { samples: drive.samples, speed: drive.speed, requested: drive.requested })
 }
 
 struct Simulation<'a> {
@@ -142,7 +142,7 @@ struct Simulation<'a> {
     given: u32,
     samples: Samples,
     speed: Vec<f64>,
-    asked: Vec<f64>,
+    requested: Vec<f64>,
 }
 
 /// What an operator and the inputs of a machine ask for.
@@ -238,7 +238,7 @@ impl<'a> Simulation<'a> {
             given: 0,
             samples,
             speed: Vec::new(),
-            asked: Vec::new(),
+            requested: Vec::new(),
         };
         drive.record()?;
         Ok(drive)
@@ -260,15 +260,15 @@ impl<'a> Simulation<'a> {
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Result<(), Stopped> {
         let number = u32::try_from(self.lines.len()).unwrap_or(u32::MAX);
-        let asked = self.resolver.resolve(number, effect);
+        let requested = self.resolver.resolve(number, effect);
         let is_element = is_element(effect);
-        let done = self.ask(line, effect, asked);
+        let done = self.ask(line, effect, requested);
         self.given += u32::from(is_element);
         done
     }
 
-    fn ask(&mut self, line: u32, effect: &Effect, asked: MotionRequest) -> Result<(), Stopped> {
-        match asked {
+    fn ask(&mut self, line: u32, effect: &Effect, requested: MotionRequest) -> Result<(), Stopped> {
+        match requested {
             MotionRequest::Move(segment) => self.queue(line, &segment),
             MotionRequest::WithNextMove(_) => self.with_next_move(effect),
             MotionRequest::Rest => {
@@ -435,7 +435,7 @@ impl<'a> Simulation<'a> {
             Hold::Run => self.input.feed_override * self.input.adaptive_feed.abs().min(1.0),
             Hold::Hold | Hold::Abort => 0.0,
         };
-        self.asked.push(self.feeds.get(number).map_or(f64::NAN, |feed| feed * overridden));
+        self.requested.push(self.feeds.get(number).map_or(f64::NAN, |feed| feed * overridden));
         Ok(())
     }
 }

@@ -59,12 +59,12 @@ impl Lengths {
 
     /// F as a parameter tells it, with more decimals than the call has; where they differ by more than those, the
     /// parameter means something else.
-    pub(crate) fn precise_feed(&mut self, told: f64) {
+    pub(crate) fn precise_feed(&mut self, precise: f64) {
         if let Some((rate, unit)) = &mut self.feed
             && *unit == self.unit
-            && (*rate - told).abs() <= ROUNDING
+            && (*rate - precise).abs() <= ROUNDING
         {
-            *rate = told;
+            *rate = precise;
         }
     }
 

@@ -76,9 +76,9 @@ impl<'a> Steps<'a> {
     pub(crate) fn begin(&mut self, probe: &Probe) -> Result<(), HarnessError> {
         let numbered = self.source.parameters().numbered;
         let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
-        let shown = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
+        let observed = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
         let unnamed: Indexed<String, f64> =
-            shown.0.into_iter().filter(|(name, _)| !is_named(name)).collect();
+            observed.0.into_iter().filter(|(name, _)| !is_named(name)).collect();
         self.known.parameter = Some(unnamed);
         self.at = Some((probe.file, probe.line));
         Ok(())
@@ -117,8 +117,8 @@ impl<'a> Steps<'a> {
             Form::Empty | Form::Percent | Form::End | Form::Other => {
                 let line = self.source.line(next.0, next.1);
                 if !(self.block_delete && has_slash(line)) {
-                    let shown = self.state_of(probe, tool)?;
-                    let changes = shown.since(&self.known);
+                    let observed = self.state_of(probe, tool)?;
+                    let changes = observed.since(&self.known);
                     self.known.overlay(&changes);
                     self.step(next, events, Some(State::Rs274(changes)));
                 }
@@ -160,12 +160,12 @@ impl<'a> Steps<'a> {
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let mut shown = self.state_of(probe, tool)?;
+        let mut observed = self.state_of(probe, tool)?;
         if self.level != 0 {
             self.enter_level();
-            arguments_at_end(&mut shown, parameters);
+            arguments_at_end(&mut observed, parameters);
         }
-        let changes = shown.since(&self.known);
+        let changes = observed.since(&self.known);
         self.known.overlay(&changes);
         self.step(self.next().unwrap_or((0, 1)), events, Some(State::Rs274(changes)));
         Ok(())
@@ -205,9 +205,9 @@ impl<'a> Steps<'a> {
     }
 
     fn state_of(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
-        let shown = state::state(probe, tool, self.plan)?;
-        let prepared_tool = if self.changed { Some(-1) } else { shown.prepared_tool };
-        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..shown })
+        let observed = state::state(probe, tool, self.plan)?;
+        let prepared_tool = if self.changed { Some(-1) } else { observed.prepared_tool };
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..observed })
     }
 
     /// A block of which only its events are known.
@@ -223,9 +223,9 @@ impl<'a> Steps<'a> {
 
 /// Where a run ended in a sub, it was not the end but the stop before it that showed #1 to #30: the list at the end has
 /// what they are.
-fn arguments_at_end(shown: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
-    let shown = shown.parameter.iter_mut().flat_map(|shown| shown.0.iter_mut());
-    for (name, value) in shown {
+fn arguments_at_end(observed: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
+    let observed = observed.parameter.iter_mut().flat_map(|observed| observed.0.iter_mut());
+    for (name, value) in observed {
         if let (Some(list), Ok(number @ 1..=30)) = (parameters, name.parse()) {
             *value = list.get(&number).copied().unwrap_or_default();
         }

@@ -53,7 +53,7 @@ pub(super) fn outcome(
     scenario: &Scenario,
     source: &Source,
     plan: &Plan,
-    seen: &CapturedRun<'_>,
+    captured: &CapturedRun<'_>,
     parameters: Option<BTreeMap<u32, f64>>,
 ) -> Result<Outcome, HarnessError> {
     let mut assembly = Assembly {
@@ -64,13 +64,13 @@ pub(super) fn outcome(
         steps: Steps::new(source, plan, scenario.program.block_delete),
         end: None,
     };
-    for line in seen.lines {
-        assembly.line(line, seen)?;
+    for line in captured.lines {
+        assembly.line(line, captured)?;
         if assembly.end.is_some() {
             break;
         }
     }
-    let end = assembly.end(seen)?;
+    let end = assembly.end(captured)?;
     assembly.steps.taken.iter_mut().for_each(select_none);
     let mut outcome = Outcome {
         language: Language::Rs274,
@@ -81,7 +81,7 @@ pub(super) fn outcome(
         pins: Vec::new(),
         samples: Vec::new(),
     };
-    if steps::limit(&mut outcome, scenario.budget).is_none() && seen.cut_off {
+    if steps::limit(&mut outcome, scenario.budget).is_none() && captured.cut_off {
         return Err(HarnessError::Unreadable {
             what: "output cut off within the budget".to_owned(),
             line: String::new(),
@@ -118,15 +118,15 @@ fn select_none(step: &mut Step) {
 }
 
 impl Assembly<'_> {
-    fn line(&mut self, line: &Line, seen: &CapturedRun<'_>) -> Result<(), HarnessError> {
+    fn line(&mut self, line: &Line, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {
         match line {
             Line::Text(text) => self.canon.print(text),
             Line::Probe(probe) => self.probe(probe)?,
             Line::Call(call) => match self.canon.call(call)? {
                 Mark::None => {}
-                Mark::ProgramEnd => self.program_end(seen)?,
+                Mark::ProgramEnd => self.program_end(captured)?,
                 // It is called too where a label was sought up to the percent sign, which is an error.
-                Mark::PercentEnd if seen.refused => {}
+                Mark::PercentEnd if captured.refused => {}
                 Mark::PercentEnd => self.end = Some(End::PercentEnd),
                 Mark::Unsupported(what) => self.unsupported(what),
             },
@@ -155,14 +155,14 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    fn program_end(&mut self, seen: &CapturedRun<'_>) -> Result<(), HarnessError> {
+    fn program_end(&mut self, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {
         if self.steps.next_form() == Form::Return {
             self.unsupported(
                 "M99 in the main program: it ends here, though it should begin again".to_owned(),
             );
             return Ok(());
         }
-        let Some(probe) = seen.after_end else {
+        let Some(probe) = captured.after_end else {
             self.unsupported("an end whose state cannot be asked for".to_owned());
             return Ok(());
         };
@@ -172,7 +172,7 @@ impl Assembly<'_> {
         }
         self.canon.end(|canon| canon.settle(probe))?;
         let events = self.canon.take_events();
-        self.steps.record_end(probe, seen.parameters, events, self.canon.tool)?;
+        self.steps.record_end(probe, captured.parameters, events, self.canon.tool)?;
         self.end = Some(End::ProgramEnd);
         Ok(())
     }
@@ -182,25 +182,25 @@ impl Assembly<'_> {
         self.end = Some(End::Unsupported { block: self.source.block(file, line), what });
     }
 
-    fn end(&mut self, seen: &CapturedRun<'_>) -> Result<End, HarnessError> {
+    fn end(&mut self, captured: &CapturedRun<'_>) -> Result<End, HarnessError> {
         if let Some(end) = self.end.take() {
             return Ok(end);
         }
         if !self.steps.has_begun() {
             self.start = self.canon.now.clone();
         }
-        if seen.refused {
+        if captured.refused {
             let next = self.steps.next().or(Some((0, 1)));
-            let mut fault = refusal::fault(seen.stderr, self.source, self.plan, next)?;
-            if let Some(words) = refusal::message(seen.plain_stderr) {
+            let mut fault = refusal::fault(captured.stderr, self.source, self.plan, next)?;
+            if let Some(words) = refusal::message(captured.plain_stderr) {
                 words.clone_into(&mut fault.message);
             }
             return Ok(End::Fault(fault));
         }
-        if seen.cut_off {
+        if captured.cut_off {
             return Ok(End::BudgetExhausted { bound: Bound::Steps });
         }
-        let line = seen.stderr.lines().last().unwrap_or_default().to_owned();
+        let line = captured.stderr.lines().last().unwrap_or_default().to_owned();
         Err(HarnessError::Unreadable { what: "a run without an end".to_owned(), line })
     }
 }
@@ -220,7 +220,7 @@ mod tests {
         let plan = Plan::new(&source, &BTreeSet::new());
         let lines = output::lines(include_str!("captured/repeat.stdout"), &plan, false).unwrap();
         let stderr = include_str!("captured/repeat.stderr");
-        let seen = CapturedRun {
+        let captured = CapturedRun {
             lines: &lines,
             stderr,
             plain_stderr: "",
@@ -230,7 +230,7 @@ mod tests {
             parameters: None,
         };
         let parameters = BTreeMap::from([(2, 7.0), (5220, 1.0), (5599, 1.0)]);
-        let outcome = outcome(&scenario, &source, &plan, &seen, Some(parameters)).unwrap();
+        let outcome = outcome(&scenario, &source, &plan, &captured, Some(parameters)).unwrap();
         assert_eq!(outcome.to_text(), include_str!("captured/repeat.outcome"));
     }
 
@@ -239,7 +239,7 @@ mod tests {
         let scenario = Scenario::of("g4 p1\nm2\n");
         let source = Source::new(&scenario.program);
         let plan = Plan::new(&source, &BTreeSet::new());
-        let seen = CapturedRun {
+        let captured = CapturedRun {
             lines: &[],
             stderr: "",
             plain_stderr: "",
@@ -248,6 +248,6 @@ mod tests {
             after_end: None,
             parameters: None,
         };
-        assert!(outcome(&scenario, &source, &plan, &seen, None).is_err());
+        assert!(outcome(&scenario, &source, &plan, &captured, None).is_err());
     }
 }

@@ -94,7 +94,7 @@ impl Rs274 {
     /// It is missing, does not run, or is not of version 2.9.
     pub fn find(path: Option<&Path>) -> Result<Self, ControllerError> {
         let binary = version::find(path)?;
-        let (version, python) = version::ask(&binary, LIMITS)?;
+        let (version, python) = version::query(&binary, LIMITS)?;
         let capabilities = capabilities(version);
         Ok(Self {
             binary,

@@ -39,7 +39,7 @@ pub(super) fn find(given: Option<&Path>) -> Result<PathBuf, ControllerError> {
 ///
 /// # Errors
 /// It does not run, or is of another version.
-pub(super) fn ask(
+pub(super) fn query(
     binary: &Path,
     limits: Limits,
 ) -> Result<(String, Option<Home>), ControllerError> {

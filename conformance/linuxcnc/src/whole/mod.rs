@@ -95,7 +95,7 @@ impl LinuxCnc {
     /// # Errors
     /// It is missing, is not of version 2.9, or the system does not allow name spaces of its own.
     pub fn find() -> Result<Self, ControllerError> {
-        let version = version::ask()?;
+        let version = version::query()?;
         Ok(Self {
             capabilities: capabilities(version),
             pool: Pool::default(),
@@ -133,8 +133,8 @@ impl LinuxCnc {
         loop {
             let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;
             let is_new = session.fresh.is_none();
-            let seen = match run_on(&mut session, scenario, source, plan, self.longest) {
-                Ok(seen) => seen,
+            let recorded = match run_on(&mut session, scenario, source, plan, self.longest) {
+                Ok(recorded) => recorded,
                 Err(error) => {
                     self.pool.end(session);
                     let broke = matches!(error, HarnessError::Unreadable { .. });
@@ -145,24 +145,24 @@ impl LinuxCnc {
                     continue;
                 }
             };
-            let first = seen.items.iter().find_map(Item::probe).cloned();
+            let first = recorded.items.iter().find_map(Item::probe).cloned();
             let shows_same = first.as_ref().is_none_or(|first| {
                 session.fresh.as_ref().is_none_or(|fresh| fresh.has_same_modes(first))
             });
-            let is_same = is_new || shows_same && seen.items.iter().all(Item::begins_as_new);
+            let is_same = is_new || shows_same && recorded.items.iter().all(Item::begins_as_new);
             if is_new {
                 session.fresh = first;
             }
             session.names.extend(source.parameters().named);
             let machine_keeps = stores || scenario.machine.random_tool_changer;
             let keeps = machine_keeps || !session.setup.programs.is_empty();
-            if !is_same || keeps || leaves_traces(source, &seen.items) {
+            if !is_same || keeps || leaves_traces(source, &recorded.items) {
                 self.pool.end(session);
             } else {
                 self.pool.give(session);
             }
             if is_same {
-                return Ok(seen);
+                return Ok(recorded);
             }
         }
     }
@@ -258,11 +258,11 @@ impl LinuxCnc {
         let mut more = BTreeSet::new();
         loop {
             let plan = plan(scenario, &source, &more);
-            let seen = self.run_once(scenario, &source, &plan, new)?;
+            let recorded = self.run_once(scenario, &source, &plan, new)?;
             // Once more where it turns out that a parameter was written that no probe showed.
             let is_unseen =
                 |number: &u32| is_plain(*number) && !plan.parameters.contains(&number.to_string());
-            let unseen: BTreeSet<_> = seen
+            let unseen: BTreeSet<_> = recorded
                 .parameters
                 .keys()
                 .copied()
@@ -270,8 +270,14 @@ impl LinuxCnc {
                 .filter(|number| *number != DEBUG_SWITCH)
                 .collect();
             if !source.parameters().indirect || unseen.is_subset(&more) {
-                let parameters = hidden_parameters(seen.parameters);
-                return Assembly::outcome(scenario, &source, &plan, &seen.items, Some(parameters));
+                let parameters = hidden_parameters(recorded.parameters);
+                return Assembly::outcome(
+                    scenario,
+                    &source,
+                    &plan,
+                    &recorded.items,
+                    Some(parameters),
+                );
             }
             more.extend(unseen);
         }

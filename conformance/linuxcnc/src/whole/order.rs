@@ -66,14 +66,14 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
     let file = |name: &str| source.files().iter().position(|(known, _)| known == name);
     let mut entered = 0;
     let events = scenario.operator.iter().filter_map(|event| {
-        let mut told = action(&event.action);
+        let mut command = action(&event.action);
         if matches!(event.action, Action::Mdi(_)) {
             entered += 1;
-            told["line"] = entered.into();
+            command["line"] = entered.into();
         }
         let place = file(&event.when.block.file)?;
-        told["marker"] = plan.mark_before(place, event.when.block.line).into();
-        told["execution"] = event.when.execution.into();
+        command["marker"] = plan.mark_before(place, event.when.block.line).into();
+        command["execution"] = event.when.execution.into();
         // A block has begun once its command has gone out.
         let has_gate = plan
             .marks
@@ -81,8 +81,8 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
             .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
         let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
         let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
-        told["offset"] = (event.when.offset + begins).into();
-        Some(told)
+        command["offset"] = (event.when.offset + begins).into();
+        Some(command)
     });
     let may_stop = source.all().any(|(_, _, line)| {
         let code = code(line);

@@ -389,7 +389,7 @@ print(json.dumps(written))
 
     #[test]
     fn what_runs_in_the_name_spaces_writes_into_the_workspace_alone() {
-        if super::super::version::ask().is_err() {
+        if super::super::version::query().is_err() {
             return;
         }
         let outside = Workspace::new("outside").expect("a folder");

@@ -106,13 +106,13 @@ impl Item {
 
     /// Whether it is not the driver's word that pins were otherwise than before the first run.
     pub(super) fn begins_as_new(&self) -> bool {
-        let Self::Driver(told) = self else { return true };
-        told.get("as_new").and_then(Value::as_bool) != Some(false)
+        let Self::Driver(report) = self else { return true };
+        report.get("as_new").and_then(Value::as_bool) != Some(false)
     }
 
     /// Whether it is the driver's word that the run is over.
     pub(super) fn is_end(&self) -> bool {
-        matches!(self, Self::Driver(told) if told.get("ends").is_some())
+        matches!(self, Self::Driver(report) if report.get("ends").is_some())
     }
 }
 
@@ -137,21 +137,22 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
     let mut reader = Reader::new(plan);
     let mut executing = false;
     let mut refusal: Option<String> = None;
-    let told: Vec<Value> = lines
+    let report: Vec<Value> = lines
         .iter()
         .filter_map(|line| serde_json::from_str(line.strip_prefix(MARK)?).ok())
         .collect();
     // What goes to the error channel is printed besides.
     let messages: Vec<&str> =
-        told.iter().filter_map(|told| told.get("message").and_then(Value::as_str)).collect();
+        report.iter().filter_map(|report| report.get("message").and_then(Value::as_str)).collect();
     for line in lines {
-        if let Some(told) = line.strip_prefix(MARK) {
-            let told: Value = serde_json::from_str(told).map_err(|_| unreadable("driver", line))?;
-            if told.get("ends").is_some() {
+        if let Some(report) = line.strip_prefix(MARK) {
+            let report: Value =
+                serde_json::from_str(report).map_err(|_| unreadable("driver", line))?;
+            if report.get("ends").is_some() {
                 // A run may end within a probe, and print the rest of it until it stands.
                 reader = Reader::is_incomplete(plan);
             }
-            items.push(Item::Driver(told));
+            items.push(Item::Driver(report));
         } else if let Some(probe) = line.strip_prefix(&plan.marker) {
             items.extend(reader.take(probe)?.map(|probe| Item::Probe(Box::new(probe))));
         } else if let Some(item) = controller(line) {

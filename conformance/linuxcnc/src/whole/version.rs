@@ -18,7 +18,7 @@ const PROGRAMS: &[&str] = &["linuxcnc", "milltask", "linuxcnc_var", "unshare", "
 ///
 /// # Errors
 /// A program is missing, the version is another one, or the system gives no name spaces.
-pub(super) fn ask() -> Result<String, ControllerError> {
+pub(super) fn query() -> Result<String, ControllerError> {
     let needed = PROGRAMS.iter().chain(is_root().then_some(&"setpriv"));
     for name in needed {
         if find(name).is_none() {

@@ -16,10 +16,11 @@ const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration =
 
 /// Checks each declared extension, given a plain scenario and its outcome.
 pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<Check> {
-    let offered =
-        |(offer, ..): &&(Extension, &str, &str)| adapter.declaration().offers.contains(offer);
-    let check = |(offer, ..): &(Extension, &'static str, &str)| {
-        let (what, came) = match offer {
+    let offered = |(extension, ..): &&(Extension, &str, &str)| {
+        adapter.declaration().offers.contains(extension)
+    };
+    let check = |(extension, ..): &(Extension, &'static str, &str)| {
+        let (what, result) = match extension {
             Extension::Cancel => ("offer cancel", cancel(adapter, plain, first)),
             Extension::Digest => ("offer digest", digest_matches(adapter, plain, first)),
             Extension::Files => {
@@ -34,7 +35,7 @@ pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<C
                 ("offer stream", same_with_extension(adapter, Extension::Stream, plain))
             }
         };
-        Check { name: what, result: came }
+        Check { name: what, result: result }
     };
     EXTENSIONS.iter().filter(offered).map(check).collect()
 }
@@ -44,11 +45,15 @@ fn failed(error: &HarnessError) -> CheckResult {
 }
 
 /// Checks that the outcome is the same with the extension and without.
-fn same_with_extension(adapter: &Exec, offer: Extension, scenario: &Scenario) -> CheckResult {
+fn same_with_extension(adapter: &Exec, extension: Extension, scenario: &Scenario) -> CheckResult {
     match adapter.run_with_extensions(&[], scenario) {
         Ok(plainly) => {
             let otherwise = "told in this way it is another outcome";
-            compare_outcomes(&plainly, &adapter.run_with_extensions(&[offer], scenario), otherwise)
+            compare_outcomes(
+                &plainly,
+                &adapter.run_with_extensions(&[extension], scenario),
+                otherwise,
+            )
         }
         Err(error) => failed(&error),
     }

@@ -57,8 +57,8 @@ pub enum Caller {
 
 impl Caller {
     /// Whether it can be offered this.
-    fn can_use(self, offer: Extension) -> bool {
-        self == Self::Parent || offer != Extension::Files
+    fn can_use(self, extension: Extension) -> bool {
+        self == Self::Parent || extension != Extension::Files
     }
 }
 
@@ -132,7 +132,7 @@ impl Serving<'_> {
             }
             // It was sent before the answer to a run arrived, and has no effect now.
             Operation::Credit { .. } if self.offers(Extension::Stream) => return Ok(true),
-            Operation::Run { scenario, ways } => return self.run(id, *scenario, ways),
+            Operation::Run { scenario, modes } => return self.run(id, *scenario, modes),
             Operation::Move { scenario, limits, script, every }
                 if self.offers(Extension::Motion) =>
             {
@@ -178,13 +178,14 @@ impl Serving<'_> {
         Ok(lasts)
     }
 
-    fn offers(&self, offer: Extension) -> bool {
-        self.served.offers.contains(&offer) && self.served.caller.can_use(offer)
+    fn offers(&self, extension: Extension) -> bool {
+        self.served.offers.contains(&extension) && self.served.caller.can_use(extension)
     }
 
     fn declaration(&self) -> Declaration {
         let Served { controller, languages, offers, caller } = self.served;
-        let offers = offers.iter().copied().filter(|offer| caller.can_use(*offer)).collect();
+        let offers =
+            offers.iter().copied().filter(|extension| caller.can_use(*extension)).collect();
         let sessions = controller.best_jobs().and_then(|jobs| u16::try_from(jobs.get()).ok());
         let declaration = Declaration::of(controller.capabilities(), languages.clone());
         let (edition, observed) = (controller.own_edition(), controller.observed_edition());
@@ -193,10 +194,10 @@ impl Serving<'_> {
     }
 
     /// Runs a scenario and sends its outcome as requested. False if the session ends.
-    fn run(&mut self, id: u64, mut scenario: Scenario, ways: RunModes) -> Result<bool> {
+    fn run(&mut self, id: u64, mut scenario: Scenario, modes: RunModes) -> Result<bool> {
         self.last = None;
         // The whole script has to be known before the run: requests for it are sent at the beginning.
-        for place in 0..u32::try_from(ways.live.len()).unwrap_or(u32::MAX) {
+        for place in 0..u32::try_from(modes.live.len()).unwrap_or(u32::MAX) {
             self.send(id, Reply::At(place))?;
             match self.next_within(id)? {
                 Some(Operation::Operator { event }) => scenario.operator.push(event),
@@ -214,13 +215,13 @@ impl Serving<'_> {
             RunResult::Cancelled(by) => return self.confirm_cancel(by),
             RunResult::SessionEnded => return Ok(false),
         };
-        if self.offers(Extension::State) || ways.digest {
+        if self.offers(Extension::State) || modes.digest {
             self.last = Some(outcome.clone());
         }
-        if ways.digest {
+        if modes.digest {
             return self.send(id, Reply::Digest(digest(&outcome)));
         }
-        if let Some(stream) = ways.stream {
+        if let Some(stream) = modes.stream {
             let mut credit = stream.credit;
             while outcome.steps.len() > BATCH {
                 if credit == 0 {

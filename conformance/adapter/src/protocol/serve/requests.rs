@@ -64,13 +64,13 @@ impl Requests {
         // It ends with the stream. If the session ends before, the owner of the stream ends it.
         std::thread::spawn(move || {
             loop {
-                let came = match source.next() {
+                let arrival = match source.next() {
                     Ok(Some(line)) => Arrival::Line(Ok(line)),
                     Ok(None) => Arrival::EndOfStream,
                     Err(error) => Arrival::Line(Err(error)),
                 };
-                let goes_on = matches!(came, Arrival::Line(Ok(_)));
-                if sender.send(came).is_err() || !goes_on {
+                let goes_on = matches!(arrival, Arrival::Line(Ok(_)));
+                if sender.send(arrival).is_err() || !goes_on {
                     return;
                 }
             }
@@ -182,8 +182,8 @@ impl Reader {
             operator,
             budget,
         };
-        let ways = RunModes { stream, digest, live: Vec::new() };
-        Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), ways } })
+        let modes = RunModes { stream, digest, live: Vec::new() };
+        Some(Request { id, operation: Operation::Run { scenario: Box::new(scenario), modes } })
     }
 }
 

@@ -12,11 +12,11 @@ use crate::instrumentation::probe::Probe;
 
 impl Assembly<'_> {
     /// The driver's word on a block that is entered.
-    pub(super) fn entry(&mut self, moment: &str, told: &Value) {
+    pub(super) fn entry(&mut self, moment: &str, report: &Value) {
         if moment == "begins" {
             let line =
-                told.get("line").and_then(Value::as_u64).and_then(|line| line.try_into().ok());
-            let text = told.get("text").and_then(Value::as_str).unwrap_or_default().to_owned();
+                report.get("line").and_then(Value::as_u64).and_then(|line| line.try_into().ok());
+            let text = report.get("text").and_then(Value::as_str).unwrap_or_default().to_owned();
             self.entering = line.map(|line| Entering::Before { line, text });
         } else if moment == "is over"
             && let Some(Entering::Block { line, text }) = self.entering.take()

@@ -172,39 +172,40 @@ impl<'a> Assembly<'a> {
                 self.log_is_open = false;
                 self.printed.push(Effect::LogClose {});
             }
-            Item::Driver(told) => self.driver(told)?,
+            Item::Driver(report) => self.driver(report)?,
         }
         Ok(())
     }
 
-    fn driver(&mut self, told: &Value) -> Result<(), HarnessError> {
-        if told.get("begins").is_some() {
+    fn driver(&mut self, report: &Value) -> Result<(), HarnessError> {
+        if report.get("begins").is_some() {
             // What the reset issued is the state before the first block.
             self.reset = std::mem::take(&mut self.issued);
-            self.steps.mode = mode(told);
-        } else if let Some(action) = told.get("operator").and_then(Value::as_str) {
+            self.steps.mode = mode(report);
+        } else if let Some(action) = report.get("operator").and_then(Value::as_str) {
             self.aborted = action == "abort" || self.aborted && action != "cycle_start";
             self.asked_for_mode |= action == "mode";
             self.asked_to_pause |= action == "pause";
-        } else if told.get("starts_again").is_some() {
+        } else if report.get("starts_again").is_some() {
             self.starts += 1;
             self.has_ended = false;
-        } else if let Some(moment) = told.get("entry").and_then(Value::as_str) {
-            self.entry(moment, told);
-        } else if let Some(mode) = mode(told) {
+        } else if let Some(moment) = report.get("entry").and_then(Value::as_str) {
+            self.entry(moment, report);
+        } else if let Some(mode) = mode(report) {
             self.steps.mode = Some(mode);
             self.issued.push(Issued::own("CONTROLLER_MODE", mode.to_string()));
-        } else if let Some(request) = told.get("request_refused").and_then(Value::as_str) {
+        } else if let Some(request) = report.get("request_refused").and_then(Value::as_str) {
             // What the controller says about a request is no fault of the program.
             self.stopped = None;
             self.issued.push(Issued::own("REQUEST_REFUSED", request.to_owned()));
-        } else if told.get("error").and_then(Value::as_bool) == Some(true) && self.refused.is_none()
+        } else if report.get("error").and_then(Value::as_bool) == Some(true)
+            && self.refused.is_none()
         {
-            let message = told.get("message").and_then(Value::as_str).unwrap_or_default();
+            let message = report.get("message").and_then(Value::as_str).unwrap_or_default();
             self.stopped.get_or_insert(message.to_owned());
-        } else if let Some(ends) = told.get("ends").and_then(Value::as_str) {
+        } else if let Some(ends) = report.get("ends").and_then(Value::as_str) {
             self.ends = Some(ends.to_owned());
-            self.pins = pins(told.get("pins"))?;
+            self.pins = pins(report.get("pins"))?;
         }
         Ok(())
     }
@@ -348,8 +349,8 @@ fn is_end(issued: &Issued) -> bool {
     issued.name == "TASK_PLAN_END"
 }
 
-fn mode(told: &Value) -> Option<ControllerMode> {
-    match told.get("mode")?.as_str()? {
+fn mode(report: &Value) -> Option<ControllerMode> {
+    match report.get("mode")?.as_str()? {
         "auto" => Some(ControllerMode::Auto),
         "mdi" => Some(ControllerMode::Mdi),
         "manual" => Some(ControllerMode::Manual),
@@ -357,13 +358,13 @@ fn mode(told: &Value) -> Option<ControllerMode> {
     }
 }
 
-fn pins(told: Option<&Value>) -> Result<Vec<PinChange>, HarnessError> {
-    let changes = told.and_then(Value::as_array).into_iter().flatten();
+fn pins(report: Option<&Value>) -> Result<Vec<PinChange>, HarnessError> {
+    let changes = report.and_then(Value::as_array).into_iter().flatten();
     let change = |change: &Value| {
         let pin = change.get(1)?.as_str()?.parse().ok()?;
         Some(PinChange { time: change.get(0)?.as_f64()?, pin, value: change.get(2)?.as_f64()? })
     };
-    let read = changes.map(|told| change(told).ok_or_else(|| unreadable(&told.to_string())));
+    let read = changes.map(|report| change(report).ok_or_else(|| unreadable(&report.to_string())));
     read.collect()
 }
 
