@@ -5,28 +5,28 @@ use std::ops::RangeInclusive;
 
 use gaugeblock_vocabulary::{Effect, Entry, GppState, NctState, Pin, Rs274State, Settings, Value};
 
-/// What a controller shows; declared before the run.
+/// What is observable on a controller; declared before the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Capabilities {
     /// Name of the controller.
     pub name: String,
-    /// Its version, as it tells it.
+    /// The version that it reports.
     pub version: String,
     /// Largest absolute error of the numbers that it prints, in program units.
     pub resolution: f64,
     /// Settings that it prints once, as lengths of the unit that is in force then, and the largest absolute error of
     /// their numbers where that is the millimetre later on.
     pub unconverted_lengths: BTreeMap<String, f64>,
-    /// Names of the settings and state fields that it shows, without index.
+    /// Names of the settings and state fields that it reports, without index.
     pub fields: BTreeSet<String>,
     /// Those of them whose value is also known at each effect, not only after the block, and after the program's end.
     pub fields_at_effects: BTreeSet<String>,
     /// Whether it tells every field that it shows whenever that has a value: one that is missing then differs. Where
     /// not, it is not judged.
     pub reports_all_fields: bool,
-    /// Names of the effects that it shows.
+    /// Names of the effects that it reports.
     pub effects: BTreeSet<String>,
-    /// Whether it shows a straight move whose end is where the controlled point is.
+    /// Whether it reports a straight move whose end is where the controlled point is.
     pub moves_in_place: bool,
     /// Whether it shows which blocks were executed, and the state after each. Where not, its effects stand in one
     /// step, with the state at the end, which is compared unless a block was refused: what that one has done before
@@ -36,18 +36,18 @@ pub struct Capabilities {
     pub faults_have_blocks: bool,
     /// Whether its faults name their kind.
     pub faults_have_kinds: bool,
-    /// Whether it shows all numbered parameters at the end.
+    /// Whether it reports all numbered parameters at the end.
     pub final_parameters: bool,
     /// Numbers of parameters that it does not show at the end.
     pub hidden_parameters: Vec<RangeInclusive<u32>>,
-    /// Names of the pins whose changes it shows, without index.
+    /// Names of the pins whose changes it reports, without index.
     pub pins: BTreeSet<String>,
     /// How long a pin must keep a value for it to be seen for sure, seconds.
     pub pin_period: f64,
 }
 
 impl Capabilities {
-    /// Everything, exactly: what an interpreter in this process shows.
+    /// Everything, exactly, as for an interpreter in this process.
     pub fn everything(name: &str, version: &str) -> Self {
         let fields = || {
             let of_state = [Rs274State::FIELDS, GppState::FIELDS, NctState::FIELDS].concat();
@@ -74,7 +74,7 @@ impl Capabilities {
         }
     }
 
-    /// Largest absolute error of a field that stands among these.
+    /// Largest absolute error of a field, with the unit that these entries have.
     pub fn resolution_of(&self, field: &str, among: &[Entry]) -> f64 {
         let Some(error) = self.unconverted_lengths.get(field) else { return self.resolution };
         let unit = among.iter().find(|entry| entry.field == "units").map(|entry| &entry.value);

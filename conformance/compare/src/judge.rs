@@ -1,4 +1,4 @@
-//! Assertions held against what was observed.
+//! Judges assertions about an observed run.
 
 use gaugeblock_suite::assertion::{Assertion, Claim, Expected, Place, is_accepted};
 use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
@@ -7,7 +7,7 @@ use crate::Capabilities;
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
 use crate::{end_text, pin_values, pins, rounded, tolerance};
 
-/// What an assertion comes to.
+/// The result of an assertion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Finding {
     /// It holds.
@@ -18,7 +18,7 @@ pub enum Finding {
     Masked(String),
 }
 
-/// Holds an assertion against a run, on what the controller shows.
+/// Judges an assertion on what is observable.
 pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) -> Finding {
     let judge = Judge { run, observables };
     match &assertion.claim {
@@ -87,7 +87,7 @@ impl Judge<'_> {
         })
     }
 
-    /// Where the controlled point was before a block, as far as states tell.
+    /// Where the controlled point was before a block, as far as states report it.
     fn begin(&self, step: &ObservedStep) -> Option<Position> {
         let place = self.run.steps.iter().position(|other| std::ptr::eq(other, step))?;
         let before = self.run.steps[..place].iter().rev().find_map(|step| step.state.as_ref());
@@ -243,7 +243,7 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether what is more than expected may be what a refused block did, since blocks are not told.
+    /// Whether effects beyond the expected ones may be those of a refused block, because blocks are not reported.
     fn may_go_on(&self, goes_on: bool) -> bool {
         goes_on && !self.observables.blocks && matches!(self.run.end, End::Fault(_))
     }

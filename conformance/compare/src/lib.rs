@@ -25,7 +25,7 @@ use crate::observe::{Observed, ObservedEffect, ObservedStep, recorded};
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Divergence {
-    /// The block at which it shows, where one can be named.
+    /// The block of the difference, if there is one.
     pub block: Option<BlockLocation>,
     /// What is compared: `effect`, `end`, or a field's name.
     pub field: String,
@@ -55,7 +55,7 @@ pub struct Comparison {
     pub compared: Tally,
 }
 
-/// Compares what a controller did with what the specification says, on what the controller shows.
+/// Compares the controller's outcome with the specified one, on what is observable.
 ///
 /// Linear in the length of both runs.
 pub fn compare(expected: &Observed, found: &Observed, observables: &Capabilities) -> Comparison {
@@ -184,7 +184,7 @@ impl Walk<'_> {
         None
     }
 
-    /// The state at the end, for a controller that does not tell blocks.
+    /// The state at the end, for a controller that does not report blocks.
     fn state_at_end(
         &mut self,
         expected: &Observed,

@@ -1,7 +1,7 @@
-//! An outcome as it is compared: settings in force at each effect, settings and state after each block.
+//! An outcome in the form that is compared: settings at each effect, settings and state after each block.
 //!
-//! An outcome records changes; here they are folded, so that a setting repeated, or reordered between two effects, is
-//! no difference.
+//! An outcome records changes. Here they are folded, so that a setting that is repeated, or reordered between two
+//! effects, makes no difference.
 
 use std::collections::BTreeMap;
 
@@ -51,7 +51,7 @@ pub struct Observed {
     pub effects: Vec<ObservedEffect>,
     /// How it ended.
     pub end: End,
-    /// Numbered parameters that are not zero at the end, where the controller shows them.
+    /// Numbered parameters that are not zero at the end, if the controller reports them.
     pub parameters: Option<Indexed<u32, f64>>,
     /// The values that each pin took over the whole run, in order, without the one that it had before; times are
     /// not compared.
@@ -185,8 +185,8 @@ fn moves_coordinates(change: &Settings) -> bool {
         || change.tool_offset.is_some()
 }
 
-/// After a call or return, which the record of a call level tells, only those local named parameters exist that are
-/// recorded anew.
+/// After a call or return, which a recorded call level marks, only those local named parameters exist that are recorded
+/// again.
 fn forget_local_names(state: &mut State, change: &State) {
     if let (State::Rs274(state), State::Rs274(change)) = (state, change)
         && change.call_level.is_some()
@@ -196,12 +196,12 @@ fn forget_local_names(state: &mut State, change: &State) {
     }
 }
 
-/// Whether a parameter, as it stands in a record, is a local named one: no number, and no underscore before the name.
+/// Whether a recorded parameter is a local named one: not a number, and without an underscore before the name.
 pub fn is_local_name(name: &str) -> bool {
     !name.starts_with('_') && name.parse::<u32>().is_err()
 }
 
-/// The values of each pin in order; one that is told again is no change.
+/// The values of each pin in order; a repeated value is not a change.
 fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<PinValue>> {
     let mut pins: BTreeMap<Pin, Vec<PinValue>> = BTreeMap::new();
     let mut since: BTreeMap<Pin, f64> = BTreeMap::new();

@@ -4,8 +4,8 @@ use super::tolerance;
 use crate::Capabilities;
 use crate::observe::PinValue;
 
-/// Whether these values of a pin are seen so. Those that last for less than the controller shows for sure need not be
-/// seen, and a value that then follows an equal one, or perhaps the one before the run, is no change.
+/// Whether a controller can have sampled these values. A value that lasts for less than the sampling period may be
+/// missed. An equal value after a missed one is then not seen as a change; the same holds for the value before the run.
 pub fn matches_samples(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> bool {
     let sight = PinSampling { resolution: observables.resolution, period: observables.pin_period };
     sight.covers(expected, seen, None, false)

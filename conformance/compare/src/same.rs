@@ -39,7 +39,7 @@ fn same_parameters(a: &Outcome, b: &Outcome) -> bool {
         })
 }
 
-/// Whether each pin took the same values in order, whenever that was; one that is told again is no change.
+/// Whether each pin took the same values in order, at whatever times; a repeated value is not a change.
 fn same_pins(a: &[PinChange], b: &[PinChange]) -> bool {
     let same_value = |((pin, a), (other, b)): (&(Pin, f64), &(Pin, f64))| {
         pin == other && tolerance::numbers(*a, *b, 0.0)
@@ -108,8 +108,8 @@ impl StatePair {
         }
     }
 
-    /// Whether the same is in force at each effect and after the block. Settings told in another order or number are
-    /// the same.
+    /// Whether the settings are the same at each effect and after the block. The order and number of reports do not
+    /// matter.
     fn same_events(&mut self, a: &Step, b: &Step) -> bool {
         let (left, right) = (&mut self.settings.0, &mut self.settings.1);
         let (mut one, mut other) = (a.events.iter(), b.events.iter());
@@ -138,7 +138,7 @@ impl StatePair {
         left == right || same_entries(&left.entries(), &right.entries())
     }
 
-    /// Whether the states after a block are the same; what is shown of parameters there is not compared.
+    /// Whether the states after a block are the same, except for the reports of parameters.
     fn same_states(&mut self, a: &Step, b: &Step) -> bool {
         let (left, right) = (&mut self.states.0, &mut self.states.1);
         match (&a.state, &b.state) {

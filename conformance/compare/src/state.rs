@@ -28,7 +28,7 @@ pub struct FieldDifference {
     pub found: String,
 }
 
-/// The first block after which something that is shown differs, with all that does.
+/// The first block after which observable members differ, with all of them.
 pub fn state(
     expected: &Observed,
     found: &Observed,

@@ -18,7 +18,7 @@ const ABSOLUTE: f64 = 1e-6;
 const RELATIVE: f64 = 1e-9;
 const IN_MESSAGES: f64 = 2e-6;
 
-/// Whether two numbers are equal for a controller of this resolution. What is no number is as another that is none.
+/// Whether two numbers are equal for a controller of this resolution. NaN equals NaN.
 pub fn numbers(a: f64, b: f64, resolution: f64) -> bool {
     (a - b).abs() <= ABSOLUTE + resolution + RELATIVE * a.abs().max(b.abs())
         || a.is_nan() && b.is_nan()

@@ -1,5 +1,5 @@
-//! A controller that shows no more than another one, and runs no more than that one can: so that two get their
-//! verdicts on the same ground.
+//! A controller that exposes, and runs, no more than another one does, so that both get their verdicts on the same
+//! ground.
 
 use std::num::NonZero;
 
@@ -127,7 +127,7 @@ impl Adapter for Restricted {
     }
 }
 
-/// Without what a fault tells and may not be seen. What is not judged otherwise is left: it is masked.
+/// Removes what a fault reports beyond the observables. Everything else that is not judged stays: it is masked.
 fn restrict_outcome(mut outcome: Outcome, observables: &Capabilities) -> Outcome {
     let End::Fault(fault) = &mut outcome.end else { return outcome };
     if !observables.faults_have_kinds {

@@ -1,4 +1,4 @@
-//! A control that was asked on paper: its answers are read from the folder of a campaign ([`crate`]).
+//! A control whose answers come on paper, read from the folder of a campaign ([`crate`]).
 //!
 //! What a sheet leaves empty is masked, and what has no sheet was not run: a claim is as large as what was written
 //! down.
@@ -58,7 +58,7 @@ impl Offline {
     /// Reads a campaign's folder. A sheet that cannot be read is not judged, and no error.
     ///
     /// # Errors
-    /// It is no such folder, or it does not say what control it is of.
+    /// The folder is not a campaign, or does not name its control.
     pub fn open(folder: &Path) -> Result<Self, String> {
         let manifest = Manifest::read(folder)?;
         let path = folder.join(CONTROL);
@@ -95,7 +95,7 @@ impl Offline {
         self.entries.get(&digest(scenario))
     }
 
-    /// Whether the program in the folder is the one that was asked for, if it was sent back at all.
+    /// Checks that the program in the folder, if it was sent back, is the exported one.
     fn check_unmodified(&self, entry: &Entry, program: &Program) -> Result<(), HarnessError> {
         let mains = std::iter::once((Program::MAIN, &program.main));
         let files = program.files.iter().map(|(name, text)| (name.as_str(), text));
@@ -270,7 +270,7 @@ fn no_observables(control: &Control) -> Capabilities {
     }
 }
 
-/// What a sheet shows: what is filled in.
+/// What a sheet exposes: the fields that are filled in.
 fn observables_of_sheet(
     plain: &Capabilities,
     sheet: &Sheet,

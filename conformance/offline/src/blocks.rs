@@ -1,4 +1,4 @@
-//! Positions after each block, as somebody writes them down who runs a program block by block.
+//! Positions after each block, from a run block by block.
 
 use std::fmt::Write as _;
 

@@ -1,9 +1,9 @@
-//! What a campaign asks of one program.
+//! What a campaign requests of one program.
 
 use gaugeblock_vocabulary::Axis;
 use serde::{Deserialize, Serialize};
 
-/// A program that is asked for.
+/// An exported program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ExportedProgram {
@@ -15,12 +15,12 @@ pub struct ExportedProgram {
     pub chapter: String,
     /// How many cases it serves.
     pub cases: usize,
-    /// Axes whose positions are asked for.
+    /// Axes whose positions are requested.
     pub axes: Vec<Axis>,
-    /// Variables that are asked for.
+    /// Variables whose values are requested.
     pub variables: Vec<u32>,
     /// Whether it may show messages.
     pub messages: bool,
-    /// Whether recorded samples are asked for, and nothing else.
+    /// Whether only recorded samples are requested.
     pub samples: bool,
 }

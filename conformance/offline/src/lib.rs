@@ -1,8 +1,8 @@
 //! The offline route: programs for a control that cannot host a process, and the answers that a person brings back.
 //!
-//! A campaign is a folder: a manifest, a page for the operator, and for each program a folder with its files, what to
-//! set up, and an answer sheet. **Invariant:** nothing that is exported says what is expected, nor the names of rules
-//! and cases, which often do: whoever fills in a sheet writes down what was seen and not what should have been.
+//! A campaign is a folder: a manifest, a page for the operator, and for each program a folder with its files, its setup
+//! and an answer sheet. **Invariant:** nothing that is exported says what is expected, and the names of rules and cases
+//! are left out because they often do. The sheet records what was seen, not what should have been.
 //!
 //! A case finds its sheet by the digest of its scenario, and cases with the same scenario share one.
 
@@ -39,16 +39,16 @@ pub const MANIFEST: &str = "manifest.json";
 pub const CONTROL: &str = "control.toml";
 /// The answer sheet of a program.
 pub const SHEET: &str = "answer.toml";
-/// Where the tool stood after each block, if somebody ran it block by block.
+/// Positions of the tool after each block, if the program was run block by block.
 pub const BLOCKS: &str = "blocks.csv";
-/// Recorded samples, where they are asked for.
+/// Recorded samples, if they are requested.
 pub const SAMPLES: &str = "samples.csv";
-/// What a person sets up and does for a program.
+/// Setup and steps of the operator for a program.
 pub const OPERATOR: &str = "operator.md";
 /// The version of a campaign's form.
 pub const FORMAT: u32 = 1;
 
-/// What a campaign asks, and by what.
+/// The programs of a campaign, and where they come from.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
@@ -58,9 +58,9 @@ pub struct Manifest {
     pub gaugeblock_version: String,
     /// Digest of the suite.
     pub suite: String,
-    /// The edition that the answers are held to.
+    /// The edition that the answers are compared with.
     pub edition: String,
-    /// The profiles that were asked for; all where there are none.
+    /// The requested profiles; empty for all.
     pub profiles: Vec<String>,
     /// The programs, in the order of their folders.
     pub programs: Vec<ExportedProgram>,
@@ -108,7 +108,7 @@ pub fn digest(scenario: &Scenario) -> String {
     digest_of_json(&without_defaults(scenario))
 }
 
-/// What a scenario is found by whose samples are asked for on a machine of these limits.
+/// The key of a scenario whose samples are requested on a machine with these limits.
 pub fn digest_of_motion(scenario: &Scenario, limits: &MotionLimits) -> String {
     digest_of_json(&(without_defaults(scenario), limits))
 }

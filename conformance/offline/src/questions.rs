@@ -1,4 +1,4 @@
-//! Which programs are asked for, and in which order: those with the same set-up one after the other.
+//! Which programs are exported, and in which order: those with the same setup one after the other.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,19 +11,19 @@ use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 use super::exportable::check_exportable;
 use super::{ExportedProgram, digest, digest_of_motion};
 
-/// A program with all that it depends on, and what is asked of it.
+/// A program with all that it depends on, and what its sheet requests.
 #[derive(Clone, Debug)]
 pub struct Question {
-    /// What is asked.
+    /// What the sheet requests.
     pub exported: ExportedProgram,
-    /// What is run.
+    /// The scenario to run.
     pub scenario: Scenario,
-    /// What the axes can do, where samples are asked for.
+    /// Limits of the axes, if samples are requested.
     pub limits: Option<MotionLimits>,
 }
 
-/// What a suite asks under an edition of the rules of some profiles, all where there are none; and what cannot be
-/// carried, counted by the reason.
+/// The programs of a suite under an edition, for the rules of some profiles or of all; and the number of cases that
+/// cannot be exported, by reason.
 pub fn questions(
     suite: &Suite,
     edition: &Edition,
@@ -92,7 +92,7 @@ fn new_question(scenario_digest: String, rule: &Rule, scenario: &Scenario) -> Qu
     Question { exported, scenario: scenario.clone(), limits: None }
 }
 
-/// A program whose samples are asked for.
+/// A program whose samples are requested.
 fn motion_question(
     rule: &Rule,
     case: &MotionCase,
@@ -133,7 +133,7 @@ fn texts(program: &Program) -> impl Iterator<Item = &str> {
     std::iter::once(program.main.as_str()).chain(program.files.values().map(String::as_str))
 }
 
-/// The numbers that stand behind a `#` somewhere.
+/// The numbers after a `#`.
 fn named_variables(program: &Program) -> BTreeSet<u32> {
     let mut numbers = BTreeSet::new();
     for rest in texts(program).flat_map(|text| text.split('#').skip(1)) {
@@ -160,7 +160,7 @@ fn has_messages(program: &Program) -> bool {
     })
 }
 
-/// Whether an edition's programs can be asked for.
+/// Checks that an edition's programs can be exported.
 ///
 /// # Errors
 /// The reason why not.

@@ -19,7 +19,7 @@ pub(super) const ENDS: &[(&str, &str)] = &[
     ("crashed", "the control froze, or started again"),
 ];
 
-/// Modes that a sheet asks for, and the words that each can have.
+/// Modes that a sheet has, and the words that each can have.
 pub(super) const MODES: &[(&str, &str)] = &[
     ("motion", "traverse (G0), feed (G1), arc_cw (G2), arc_ccw (G3), none (G80)"),
     ("units", "mm (G21), inch (G20)"),
@@ -29,7 +29,7 @@ pub(super) const MODES: &[(&str, &str)] = &[
     ("work_offset", "1 (G54) to 9 (G59.3)"),
 ];
 
-/// What stands before a message that is not on the display.
+/// The text before a message that is not on the display.
 pub(super) const CHANNELS: &[(&str, Channel)] =
     &[("print: ", Channel::Print), ("log: ", Channel::Log), ("display: ", Channel::Display)];
 
@@ -44,7 +44,7 @@ pub(super) struct Values {
     pub alarm: String,
     /// The block that was refused.
     pub block: Option<BlockLocation>,
-    /// Where the tool stands.
+    /// The position of the tool.
     pub position: Option<Position>,
     /// Variables by number.
     pub variables: BTreeMap<u32, f64>,
@@ -63,7 +63,7 @@ pub struct Sheet {
     pub alarm: String,
     /// The block that was refused.
     pub block: Option<BlockLocation>,
-    /// Where the tool stands.
+    /// The position of the tool.
     pub position: Option<Position>,
     /// Variables by number.
     pub variables: BTreeMap<u32, f64>,

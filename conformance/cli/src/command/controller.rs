@@ -38,7 +38,7 @@ pub(crate) fn controller(name: &str) -> Result<Box<dyn Adapter>, CliError> {
     controller_with_limits(name, Limits::default(), Options::default())
 }
 
-/// The controller of a name; where it is behind an adapter, within these limits, and told no options that have these
+/// The controller of a name. One in another process gets these limits, and requests without options that have these
 /// defaults.
 pub(crate) fn controller_with_limits(
     name: &str,
@@ -121,7 +121,7 @@ fn rs274(path: Option<&Path>) -> Result<Box<dyn Adapter>, CliError> {
     }
 }
 
-/// A controller behind an adapter, where this names one.
+/// A controller in another process, if the name has that form.
 pub(crate) fn external_controller(name: &str, limits: Limits) -> Option<Result<Exec, CliError>> {
     match name.split_once(':')? {
         ("exec", command) => Some(exec(command, limits)),
@@ -130,7 +130,7 @@ pub(crate) fn external_controller(name: &str, limits: Limits) -> Option<Result<E
     }
 }
 
-/// A controller behind a command.
+/// A controller that a command starts.
 pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
     if command.trim().is_empty() {
         return Err(CliError::usage(
@@ -187,7 +187,7 @@ pub(crate) fn linuxcnc() -> Result<LinuxCnc, CliError> {
     }
 }
 
-/// A controller that shows no more than the named one, and runs no more than that one can.
+/// A controller that exposes and runs no more than the named one.
 pub(crate) fn restricted(
     controller: Box<dyn Adapter>,
     like: &str,
@@ -195,7 +195,7 @@ pub(crate) fn restricted(
     Ok(Box::new(Restricted::new(controller, self::controller(like)?)))
 }
 
-/// Refuses what was asked by another suite or edition than the one that it would be held to.
+/// Refuses answers that were exported from another suite or edition.
 pub(crate) fn check_exported_from(
     controller: &dyn Adapter,
     suite: &Suite,
@@ -221,7 +221,7 @@ pub(crate) fn check_exported_from(
     Ok(())
 }
 
-/// Refuses an edition that a controller cannot be held to, before anything runs.
+/// Refuses an edition that the controller does not accept, before anything runs.
 pub(crate) fn check_options(controller: &dyn Adapter, options: &Options) -> Result<(), CliError> {
     controller.accepts_options(options).map_err(|why| {
         let name = &controller.capabilities().name;
@@ -251,8 +251,8 @@ pub(crate) fn declared_options(controller: &dyn Adapter, suite: &Suite) -> Resul
     }
 }
 
-/// Refuses an edition in another language than the controller's: of such programs each would be unsupported, which is
-/// no certificate.
+/// Refuses an edition in another language than the controller's: every program would be unsupported, which certifies
+/// nothing.
 pub(crate) fn check_language(controller: &dyn Adapter, edition: &Edition) -> Result<(), CliError> {
     if edition.language == Language::Rs274 {
         return Ok(());
@@ -268,12 +268,12 @@ pub(crate) fn check_language(controller: &dyn Adapter, edition: &Edition) -> Res
     })
 }
 
-/// The edition that a controller is held to where none is named.
+/// The default edition of a controller.
 pub(crate) fn own_edition(controller: &dyn Adapter) -> &str {
     controller.own_edition().unwrap_or(gaugeblock_suite::DEFAULT_EDITION)
 }
 
-/// Refuses a controller whose departures are said to be those of an edition that the suite does not have.
+/// Refuses a controller that names an observed edition which the suite does not have.
 pub(crate) fn check_observed_edition(
     controller: &dyn Adapter,
     suite: &Suite,

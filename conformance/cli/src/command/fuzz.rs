@@ -26,7 +26,7 @@ use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::{write_error, write_out};
 
-/// How many programs that could not be judged are told of, the first ones.
+/// How many programs without a verdict are listed.
 const NOT_JUDGED: usize = 10;
 
 const EXAMPLES: &str = "Examples:

@@ -16,7 +16,7 @@ use serde_json::json;
 use super::user_files;
 use crate::error::CliError;
 
-/// How many divergences are shown with their programs.
+/// How many divergences are printed with their programs.
 const SHOWN: usize = 40;
 
 /// A finished run.
@@ -25,7 +25,7 @@ pub(crate) struct Report<'a> {
     pub(crate) header: &'a Header,
     pub(crate) statistics: &'a Statistics,
     pub(crate) findings: &'a [Finding],
-    /// What an earlier report told already.
+    /// Divergences of an earlier report.
     pub(crate) known: &'a [Finding],
     /// Outcomes of the suite's rules that few programs or none reached, and how many.
     pub(crate) rare: &'a [(String, u64)],
@@ -144,7 +144,7 @@ impl Report<'_> {
         }
     }
 
-    /// What no run of these two says anything of, by what stands in the way.
+    /// Outcomes that cannot be compared between these two controllers, by the reason.
     fn not_shown(&self, text: &mut String, verbose: bool) {
         if self.not_shown.is_empty() {
             return;
@@ -236,7 +236,7 @@ fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), CliError> {
     user_files::write_whole(&folder.join("scenario.toml"), &text)
 }
 
-/// The divergences that an earlier report tells.
+/// The divergences of an earlier report.
 pub(crate) fn read(path: &Path) -> Result<Vec<Finding>, CliError> {
     let text = user_files::read_text(path, "earlier report (--known)")?;
     let refused = |why: String| {

@@ -19,7 +19,7 @@ pub(crate) struct Drawing<'a> {
     pub(crate) path: &'a ProgrammedPath,
     pub(crate) limits: &'a MotionLimits,
     pub(crate) script: &'a MotionScript,
-    /// Speed along the path by sample, and the feed that was asked for, where the planner tells them.
+    /// Speed along the path and requested feed, by sample, if the planner reports them.
     pub(crate) feeds: Option<(&'a [f64], &'a [f64])>,
 }
 

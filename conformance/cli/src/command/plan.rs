@@ -133,7 +133,7 @@ fn coordinate(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "not a finite number".to_owned())
 }
 
-/// Where the machine stands before; axes that are not given stand at zero.
+/// The position of the machine before the program; axes that are not given are at zero.
 fn start(given: &[f64]) -> Result<Position, CliError> {
     let mut start = [0.0; 9];
     match start.get_mut(..given.len()) {
@@ -154,7 +154,7 @@ pub(crate) fn summary_text(summary: &Summary, file: &Path) -> String {
     summary.to_string().replace(&main, &format!("{}:", file.display()))
 }
 
-/// Samples, and what a planner tells of them besides: the speed along the path, and the feed that is asked for.
+/// Samples, with the planner's speed along the path and the requested feed, if known.
 struct PlannedMotion {
     samples: Samples,
     feeds: Option<(Vec<f64>, Vec<f64>)>,
@@ -217,7 +217,7 @@ pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, CliError> {
     user_files::read_form(file, "script (--script)", hint, MotionScript::from_text)
 }
 
-/// The outcome of a program that comes to its end.
+/// The outcome of a program, which has to reach its end.
 fn check_program_end(
     controller: &dyn Adapter,
     scenario: &Scenario,
@@ -250,7 +250,7 @@ fn check_program_end(
     }
 }
 
-/// The path that a program asks for, as the model reads it.
+/// The programmed path, as the model reads it.
 pub(crate) fn path(
     scenario: &Scenario,
     file: &Path,

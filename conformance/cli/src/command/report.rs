@@ -91,7 +91,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     Ok(report.exit_status())
 }
 
-/// What the parts cost, as far as they tell it.
+/// The cost of the parts, as far as it is known.
 fn cost_of(reports: &[PathBuf]) -> Result<Cost, CliError> {
     let mut all = Cost::default();
     for path in reports {

@@ -66,7 +66,7 @@ pub(crate) struct RunSetup {
 }
 
 impl RunSetup {
-    /// The scenario of a program file, with the subroutine files beside it.
+    /// The scenario of a program file, with the subroutine files of its folder.
     pub(crate) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, CliError> {
         let edition = crate::documents::edition(
             suite,
@@ -127,7 +127,7 @@ fn language_by_name(file: &Path) -> &'static str {
     }
 }
 
-/// The toolpath beside a post-processor program, or else that of the scenario's file.
+/// The toolpath next to a post-processor program, or else that of the scenario's file.
 fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, CliError> {
     let beside = file.with_extension(TOOLPATH);
     if !beside.exists() {
@@ -136,7 +136,7 @@ fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, 
     Ok(BTreeMap::from([(TOOLPATH.to_owned(), user_files::read_text(&beside, "toolpath")?)]))
 }
 
-/// The other programs of the same folder; what is no readable text is left out, since it may never be called.
+/// The other programs of the same folder. Unreadable ones are left out, because they may never be called.
 fn files_beside(file: &Path) -> BTreeMap<String, String> {
     let named = |path: PathBuf| {
         let name = path.file_name()?.to_str()?.to_owned();
@@ -207,7 +207,7 @@ pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     Some(Renderer::styled().render(&[group]))
 }
 
-/// Where and why a run did not go on, in one line: the place may lie behind the last line of the program.
+/// Where and why a run stopped, in one line: the place may be after the last line of the program.
 pub(crate) fn describe_stop(outcome: &Outcome, file: &Path) -> String {
     match stop_reason(outcome) {
         Some((Some(block), _, message)) => {

@@ -47,7 +47,7 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
     }
 }
 
-/// What a file says that has a form; `hint` tells who shows the form.
+/// Reads a file that has a form; `hint` names the help that describes the form.
 pub(crate) fn read_form<T>(
     path: &Path,
     role: &str,

@@ -70,7 +70,7 @@ impl<'a> SimulatedEnvironment<'a> {
         self.operator.begin_block(block, self.time);
     }
 
-    /// What the operator has asked by now.
+    /// What the operator has requested so far.
     pub(super) fn asked(&mut self) -> Option<Action> {
         self.operator.take(self.time)
     }
@@ -105,7 +105,7 @@ impl<'a> SimulatedEnvironment<'a> {
         WaitEvent::Time
     }
 
-    /// When spindles stand at their angles.
+    /// When spindles reach their angles.
     fn orientations(&self) -> impl Iterator<Item = f64> {
         self.orienting.iter().filter_map(|(spindle, begun)| match self.answer(*spindle) {
             OrientAnswer::After(seconds) => Some(begun + seconds),
@@ -113,7 +113,7 @@ impl<'a> SimulatedEnvironment<'a> {
         })
     }
 
-    /// What comes of an effect at once. Only the kinds of effects are looked at that something outside answers.
+    /// The immediate reaction to an effect. Only effects that the environment answers have one.
     pub(super) fn perform(&mut self, effect: &Effect) -> Result<(), FaultKind> {
         if let Effect::ChangeTool { .. } = effect {
             self.changed_at = self.time + self.environment.tool_change_time;

@@ -1,4 +1,4 @@
-//! A run of custom macros: a step at a time, under the budget, written down as its sink is told of it.
+//! Runs custom macros: one step at a time, within the budget, recorded by a sink.
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_interpreter::nct::{CustomMacros, MacroStep};

@@ -1,10 +1,9 @@
-//! The production controller: it runs in this process, and a machine writes down what it does.
+//! The production controller: it runs in this process, and a simulated machine records what it does.
 //!
-//! Everything that it does is shown exactly (`recorder`). What the outside of a controller answers comes from the
-//! scenario's environment (`environment`), what a person does and when from its operator (`operator`). The rest is the
-//! task's: this only translates. It honours every choice of the documents and no quirk: those are what other
-//! controllers do otherwise. A post-processor's program needs none of this but a sink (`post`), and neither do custom
-//! macros (`macros`).
+//! Everything that it does is recorded exactly (`recorder`). Inputs come from the scenario's environment
+//! (`environment`), the operator's events from its script (`operator`). The task does the rest; this module only
+//! translates. It accepts every choice of the documents and no quirk: quirks describe other controllers. A
+//! post-processor program only needs a sink (`post`), and so do custom macros (`macros`).
 
 mod environment;
 mod macros;

@@ -8,12 +8,11 @@ use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
 /// The operator of a scenario.
 #[derive(Clone, Debug)]
 pub(super) struct Operator<'a> {
-    /// What stands at a block that has not been reached yet, with its place in the list.
+    /// Events at blocks that are not reached yet, with their place in the list.
     ahead: Vec<(usize, &'a OperatorEvent)>,
-    /// What falls due, when, and where it stands in the list of events; of those at one time the one listed first
-    /// comes first.
+    /// Due events: their time and their place in the list. At equal times the order of the list decides.
     due: Vec<(f64, usize, &'a Action)>,
-    /// How often each block has been executed that something stands at.
+    /// How often each block that has an event was executed.
     executions: BTreeMap<BlockLocation, u32>,
     /// The line of each event that enters a block by hand: they are counted in the order in which they are listed.
     lines: BTreeMap<usize, u32>,
@@ -32,7 +31,7 @@ impl<'a> Operator<'a> {
         Self { ahead, due: Vec::new(), executions, lines, entered: 0 }
     }
 
-    /// A block begins: what stands at this execution falls due from this time on.
+    /// Begins a block: events at this execution become due from now on.
     pub(super) fn begin_block(&mut self, block: &BlockLocation, time: f64) {
         let Some(count) = self.executions.get_mut(block) else { return };
         *count += 1;
@@ -50,7 +49,7 @@ impl<'a> Operator<'a> {
         self.due.sort_by(|(a, first, _), (b, second, _)| a.total_cmp(b).then(first.cmp(second)));
     }
 
-    /// When the next of what stands at blocks that were reached falls due.
+    /// When the next event at a reached block is due.
     pub(super) fn due(&self) -> Option<f64> {
         self.due.first().map(|(due, ..)| *due)
     }

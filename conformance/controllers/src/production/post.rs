@@ -1,4 +1,4 @@
-//! A post-processor's run: a step at a time, under the budget, written down as its sink is told of it.
+//! Runs a post-processor program: one step at a time, within the budget, recorded by a sink.
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_interpreter::gpp::{NotCompiled, PostProcessor, StatementEnd, TOOLPATH};

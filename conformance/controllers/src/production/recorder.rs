@@ -1,5 +1,4 @@
-//! Writes down what the production controller does: settings, effects and pins as it tells them, and the state after
-//! each block.
+//! Records what the production controller does: settings, effects and pins, and the state after each block.
 
 use std::collections::BTreeMap;
 
@@ -33,9 +32,9 @@ pub(super) struct Recorder<'a> {
     events: Vec<Event>,
     /// Whether nothing is being executed: what happens now belongs to the last block.
     idle: bool,
-    /// Whether what is entered by hand now are the lines of the program.
+    /// Whether MDI lines are the lines of the program.
     by_hand: bool,
-    /// The block that is being executed, where somebody acts at blocks.
+    /// The block in execution, if there are operator's events at blocks.
     block: BlockLocation,
     effects: u32,
     most_effects: u32,
@@ -106,7 +105,7 @@ impl<'a> Recorder<'a> {
         self.outside.time()
     }
 
-    /// Whether somebody acts at blocks.
+    /// Whether there are operator's events at blocks.
     pub(super) fn has_operator(&self) -> bool {
         self.outside.operator().is_there()
     }
@@ -116,7 +115,7 @@ impl<'a> Recorder<'a> {
         self.outside.operator().entered()
     }
 
-    /// Whether somebody is still to act.
+    /// Whether operator's events are left.
     pub(super) fn operator_is_waiting(&self) -> bool {
         self.outside.operator().is_waiting()
     }
@@ -144,7 +143,7 @@ impl<'a> Recorder<'a> {
         self.steps.push(Step { block: self.block(&block.file, block.line), events, state: None });
     }
 
-    /// The block that has begun stands before it does anything.
+    /// Records the block before it does anything.
     pub(super) fn stay_before(&mut self) {
         if !self.idle {
             self.stay(&self.block.clone());

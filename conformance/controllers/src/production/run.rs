@@ -59,8 +59,8 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     Ok(outcome)
 }
 
-/// Parameters before a block that asks for more effects than there are, which is not recorded: the interpreter has
-/// executed some of it. So the blocks before it are executed again.
+/// Parameters before a block that makes more effects than the budget allows. The interpreter has executed a part of
+/// that block, which is not recorded, so the blocks before it are executed again.
 fn before_last(
     scenario: &Scenario,
     outcome: &Outcome,
@@ -206,8 +206,8 @@ impl Run<'_> {
     }
 }
 
-/// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a
-/// longer one; within a block only whether it asks for more effects than there are.
+/// The bound of the budget that is used up. It is checked between blocks, so that a short run is a prefix of a longer
+/// one; within a block only the number of effects is checked.
 fn exhausted(scenario: &Scenario, task: &Task<Recorder<'_>>) -> Option<Bound> {
     let (budget, recorder) = (&scenario.budget, task.machine());
     if recorder.steps() >= budget.steps {

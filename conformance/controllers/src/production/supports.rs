@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{Language, Options, Scenario};
 /// The environment that answers as its keys say.
 const OWN_ENVIRONMENT: &str = "whole controller";
 
-/// The option of a quirk that another controller shows.
+/// The option of a quirk that is on.
 const QUIRK: &str = "observed";
 
 /// The input that slows motion, and runs it backwards where it is negative.
@@ -25,7 +25,7 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     }
 }
 
-/// Quirks are what another controller does otherwise than its documents, and this one does as documents say.
+/// Refuses quirks: this controller does what the documents say.
 ///
 /// # Errors
 /// A quirk that is on.

@@ -1,4 +1,4 @@
-//! What a program asks of a planner, beside moves: read from its effects and settings.
+//! What a program requires of a planner in addition to moves, read from its effects and settings.
 
 use std::collections::BTreeSet;
 

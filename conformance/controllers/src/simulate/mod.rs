@@ -23,15 +23,15 @@ const QUEUE: u32 = 2000;
 /// Longest motion, servo cycles: more than a day of milliseconds.
 const MOST_CYCLES: usize = 100_000_000;
 
-/// Longest rest that nobody ends, servo cycles, beside dwells.
+/// Longest rest, in servo cycles, in addition to dwells.
 const MOST_REST: f64 = 20_000.0;
 
-/// What happens to a program while it is planned.
+/// Conditions of a simulated run.
 #[derive(Clone, Debug, Default)]
 pub struct RunConditions {
-    /// Where the machine stands before.
+    /// The position of the machine before the run.
     pub start: Position,
-    /// The planner gets one segment in so many cycles; else as many as it takes.
+    /// Servo cycles between segments that the planner gets; without it, as fast as it takes them.
     pub every: Option<u32>,
     /// What the operator and the machine's inputs do. Without speeds of a spindle it turns as programmed.
     pub script: MotionScript,
@@ -44,9 +44,8 @@ pub struct Planned {
     pub samples: Samples,
     /// Speed along the path of all axes by sample, millimetres or degrees per second.
     pub speed: Vec<f64>,
-    /// The feed that is asked for, likewise, whichever way the path is run: the programmed one times what overrides
-    /// make of it, and 0 where the motion is held. Not a number in rapid moves and where it follows from a time or a
-    /// spindle.
+    /// The requested feed, by sample, in either direction: the programmed feed with overrides, and 0 in a hold. NaN in
+    /// rapid moves, and where the feed follows from a time or a spindle.
     pub requested: Vec<f64>,
 }
 
@@ -55,9 +54,9 @@ pub struct Planned {
 pub struct Stopped {
     /// Where.
     pub block: Option<BlockLocation>,
-    /// Why.
+    /// The reason.
     pub why: String,
-    /// Whether it is the planner that comes to no end.
+    /// Whether planning never ends.
     pub endless: bool,
 }
 
@@ -71,8 +70,8 @@ impl Stopped {
     }
 }
 
-/// Plans what a program does, from the machine's origin, while nobody touches anything. With `every` the planner gets
-/// one segment in so many cycles, else as many as it takes.
+/// Plans a program from the machine's origin without an operator. With `feed_interval` the planner gets one segment in
+/// so many cycles, else as many as it takes.
 ///
 /// # Errors
 /// As [`plan_with`].
@@ -87,8 +86,8 @@ pub fn plan(
 /// Plans what a program does under circumstances, to its end or to where the operator aborts it.
 ///
 /// # Errors
-/// An axis moves of which no limits are known, or what is asked for is no motion of a planner: a spline, a rigid tap,
-/// a thread on a spindle that stands. Or the motion is held and nobody lets it go on.
+/// An axis without limits moves, or the planner cannot plan the motion: a spline, a rigid tap, or a thread on a spindle
+/// that does not turn. Or a hold never ends.
 pub fn plan_with(
     outcome: &Outcome,
     limits: &MotionLimits,
@@ -116,9 +115,9 @@ struct Simulation<'a> {
     every: Option<u32>,
     /// What is still to happen.
     events: &'a [MotionEvent],
-    /// What the operator asks for, before M48 to M53 are looked at.
+    /// The operator's requests, before M48 to M53 apply.
     operator: Operator,
-    /// For how many cycles nothing has moved, and seconds of all dwells so far.
+    /// Cycles without motion, and seconds of all dwells so far.
     rests: f64,
     dwells: f64,
     resolver: Resolver,
@@ -145,7 +144,7 @@ struct Simulation<'a> {
     requested: Vec<f64>,
 }
 
-/// What an operator and the inputs of a machine ask for.
+/// Requests of an operator and of the inputs of a machine.
 #[derive(Clone, Copy, Debug)]
 struct Operator {
     feed: f64,
@@ -351,7 +350,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Goes on until everything is done that was asked for.
+    /// Runs until everything that was requested is done.
     fn rest(&mut self) -> Result<(), Stopped> {
         while self.cycle()? != Phase::Idle {}
         self.follows = false;
@@ -395,7 +394,7 @@ impl<'a> Simulation<'a> {
         Ok(phase)
     }
 
-    /// What the operator asks for in the next cycle, as far as the segment in execution lets it act.
+    /// The operator's requests for the next cycle, as far as the segment in execution admits them.
     fn operate(&mut self) {
         let cycle = self.speed.len();
         while let Some((event, later)) = self.events.split_first()
