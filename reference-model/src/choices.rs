@@ -1,25 +1,23 @@
-//! How the documents are read in a run: the option of each choice, and the quirks that are observed.
+//! How the documents are read in a run: the option of each choice, and what a dialect does otherwise.
 
 use gaugeblock_vocabulary::Options;
 
-use crate::ids::{Choice, Quirk, choice, pages};
-
-/// Words of a set of quirks.
-const WORDS: usize = Quirk::COUNT.div_ceil(64);
+use crate::dialects::{Deviations, unknown};
+use crate::ids::{Choice, choice, pages};
 
 /// The options in force for a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choices {
     /// The place of the option of each choice, in the order of the choices' numbers.
     options: [u8; choice::COUNT as usize],
-    /// The quirks that are observed, a bit for each.
-    quirks: [u64; WORDS],
+    /// What a dialect does otherwise; nothing by the documents.
+    pub(crate) deviations: Deviations,
 }
 
 impl Default for Choices {
-    /// The first option of each choice, and no quirk.
+    /// The first option of each choice, as the documents say.
     fn default() -> Self {
-        Self { options: [0; choice::COUNT as usize], quirks: [0; WORDS] }
+        Self { options: [0; choice::COUNT as usize], deviations: Deviations::default() }
     }
 }
 
@@ -81,13 +79,7 @@ impl Choices {
             })?;
             return Ok(());
         }
-        let quirk = Quirk::of(id).ok_or_else(|| unknown(id))?;
-        match option {
-            "documented" => {}
-            "observed" => self.quirks[quirk.number() / 64] |= 1 << (quirk.number() % 64),
-            _ => return Err(format!("the quirk {id} is documented or observed, not {option}")),
-        }
-        Ok(())
+        self.deviations.set(id, option)
     }
 
     /// The option of a choice.
@@ -101,25 +93,9 @@ impl Choices {
     pub fn is<C: Choice>(&self, option: C) -> bool {
         self.options[usize::from(C::NUMBER)] == option.place()
     }
-
-    /// Whether any quirk is observed.
-    #[inline]
-    pub fn has_quirks(&self) -> bool {
-        self.quirks != [0; WORDS]
-    }
-
-    /// Whether a quirk is observed.
-    #[inline]
-    pub fn quirk(&self, quirk: Quirk) -> bool {
-        self.quirks[quirk.number() / 64] & 1 << (quirk.number() % 64) != 0
-    }
 }
 
 /// Whether a choice belongs to another language, or to the laws of motion.
 fn is_foreign(id: &str) -> bool {
     ["gpp.", "nct.", "trajectory."].iter().any(|chapter| id.starts_with(chapter))
-}
-
-fn unknown(id: &str) -> String {
-    format!("there is no choice or quirk {id}")
 }

@@ -29,7 +29,15 @@ pub use coverage::{RuleCoverage, RuleOutcome, Tally};
 pub use rs274::RunCache;
 pub use rs274::modes::Rounding;
 
-use gaugeblock_vocabulary::{Language, Outcome, Scenario};
+use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
+
+/// Whether this build can read the documents with these options.
+///
+/// # Errors
+/// An option that needs the feature `dialects`, as a sentence.
+pub fn honours(options: &Options) -> Result<(), String> {
+    dialects::honours(options)
+}
 
 /// What the documents say about a scenario, and the rules that were reached.
 ///

@@ -14,6 +14,18 @@ const CODE_WIDTH: usize = 100;
 /// The first line of each file.
 const HEADING: &str = "written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.";
 
+/// The folders of the model's sources that hold ids and nothing else.
+pub const FOLDERS: [&str; 3] = [RULES, CHOICES, QUIRKS];
+
+/// The folder of rules.
+const RULES: &str = "ids/rule";
+
+/// The folder of choices.
+const CHOICES: &str = "ids/choice";
+
+/// The folder of quirks.
+const QUIRKS: &str = "dialects/quirk";
+
 /// A page as it is written: its id, its sentence, and its options with what they mean.
 struct Page<'a> {
     id: &'a str,
@@ -21,7 +33,7 @@ struct Page<'a> {
     options: Vec<(&'a str, &'a str)>,
 }
 
-/// The text of each file, by its path in the folder of ids: `rule`, `choice` and `quirk`, each with a file per chapter.
+/// The text of each file, by its path in the model's sources: a file per chapter in each of [`FOLDERS`].
 pub fn model_ids(suite: &Suite) -> BTreeMap<String, String> {
     let rules = suite.rules.iter();
     let rules =
@@ -41,23 +53,23 @@ pub fn model_ids(suite: &Suite) -> BTreeMap<String, String> {
         Page { id: &choice.id, sentence: &choice.sentence, options }
     });
     let mut files = BTreeMap::new();
-    add("rule", rules.collect(), &mut files);
-    add("choice", of_kind(ChoiceKind::Choice).chain(of_motion).collect(), &mut files);
-    add("quirk", of_kind(ChoiceKind::Quirk).collect(), &mut files);
+    add("rule", RULES, rules.collect(), &mut files);
+    add("choice", CHOICES, of_kind(ChoiceKind::Choice).chain(of_motion).collect(), &mut files);
+    add("quirk", QUIRKS, of_kind(ChoiceKind::Quirk).collect(), &mut files);
     files
 }
 
 /// Writes all pages of one kind: the list of chapters, and a file for each.
-fn add(kind: &str, pages: Vec<Page<'_>>, files: &mut BTreeMap<String, String>) {
+fn add(kind: &str, folder: &str, pages: Vec<Page<'_>>, files: &mut BTreeMap<String, String>) {
     let mut chapters: BTreeMap<&str, Vec<Page<'_>>> = BTreeMap::new();
     for page in pages {
         let chapter = page.id.split('.').next().unwrap_or_default();
         chapters.entry(chapter).or_default().push(page);
     }
-    files.insert(format!("{kind}/mod.rs"), list(kind, &chapters));
-    files.insert(format!("{kind}/first.rs"), first(kind, &chapters));
+    files.insert(format!("{folder}/mod.rs"), list(kind, &chapters));
+    files.insert(format!("{folder}/first.rs"), first(kind, &chapters));
     for (chapter, pages) in chapters {
-        files.insert(format!("{kind}/{}.rs", snake(chapter)), text(kind, chapter, &pages));
+        files.insert(format!("{folder}/{}.rs", snake(chapter)), text(kind, chapter, &pages));
     }
 }
 
@@ -79,12 +91,12 @@ fn list(kind: &str, chapters: &BTreeMap<&str, Vec<Page<'_>>>) -> String {
         .keys()
         .map(|chapter| format!("{}::CHAPTER_{}", snake(chapter), what.to_uppercase()));
     let tables: Vec<_> = tables.collect();
-    let line = format!("pub(super) const CHAPTERS: &[&[{content}]] = &[{}];", tables.join(", "));
+    let line = format!("pub(crate) const CHAPTERS: &[&[{content}]] = &[{}];", tables.join(", "));
     if line.len() <= CODE_WIDTH {
         let _ = writeln!(text, "{line}");
         return text;
     }
-    let _ = writeln!(text, "pub(super) const CHAPTERS: &[&[{content}]] = &[");
+    let _ = writeln!(text, "pub(crate) const CHAPTERS: &[&[{content}]] = &[");
     for table in tables {
         let _ = writeln!(text, "    {table},");
     }

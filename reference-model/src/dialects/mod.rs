@@ -19,15 +19,22 @@
 //! calls a documented rule still has the other quirks in it. Without the feature `dialects` this layer is not there,
 //! and the model still says what every document says.
 
+mod deviations;
 mod linuxcnc;
+#[macro_use]
+mod page;
+pub mod quirk;
 
 use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
+pub(crate) use deviations::{Deviations, honours, unknown};
 pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory, SourceMemory};
+pub use page::Quirk;
+pub(crate) use quirk::{CHAPTERS as ID_CHAPTERS, COUNT as ID_COUNT};
 
 impl Choices {
     /// The dialect of this run.
     pub(crate) fn dialect(&self) -> &'static dyn Dialect {
-        if self.has_quirks() { &linuxcnc::LinuxCnc } else { &Documented }
+        if self.deviations.any() { &linuxcnc::LinuxCnc } else { &Documented }
     }
 }

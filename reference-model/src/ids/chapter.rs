@@ -3,14 +3,9 @@
 /// The rules of a chapter.
 macro_rules! rules {
     ($first:expr; $($(#[doc = $doc:literal])* $name:ident = $id:literal,)*) => {
-        ids! { $first; $crate::ids::page::Rule; $($(#[doc = $doc])* $name = $id,)* }
-    };
-}
-
-/// The quirks of a controller.
-macro_rules! quirks {
-    ($first:expr; $($(#[doc = $doc:literal])* $name:ident = $id:literal,)*) => {
-        ids! { $first; $crate::ids::page::Quirk; $($(#[doc = $doc])* $name = $id,)* }
+        $crate::ids::chapter::ids! {
+            $first; $crate::ids::page::Rule; $($(#[doc = $doc])* $name = $id,)*
+        }
     };
 }
 
@@ -31,6 +26,8 @@ macro_rules! ids {
         $($(#[doc = $doc])* pub const $name: $kind = $kind($first + Numbering::$name as u16);)*
     };
 }
+
+pub(crate) use ids;
 
 /// A type for each choice of a chapter, with a variant for each option.
 macro_rules! choices {

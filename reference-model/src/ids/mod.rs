@@ -1,4 +1,5 @@
-//! The ids of the suite's pages, as the compiler knows them: rules, choices with their options, quirks.
+//! The ids of the suite's pages, as the compiler knows them: rules, and choices with their options. A dialect adds its
+//! own.
 //!
 //! `cargo run -p gaugeblock-suite --bin model-ids` writes the chapters below from the pages; a test compares them. So
 //! an id that no page has cannot be written, and a page that the model has not heard of is missed at once.
@@ -7,18 +8,22 @@ use std::fmt;
 use std::sync::LazyLock;
 
 #[macro_use]
-mod chapter;
+pub(crate) mod chapter;
 
 pub mod choice;
 mod page;
-pub mod quirk;
 pub mod rule;
 
-pub use page::{Choice, Page, Quirk, Rule};
+pub use page::{Choice, Page, Rule};
+
+use crate::dialects;
 
 impl Rule {
     /// How many there are.
-    pub const COUNT: usize = (rule::COUNT + choice::COUNT + quirk::COUNT) as usize;
+    pub const COUNT: usize = (Self::OF_DOCUMENTS + dialects::ID_COUNT) as usize;
+
+    /// How many are those of the documents: the numbers of a dialect's begin here.
+    pub(crate) const OF_DOCUMENTS: u16 = rule::COUNT + choice::COUNT;
 
     /// The id of its page.
     pub fn id(self) -> &'static str {
@@ -54,7 +59,7 @@ impl Rule {
 
     /// All of them, in the order of their numbers.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
-        (0..rule::COUNT + choice::COUNT + quirk::COUNT).map(Self)
+        (0..Self::OF_DOCUMENTS + dialects::ID_COUNT).map(Self)
     }
 }
 
@@ -74,8 +79,8 @@ impl fmt::Debug for Rule {
 static IDS: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     let rules = rule::CHAPTERS.iter().flat_map(|chapter| chapter.iter().copied());
     let choices = choice::CHAPTERS.iter().flat_map(|chapter| chapter.iter().map(|page| page.id));
-    let quirks = quirk::CHAPTERS.iter().flat_map(|chapter| chapter.iter().copied());
-    rules.chain(choices).chain(quirks).collect()
+    let of_dialects = dialects::ID_CHAPTERS.iter().flat_map(|chapter| chapter.iter().copied());
+    rules.chain(choices).chain(of_dialects).collect()
 });
 
 /// Each [`Rule`] by its id. Where a choice has the id of a rule, the id is the rule's.
@@ -85,39 +90,6 @@ static BY_ID: LazyLock<Vec<Rule>> = LazyLock::new(|| {
     all.dedup_by_key(|rule| rule.id());
     all
 });
-
-impl Quirk {
-    /// How many there are.
-    pub(crate) const COUNT: usize = quirk::COUNT as usize;
-
-    /// The id of its page.
-    pub fn id(self) -> &'static str {
-        Rule::from(self).id()
-    }
-
-    /// The quirk with an id, if there is one.
-    pub(crate) fn of(id: &str) -> Option<Self> {
-        let number = Rule::of(id)?.0.checked_sub(rule::COUNT + choice::COUNT)?;
-        Some(Self(number))
-    }
-
-    /// Its number among all, from 0.
-    pub(crate) const fn number(self) -> usize {
-        self.0 as usize
-    }
-}
-
-impl From<Quirk> for Rule {
-    fn from(quirk: Quirk) -> Self {
-        Self(rule::COUNT + choice::COUNT + quirk.0)
-    }
-}
-
-impl fmt::Debug for Quirk {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.id())
-    }
-}
 
 /// The pages of all choices, in the order of their numbers.
 pub fn pages() -> impl Iterator<Item = &'static Page> {

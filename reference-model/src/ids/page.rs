@@ -1,12 +1,8 @@
-//! What an id stands for: a rule, a quirk, a choice.
+//! What an id stands for: a rule, a choice.
 
-/// What accepts or refuses a block: a rule; or a choice or a quirk, where an option of it does so by itself.
+/// What accepts or refuses a block: a rule; or a choice, where an option of it does so by itself; or what a dialect does.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Rule(pub(super) u16);
-
-/// What a real controller does differently from its own document.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Quirk(pub(super) u16);
 
 /// A named point where documents differ or leave something open. Each implementation is a type of options.
 pub trait Choice: Copy + PartialEq + 'static {

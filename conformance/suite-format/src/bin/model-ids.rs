@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::files::of_folder;
-use gaugeblock_suite::ids::model_ids;
+use gaugeblock_suite::ids::{FOLDERS, model_ids};
 
 fn main() -> Result<(), String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let suite = of_folder(&root.join("../suite"))?;
     let suite = Suite::read(&suite).map_err(|errors| errors.join("\n"))?;
-    let folder = root.join("../../reference-model/src/ids");
-    for kind in ["rule", "choice", "quirk"] {
-        let kind = folder.join(kind);
-        if kind.exists() {
-            fs::remove_dir_all(&kind).map_err(of(&kind))?;
+    let folder = root.join("../../reference-model/src");
+    for ids in FOLDERS {
+        let ids = folder.join(ids);
+        if ids.exists() {
+            fs::remove_dir_all(&ids).map_err(of(&ids))?;
         }
-        fs::create_dir_all(&kind).map_err(of(&kind))?;
+        fs::create_dir_all(&ids).map_err(of(&ids))?;
     }
     for (path, text) in model_ids(&suite) {
         let path = folder.join(path);

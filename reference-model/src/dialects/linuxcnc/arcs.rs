@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, Plane};
 
 use super::{LinuxCnc, Shows};
-use crate::ids::{choice, quirk, rule};
+use crate::dialects::quirk;
+use crate::ids::{choice, rule};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::arc::{ArcRules, Axes, InPlane, lost_in_writing, names_axis};

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::check::codes::{CodeRules, Written};
 use crate::rs274::check::needed::NeededWordRules;
 use crate::rs274::dialect::Documented;

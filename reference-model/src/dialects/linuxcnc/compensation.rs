@@ -1,7 +1,7 @@
 //! Quirks of cutter compensation.
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::compensation::CompensationRules;
 use crate::rs274::state::State;

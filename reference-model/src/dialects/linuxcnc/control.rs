@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::values::{count_too_large, known_number, leave, value_behind, with_zeros};
 use super::{LinuxCnc, Shows, skipping};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::ids::rule;
 use crate::rs274::control::{
     Call, ConditionRules, Control, ControlRules, Frame, LoopRules, Next, NumberedRules, Open,

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Axis, Effect, PathControlMode, Plane, Position};
 
 use super::path::tolerances_as_numbers;
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, traverse_along};

@@ -1,7 +1,7 @@
 //! Quirks of dwells.
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::dwell::DwellRules;
 use crate::rs274::execute::whole;

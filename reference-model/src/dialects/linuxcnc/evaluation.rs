@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Motion};
 
 use super::{LinuxCnc, Shows};
 use crate::Choices;
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::{EvaluationRules, Words};

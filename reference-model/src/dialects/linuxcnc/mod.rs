@@ -45,7 +45,7 @@ pub(crate) use memory::{ControlMemory, Memory, SourceMemory};
 pub(crate) use modal_memory::ModalMemory;
 
 use crate::Choices;
-use crate::ids::Quirk;
+use crate::dialects::Quirk;
 use crate::rs274::dialect::Dialect;
 use crate::rs274::state::State;
 
@@ -63,12 +63,12 @@ trait Shows {
 
 impl Shows for Choices {
     fn shows(&self, quirk: Quirk) -> bool {
-        self.quirk(quirk)
+        self.deviations.has(quirk)
     }
 }
 
 impl Shows for State {
     fn shows(&self, quirk: Quirk) -> bool {
-        self.choices.quirk(quirk)
+        self.choices.shows(quirk)
     }
 }

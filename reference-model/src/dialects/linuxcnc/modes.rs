@@ -2,7 +2,7 @@
 
 use super::{LinuxCnc, Shows};
 use crate::Choices;
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::modes::ModesRules;
 

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Distance, FaultKind, FeedMode, Motion, Plane, Position};
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;

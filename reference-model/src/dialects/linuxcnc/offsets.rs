@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Position;
 
 use super::program_end::without_local_offset;
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::local_offset::LocalOffsetRules;

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Position};
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::positions::MachinePositionRules;
 use crate::rs274::execute::tool_change::traverse;

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::program_end::ProgramEndRules;
 use crate::rs274::state::State;

@@ -12,7 +12,7 @@ use super::spindle::{choose, known_turn, set_released};
 use super::tool_length::tool_offset_as_programmed;
 use super::units_planes::retract_under_compensation;
 use super::{LinuxCnc, Shows};
-use crate::ids::{Quirk, quirk};
+use crate::dialects::{Quirk, quirk};
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::restore::{RestoreRules, restored_turn, same};
 use crate::rs274::execute::tool_length::table_offset;

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{FeedMode, Position};
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::restore::same;
 use crate::rs274::execute::saved_state::SavedStateRules;

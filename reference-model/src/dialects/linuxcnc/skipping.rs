@@ -6,7 +6,8 @@ use gaugeblock_vocabulary::FaultKind;
 use super::Shows;
 use super::passed_over::{PassedOver, passed_over};
 use super::values::{count_too_large, known_number, leave, value_behind, with_zeros};
-use crate::ids::{Quirk, quirk, rule};
+use crate::dialects::{Quirk, quirk};
+use crate::ids::rule;
 use crate::math;
 use crate::rs274::control::{
     Call, Control, Frame, Place, SearchTarget, Style, enabled, label_of, passed,

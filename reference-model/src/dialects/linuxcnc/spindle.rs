@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::SpindleTurn;
 
 use super::{LinuxCnc, Shows};
-use crate::ids::{Rule, quirk};
+use crate::dialects::quirk;
+use crate::ids::Rule;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::spindle::SpindleRules;

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::{ControllerMode, End, Position, SpindleLimit, Spindle
 use super::spindle::{set_released, speed_while_standing};
 use super::{LinuxCnc, Shows};
 use crate::Choices;
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::control::{Control, Frame};
 use crate::rs274::dialect::Documented;
 use crate::rs274::modes::{Modes, Spindle, converted};

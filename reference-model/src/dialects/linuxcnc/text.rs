@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use super::{LinuxCnc, Shows};
 use crate::Choices;
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;

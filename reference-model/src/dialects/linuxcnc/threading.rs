@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{FaultKind, Motion, Position, Switch};
 
 use super::spindle::choose;
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::threading::{Pass, Thread, ThreadRules, ThreadingRules, pass, traverse};

@@ -1,7 +1,7 @@
 //! Quirks of tools and the tool table.
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::tool_change::ToolChangeRules;
 use crate::rs274::execute::tool_table::ToolTableRules;

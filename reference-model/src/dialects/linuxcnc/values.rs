@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::Shows;
-use crate::ids::{quirk, rule};
+use crate::dialects::quirk;
+use crate::ids::rule;
 use crate::rs274::control::{Control, Place};
 use crate::rs274::evaluate;
 use crate::rs274::parameters::{self, Name};

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::Motion;
 
 use super::{LinuxCnc, Shows};
-use crate::ids::quirk;
+use crate::dialects::quirk;
 use crate::rs274::check::words::WordRules;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;

@@ -40,7 +40,7 @@ use super::page::Page;
 pub(crate) use first::COUNT;
 
 /// The pages of each chapter, in the order of their numbers.
-pub(super) const CHAPTERS: &[&[Page]] = &[
+pub(crate) const CHAPTERS: &[&[Page]] = &[
     abort::CHAPTER_PAGES,
     active_comments::CHAPTER_PAGES,
     arcs::CHAPTER_PAGES,

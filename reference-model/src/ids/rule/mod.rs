@@ -43,7 +43,7 @@ pub mod user_codes;
 pub(crate) use first::COUNT;
 
 /// The ids of each chapter, in the order of their numbers.
-pub(super) const CHAPTERS: &[&[&str]] = &[
+pub(crate) const CHAPTERS: &[&[&str]] = &[
     abort::CHAPTER_IDS,
     active_comments::CHAPTER_IDS,
     arcs::CHAPTER_IDS,

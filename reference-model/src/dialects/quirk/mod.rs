@@ -7,4 +7,4 @@ pub mod rs274;
 pub(crate) use first::COUNT;
 
 /// The ids of each chapter, in the order of their numbers.
-pub(super) const CHAPTERS: &[&[&str]] = &[linuxcnc::CHAPTER_IDS, rs274::CHAPTER_IDS];
+pub(crate) const CHAPTERS: &[&[&str]] = &[linuxcnc::CHAPTER_IDS, rs274::CHAPTER_IDS];
