@@ -36,8 +36,25 @@ pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
     })
 }
 
-/// The edition of an id.
+/// The edition of an id, one whose options the model of this build has.
 pub(crate) fn edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, CliError> {
+    let edition = any_edition(suite, id)?;
+    in_this_build(&suite.options(edition))?;
+    Ok(edition)
+}
+
+/// Refuses options that the model of this build does not have.
+fn in_this_build(options: &Options) -> Result<(), CliError> {
+    gaugeblock_reference::honours(options).map_err(|why| {
+        CliError::usage(
+            format!("the reference model of this build does not support this: {why}"),
+            "build gaugeblock with its default features, or choose an edition of documents",
+        )
+    })
+}
+
+/// The edition of an id, whether the model of this build has its options or not.
+pub(crate) fn any_edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, CliError> {
     suite.edition(id).ok_or_else(|| {
         let known: Vec<_> = suite.editions.iter().map(|edition| edition.id.as_str()).collect();
         CliError::usage(
@@ -76,5 +93,6 @@ pub(crate) fn options_with(
         }
         options.0.insert(id.to_owned(), option.to_owned());
     }
+    in_this_build(&options)?;
     Ok(options)
 }

@@ -2,7 +2,7 @@
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
-use gaugeblock_vocabulary::{Outcome, Scenario};
+use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 /// The reference model.
 #[derive(Debug)]
@@ -21,8 +21,12 @@ impl Adapter for Reference {
         &self.capabilities
     }
 
-    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
-        Ok(())
+    fn accepts_options(&self, options: &Options) -> Result<(), String> {
+        gaugeblock_reference::honours(options)
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        self.accepts_options(&scenario.options)
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {

@@ -280,7 +280,7 @@ pub(crate) fn check_observed_edition(
 ) -> Result<(), CliError> {
     controller
         .observed_edition()
-        .map_or(Ok(()), |id| crate::documents::edition(suite, id).map(|_| ()))
+        .map_or(Ok(()), |id| crate::documents::any_edition(suite, id).map(|_| ()))
 }
 
 /// Refuses a folder that holds no campaign.

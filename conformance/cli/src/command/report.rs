@@ -65,7 +65,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
             "merge them with the gaugeblock that wrote them, or name their suite with --suite",
         ));
     }
-    let edition = crate::documents::edition(suite, &header.edition)?;
+    let edition = crate::documents::any_edition(suite, &header.edition)?;
     let known = arguments.against.read()?;
     let newer = known.check_header(header, suite)?;
     let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
