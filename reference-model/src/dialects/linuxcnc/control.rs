@@ -6,10 +6,12 @@ use super::values::{count_too_large, known_number, leave, value_behind, with_zer
 use super::{LinuxCnc, Shows, skipping};
 use crate::dialects::quirk;
 use crate::ids::rule;
+use crate::rs274::control::loops::{is_repeat, turns};
+use crate::rs274::control::numbered::shared_frame;
+use crate::rs274::control::subs::{clear_value, deeper, keep_value};
 use crate::rs274::control::{
     Call, ConditionRules, Control, ControlRules, Frame, LoopRules, Next, NumberedRules, Open,
-    Place, SearchTarget, Structure, Style, SubroutineRules, clear_value, deeper, is_repeat,
-    keep_value, o_word, shared_frame, turns,
+    Place, SearchTarget, Structure, Style, SubroutineRules, o_word,
 };
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate;
@@ -40,8 +42,7 @@ impl ControlRules for LinuxCnc {
         state: &mut State,
     ) -> Option<u32> {
         if state.shows(quirk::rs274::ENDS_IN_OTHER_SUBS) {
-            let labels = control.files.labels(control.place.file);
-            return labels.find_in_any_sub(label, keywords, after, state);
+            return skipping::end_in_any_sub(control, label, keywords, after, state);
         }
         Documented.end_further_on(control, label, keywords, after, state)
     }

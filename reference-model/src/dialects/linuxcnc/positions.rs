@@ -7,7 +7,8 @@ use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::positions::MachinePositionRules;
 use crate::rs274::execute::tool_change::traverse;
-use crate::rs274::modes::{converted, each, is_rotary};
+use crate::rs274::modes::units::is_rotary;
+use crate::rs274::modes::{converted, each};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 

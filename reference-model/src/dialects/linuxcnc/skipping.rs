@@ -9,9 +9,10 @@ use super::values::{count_too_large, known_number, leave, value_behind, with_zer
 use crate::dialects::{Quirk, quirk};
 use crate::ids::rule;
 use crate::math;
-use crate::rs274::control::{
-    Call, Control, Frame, Place, SearchTarget, Style, enabled, label_of, passed,
-};
+use crate::rs274::control::labels::Mark;
+use crate::rs274::control::numbered::enabled;
+use crate::rs274::control::subs::passed;
+use crate::rs274::control::{Call, Control, Frame, Place, SearchTarget, Style, label_of};
 use crate::rs274::evaluate;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -70,12 +71,48 @@ fn read_over(
 
 /// On the way to the numbered program that M98 calls; for one that was called before there is no search.
 fn to_numbered(control: &mut Control, label: &str, state: &mut State) -> Result<(), StepError> {
-    if control.is_called_before(label) || known_number(control, label, state).is_some() {
+    if is_called_before(control, label) || known_number(control, label, state).is_some() {
         return Ok(());
     }
-    let ends = [Keyword::ProgramNumber, Keyword::Sub];
-    let end = control.next_in_file(label, &ends);
+    let end = next_of_number(control, label);
     read_over(control, SearchTarget::Numbered { label }, end, state)
+}
+
+/// Whether the numbered program of this file with this number was called before.
+fn is_called_before(control: &Control, label: &str) -> bool {
+    let begins = control.files.labels(control.place.file).numbers(label);
+    begins.iter().any(|line| control.called.contains(&control.line(line + 1)))
+}
+
+/// Line of the next program or sub of this file with a number, in whichever scope.
+fn next_of_number(control: &Control, label: &str) -> Option<u32> {
+    let fits = |mark: &&Mark| {
+        mark.label.as_deref() == Some(label)
+            && matches!(mark.keyword, Keyword::ProgramNumber | Keyword::Sub)
+    };
+    marks_behind(control, control.place.line).iter().find(fits).map(|mark| mark.line)
+}
+
+/// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these keywords,
+/// whichever sub it stands in, before a numbered program begins.
+pub(super) fn end_in_any_sub(
+    control: &Control,
+    label: &str,
+    keywords: &[Keyword],
+    after: u32,
+    state: &mut State,
+) -> Option<u32> {
+    let mut later = marks_behind(control, after)
+        .iter()
+        .take_while(|mark| mark.keyword != Keyword::ProgramNumber)
+        .filter(|mark| keywords.contains(&mark.keyword));
+    later.find(|mark| mark.has(label, state)).map(|mark| mark.line)
+}
+
+/// The O-words of this file behind a line.
+fn marks_behind(control: &Control, line: u32) -> &[Mark] {
+    let marks = &control.files.labels(control.place.file).marks;
+    &marks[marks.partition_point(|mark| mark.line <= line)..]
 }
 
 /// On the way to a sub that is behind its call: what is evaluated there is evaluated as within the sub.

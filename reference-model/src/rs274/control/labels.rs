@@ -14,7 +14,7 @@ use crate::rs274::syntax::{self, Expression, Keyword, Label};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Labels {
     /// Every O-word, in the order of the text.
-    marks: Vec<Mark>,
+    pub(crate) marks: Vec<Mark>,
     /// The scope that begins at a line.
     scopes: Vec<(u32, usize)>,
     /// Places in `marks` by scope and label.
@@ -36,13 +36,16 @@ pub(crate) struct Labels {
     ends: BTreeMap<u32, u32>,
 }
 
+/// An O-word.
 #[derive(Clone, Debug)]
-struct Mark {
-    line: u32,
+pub(crate) struct Mark {
+    /// The line on which it stands.
+    pub(crate) line: u32,
     /// None when it must be computed.
-    label: Option<String>,
+    pub(crate) label: Option<String>,
     written: Label,
-    keyword: Keyword,
+    /// What it does.
+    pub(crate) keyword: Keyword,
     scope: usize,
 }
 
@@ -55,7 +58,7 @@ pub(super) struct Definition {
 
 impl Mark {
     /// Whether it has a label, one that is computed as things stand now too.
-    fn has(&self, label: &str, state: &mut State) -> bool {
+    pub(crate) fn has(&self, label: &str, state: &mut State) -> bool {
         match &self.label {
             Some(own) => own == label,
             None => label_of(&self.written, state).is_ok_and(|own| own == label),
@@ -186,39 +189,6 @@ impl Labels {
         lines.min()
     }
 
-    /// Line of the next block after `after` with this label and one of these keywords, whatever its scope.
-    pub(super) fn next_in_file(
-        &self,
-        label: &str,
-        keywords: &[Keyword],
-        after: u32,
-    ) -> Option<u32> {
-        let fits = |mark: &&Mark| {
-            mark.line > after
-                && mark.label.as_deref() == Some(label)
-                && keywords.contains(&mark.keyword)
-        };
-        self.marks.iter().find(fits).map(|mark| mark.line)
-    }
-
-    /// Line of the next block after `after` with this label and one of these
-    /// keywords, whichever sub it stands in, before a numbered program begins.
-    pub(crate) fn find_in_any_sub(
-        &self,
-        label: &str,
-        keywords: &[Keyword],
-        after: u32,
-        state: &mut State,
-    ) -> Option<u32> {
-        let later = self.marks.partition_point(|mark| mark.line <= after);
-        let mut later = self.marks[later..]
-            .iter()
-            .take_while(|mark| mark.keyword != Keyword::ProgramNumber)
-            .filter(|mark| keywords.contains(&mark.keyword));
-        let found = later.find(|mark| mark.has(label, state));
-        found.map(|mark| mark.line)
-    }
-
     /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a
     /// numbered program.
     pub(super) fn ends_in_program(
@@ -251,7 +221,7 @@ impl Labels {
     }
 
     /// Lines of the numbered programs with a number.
-    pub(super) fn numbers(&self, label: &str) -> &[u32] {
+    pub(crate) fn numbers(&self, label: &str) -> &[u32] {
         self.numbers.get(label).map_or(&[], Vec::as_slice)
     }
 

@@ -14,10 +14,10 @@
 
 mod conditions;
 mod files;
-mod labels;
-mod loops;
-mod numbered;
-mod subs;
+pub(crate) mod labels;
+pub(crate) mod loops;
+pub(crate) mod numbered;
+pub(crate) mod subs;
 mod values;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,11 +28,9 @@ pub use super::state::{Call, Frame, Open, Structure, Style};
 pub use super::text::Place;
 pub(crate) use conditions::ConditionRules;
 pub use files::{ENTRIES, Files};
-pub(crate) use loops::turns;
-pub(crate) use loops::{LoopRules, is_repeat};
-pub(crate) use numbered::enabled;
-pub(crate) use numbered::{NumberedRules, shared_frame};
-pub(crate) use subs::{SubroutineRules, clear_value, deeper, keep_value, passed};
+pub(crate) use loops::LoopRules;
+pub(crate) use numbered::NumberedRules;
+pub(crate) use subs::SubroutineRules;
 use values::{condition, evaluated, single};
 pub(crate) use values::{label_of, o_word};
 
@@ -47,6 +45,10 @@ use crate::ids::{choice, rule};
 
 /// What is looked for by reading on in a file.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    not(feature = "dialects"),
+    expect(dead_code, reason = "by the documents, what is passed over does not depend on it")
+)]
 pub(crate) enum SearchTarget<'a> {
     /// The next branch or the end of a condition or loop.
     Structure {
@@ -122,8 +124,9 @@ pub struct Control {
     /// The block that defined each label first, by file, scope and label.
     defined: BTreeMap<(usize, usize, String), u32>,
     /// Numbered subprograms that were called before.
-    called: BTreeSet<Place>,
+    pub(crate) called: BTreeSet<Place>,
     /// What the dialect remembers; nothing by the documents.
+    #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) memory: ControlMemory,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
@@ -247,17 +250,6 @@ impl Control {
         state: &mut State,
     ) -> Option<u32> {
         self.files.labels(self.place.file).find(label, keywords, after, self.place.line, state)
-    }
-
-    /// Line of the next block of this file, in whichever scope, that has the label and one of these keywords.
-    pub(crate) fn next_in_file(&self, label: &str, keywords: &[Keyword]) -> Option<u32> {
-        self.files.labels(self.place.file).next_in_file(label, keywords, self.place.line)
-    }
-
-    /// Whether the numbered program of this file with this number was called before.
-    pub(crate) fn is_called_before(&self, label: &str) -> bool {
-        let begins = self.files.labels(self.place.file).numbers(label);
-        begins.iter().any(|line| self.called.contains(&self.line(line + 1)))
     }
 
     /// A line of the current file.

@@ -25,7 +25,7 @@ pub mod saved_state;
 pub mod spindle;
 pub mod splines;
 pub mod stop;
-mod target;
+pub(crate) mod target;
 pub(crate) mod threading;
 mod time;
 pub mod tool;
@@ -36,7 +36,7 @@ pub mod units_planes;
 pub mod user_codes;
 mod word;
 
-pub(crate) use target::{end_point, letter};
+pub(crate) use target::letter;
 pub(crate) use time::{clear_orientation, pass};
 pub(crate) use word::{whole, word};
 

@@ -7,7 +7,7 @@ mod motions;
 mod rounding;
 mod saved_state;
 mod settings;
-mod units;
+pub(crate) mod units;
 
 pub use codes::{ARC, Code, G_CODES, M_CODES, g_code, g_text, m_code};
 pub(crate) use coordinates::first_parameter;
@@ -15,8 +15,8 @@ pub use groups::ModalGroup;
 pub use motions::{motion_code, motion_mode};
 pub use rounding::Rounding;
 pub use saved_state::SavedState;
+pub(crate) use units::each;
 pub use units::{converted, unit_size};
-pub(crate) use units::{each, is_rotary};
 
 use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion,

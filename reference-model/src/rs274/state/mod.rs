@@ -59,6 +59,7 @@ pub struct State {
     /// What the next spline may need of the one before.
     pub curve: Curve,
     /// What the dialect remembers; nothing by the documents.
+    #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) memory: Memory,
     /// Whether a log file is open.
     pub log_open: bool,

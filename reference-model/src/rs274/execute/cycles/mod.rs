@@ -92,6 +92,7 @@ pub(crate) struct Cycle {
     /// First, second and normal axis.
     pub(crate) axes: [Axis; 3],
     /// Where the normal axis was before the first of a row of cycles.
+    #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) initial: f64,
     /// R: where feeding begins.
     pub(crate) retract: f64,

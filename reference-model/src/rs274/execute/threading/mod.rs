@@ -1,6 +1,6 @@
 //! Motion with the spindle: G33, G33.1 and the threading cycle G76.
 
-mod cycle;
+pub(crate) mod cycle;
 
 use gaugeblock_vocabulary::{
     Axis, Compensation, Effect, FaultKind, Motion, Position, SpindleMode, SpindleTurn,
@@ -16,8 +16,8 @@ use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
+pub(crate) use cycle::ThreadRules;
 pub(super) use cycle::perform as thread;
-pub(crate) use cycle::{Pass, Thread, ThreadRules, pass, traverse};
 
 /// What a controller may do otherwise with motion in step with a spindle.
 pub(crate) trait ThreadingRules {
