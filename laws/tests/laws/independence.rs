@@ -8,6 +8,10 @@ use gaugeblock_laws::workspace::{self, Crate};
 
 use crate::holds;
 
+/// Sources of the model, and the folder of what real controllers do differently, which a build can leave out.
+const MODEL_SOURCES: &str = "reference-model/src";
+const DIALECTS: &str = "reference-model/src/dialects/";
+
 /// Folder of the production side; each crate below it is written without the model.
 const PRODUCTION: &str = "impl";
 
@@ -43,6 +47,22 @@ fn model_and_production_share_the_vocabulary_alone() {
             "{name} depends on more than production and the vocabulary"
         );
     }
+}
+
+/// The main path of the model says what the documents say, and a build without the dialects says all of it.
+#[test]
+fn main_path_of_the_model_knows_no_quirk() {
+    let mut main_path = sources(MODEL_SOURCES);
+    let all = main_path.len();
+    main_path.retain(|path, _| !path.starts_with(DIALECTS));
+    assert!(main_path.len() < all, "no source is below {DIALECTS}");
+    let named: Vec<_> = main_path
+        .iter()
+        .flat_map(|(path, text)| text.lines().enumerate().map(move |(at, line)| (path, at, line)))
+        .filter(|(_, _, line)| line.to_lowercase().contains("quirk"))
+        .map(|(path, at, line)| format!("{path}:{}: {}", at + 1, line.trim()))
+        .collect();
+    holds("quirks are in the model's dialects alone", &named);
 }
 
 /// An adapter uses what an adapter in another language could use.
