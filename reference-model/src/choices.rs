@@ -1,4 +1,4 @@
-//! How the documents are read in a run: the option of each choice, and what a dialect does otherwise.
+//! How the documents are read in a run: the option of each choice, and what a dialect does differently.
 
 use gaugeblock_vocabulary::Options;
 
@@ -10,7 +10,7 @@ use crate::ids::{Choice, choice, pages};
 pub struct Choices {
     /// The place of the option of each choice, in the order of the choices' numbers.
     options: [u8; choice::COUNT as usize],
-    /// What a dialect does otherwise; nothing by the documents.
+    /// What a dialect does differently; nothing by the documents.
     pub(crate) deviations: Deviations,
 }
 

@@ -35,8 +35,8 @@ use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 ///
 /// # Errors
 /// An option that needs the feature `dialects`, as a sentence.
-pub fn honours(options: &Options) -> Result<(), String> {
-    dialects::honours(options)
+pub fn accepts_options(options: &Options) -> Result<(), String> {
+    dialects::accepts_options(options)
 }
 
 /// What the documents say about a scenario, and the rules that were reached.

@@ -45,7 +45,7 @@ pub(crate) fn edition<'a>(suite: &'a Suite, id: &str) -> Result<&'a Edition, Cli
 
 /// Refuses options that the model of this build does not have.
 fn in_this_build(options: &Options) -> Result<(), CliError> {
-    gaugeblock_reference::honours(options).map_err(|why| {
+    gaugeblock_reference::accepts_options(options).map_err(|why| {
         CliError::usage(
             format!("the reference model of this build does not support this: {why}"),
             "build gaugeblock with its default features, or choose an edition of documents",

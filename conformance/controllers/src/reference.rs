@@ -22,7 +22,7 @@ impl Adapter for Reference {
     }
 
     fn accepts_options(&self, options: &Options) -> Result<(), String> {
-        gaugeblock_reference::honours(options)
+        gaugeblock_reference::accepts_options(options)
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {

@@ -13,7 +13,7 @@ pub use words::{Rules, Word, found_in};
 use crate::files;
 
 /// Text of the suite's pages, written into the model by a command.
-const IDS: &str = "reference-model/src/ids/";
+const IDS: [&str; 2] = ["reference-model/src/ids/", "reference-model/src/dialects/quirk/"];
 
 /// All text of the repository that people read; tests, and pages of the suite, are left out.
 ///
@@ -26,11 +26,16 @@ pub fn all() -> Vec<Text> {
     for (path, text) in files::below("") {
         if path.ends_with(".md") {
             found.push(Text { kind: Kind::Document, line: 1, text: without_code(&text), path });
-        } else if path.ends_with(".rs") && !is_test(&path) && !path.starts_with(IDS) {
+        } else if path.ends_with(".rs") && !is_test(&path) && !is_generated(&path) {
             found.extend(code::texts(&path, &text));
         }
     }
     found
+}
+
+/// Whether a source file holds the text of pages alone.
+fn is_generated(path: &str) -> bool {
+    IDS.iter().any(|ids| path.starts_with(ids))
 }
 
 /// Whether a source file belongs to tests or to measurements alone.

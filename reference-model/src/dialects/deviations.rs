@@ -82,11 +82,11 @@ pub(crate) fn unknown(id: &str) -> String {
     format!("there is no choice or quirk {id}")
 }
 
-/// Whether this build does what options ask for: it has every quirk.
+/// Whether this build has what options require: it has every quirk.
 ///
 /// # Errors
 /// None.
 #[expect(clippy::unnecessary_wraps, reason = "a build without dialects refuses quirks")]
-pub(crate) fn honours(_options: &Options) -> Result<(), String> {
+pub(crate) fn accepts_options(_options: &Options) -> Result<(), String> {
     Ok(())
 }

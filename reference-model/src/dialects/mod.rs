@@ -27,7 +27,7 @@ pub mod quirk;
 
 use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
-pub(crate) use deviations::{Deviations, honours, unknown};
+pub(crate) use deviations::{Deviations, accepts_options, unknown};
 pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory, SourceMemory};
 pub use page::Quirk;
 pub(crate) use quirk::{CHAPTERS as ID_CHAPTERS, COUNT as ID_COUNT};

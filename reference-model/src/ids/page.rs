@@ -1,6 +1,6 @@
 //! What an id stands for: a rule, a choice.
 
-/// What accepts or refuses a block: a rule; or a choice, where an option of it does so by itself; or what a dialect does.
+/// What accepts or refuses a block: a rule; or a choice, where an option of it does so by itself; or a dialect.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Rule(pub(super) u16);
 

@@ -1,11 +1,11 @@
-//! What a dialect does otherwise: nothing.
+//! What a dialect does differently: nothing.
 
 use gaugeblock_vocabulary::Options;
 
 /// The option under which a controller does what was observed, and not what the documents say.
 const OBSERVED: &str = "observed";
 
-/// What a dialect does otherwise in a run: nothing.
+/// What a dialect does differently in a run: nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Deviations {}
 
@@ -28,11 +28,11 @@ pub(crate) fn unknown(id: &str) -> String {
     format!("there is no choice {id}")
 }
 
-/// Whether this build does what options ask for: what was observed it cannot do.
+/// Whether this build has what options require: it has no behaviour that was observed.
 ///
 /// # Errors
-/// An option that asks for it.
-pub(crate) fn honours(options: &Options) -> Result<(), String> {
+/// An option that requires such behaviour.
+pub(crate) fn accepts_options(options: &Options) -> Result<(), String> {
     let observed = options.0.iter().find(|(_, option)| *option == OBSERVED);
     observed.map_or(Ok(()), |(id, _)| Err(needs_dialects(id)))
 }

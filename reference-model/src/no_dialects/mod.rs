@@ -6,7 +6,7 @@ mod memory;
 
 use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
-pub(crate) use deviations::{Deviations, honours, unknown};
+pub(crate) use deviations::{Deviations, accepts_options, unknown};
 pub(crate) use ids::{ID_CHAPTERS, ID_COUNT};
 pub(crate) use memory::{ControlMemory, Memory, ModalMemory, SourceMemory};
 

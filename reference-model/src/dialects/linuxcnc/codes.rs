@@ -36,7 +36,7 @@ impl CodeRules for LinuxCnc {
         !state.shows(quirk::rs274::CANCEL_WITH_MOTION) && Documented.cancel_excludes_motion(state)
     }
 
-    /// Quirk rs274.cancel-beside-offset. G80 is refused beside G43.1 and G43.2 with axis words.
+    /// Quirk rs274.cancel-beside-offset. G80 is refused in a block with G43.1 or G43.2 and axis words.
     fn check_axis_words(
         &self,
         words: &Words,

@@ -43,7 +43,7 @@ impl InputRules for LinuxCnc {
         state.shows(quirk::linuxcnc::INPUT_NUMBER) || Documented.has_every_input(state)
     }
 
-    /// Quirk rs274.wait-mode-any. A mode above 4 waits, for what nobody can tell.
+    /// Quirk rs274.wait-mode-any. A mode above 4 waits; what for is not known.
     /// Quirk linuxcnc.wait-mode-times-out. On the whole controller it does not.
     fn wait_mode(&self, value: f64, state: &State) -> Result<WaitMode, StepError> {
         if is_above_four(value) && state.shows(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {

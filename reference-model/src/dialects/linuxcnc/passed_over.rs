@@ -13,7 +13,7 @@ use crate::rs274::text::condense;
 pub(super) enum PassedOver {
     /// Nothing.
     Nothing,
-    /// A label and its keyword; what stands behind them is not read.
+    /// A label and its keyword; what follows them is not read.
     OWord(OWord),
     /// A label without a keyword, and how that is refused where it is no label either.
     WithoutKeyword(StepError),

@@ -94,7 +94,7 @@ fn next_of_number(control: &Control, label: &str) -> Option<u32> {
 }
 
 /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these keywords,
-/// whichever sub it stands in, before a numbered program begins.
+/// in whichever sub, before a numbered program begins.
 pub(super) fn end_in_any_sub(
     control: &Control,
     label: &str,
@@ -109,7 +109,7 @@ pub(super) fn end_in_any_sub(
     later.find(|mark| mark.has(label, state)).map(|mark| mark.line)
 }
 
-/// The O-words of this file behind a line.
+/// The O-words of this file after a line.
 fn marks_behind(control: &Control, line: u32) -> &[Mark] {
     let marks = &control.files.labels(control.place.file).marks;
     &marks[marks.partition_point(|mark| mark.line <= line)..]

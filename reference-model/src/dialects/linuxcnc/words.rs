@@ -46,7 +46,7 @@ impl WordRules for LinuxCnc {
         !unused && Documented.is_used_by_m(letter, code, state)
     }
 
-    /// Quirk rs274.offset-data-words. With G10 a word may stand that another of its kinds uses.
+    /// Quirk rs274.offset-data-words. With G10 a word is accepted that another of its kinds uses.
     fn is_used_by_offset_data(&self, letter: char, kind: Option<i32>, state: &State) -> bool {
         let of_others = match kind {
             Some(0) => "pqrijxyzabcuvw",
@@ -57,7 +57,7 @@ impl WordRules for LinuxCnc {
             || Documented.is_used_by_offset_data(letter, kind, state)
     }
 
-    /// Quirk rs274.blend-q-without-p. It can stand alone.
+    /// Quirk rs274.blend-q-without-p. Q is accepted without P.
     fn check_naive_cam_alone(&self, state: &State) -> Result<(), StepError> {
         if state.shows(quirk::rs274::BLEND_Q_WITHOUT_P) {
             return Ok(());

@@ -39,7 +39,7 @@ pub(crate) struct Labels {
 /// An O-word.
 #[derive(Clone, Debug)]
 pub(crate) struct Mark {
-    /// The line on which it stands.
+    /// Its line.
     pub(crate) line: u32,
     /// None when it must be computed.
     pub(crate) label: Option<String>,
