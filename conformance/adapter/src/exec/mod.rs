@@ -68,9 +68,9 @@ impl Exec {
         Self::from_endpoint(Endpoint::Address(address.to_owned()), limits)
     }
 
-    fn from_endpoint(door: Endpoint, limits: Limits) -> Result<Self, ControllerError> {
+    fn from_endpoint(endpoint: Endpoint, limits: Limits) -> Result<Self, ControllerError> {
         let (session, declaration) =
-            Session::open(&door, limits).map_err(ControllerError::Broken)?;
+            Session::open(&endpoint, limits).map_err(ControllerError::Broken)?;
         let capabilities = declaration.capabilities().map_err(|error| {
             ControllerError::Broken(HarnessError::Unreadable {
                 what: "hello".to_owned(),
@@ -81,7 +81,7 @@ impl Exec {
         let (assumed, shown, spoilt) =
             (Options::default(), ObservablesCache::default(), AtomicUsize::new(0));
         Ok(Self {
-            endpoint: door,
+            endpoint: endpoint,
             limits,
             assumed_options: assumed,
             declaration,

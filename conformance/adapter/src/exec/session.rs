@@ -53,17 +53,17 @@ pub(super) struct Session {
 impl Session {
     /// Connects and exchanges `hello`.
     pub(super) fn open(
-        door: &Endpoint,
+        endpoint: &Endpoint,
         limits: Limits,
     ) -> Result<(Self, Declaration), HarnessError> {
-        let folder = match door {
+        let folder = match endpoint {
             Endpoint::Command(_) => Some(
                 ExchangeFolder::make()
                     .map_err(|error| HarnessError::NotRun(format!("a folder: {error}")))?,
             ),
             Endpoint::Address(_) => None,
         };
-        let (peer, lines) = door.open(limits)?;
+        let (peer, lines) = endpoint.open(limits)?;
         let mut session = Self {
             lines,
             peer,

@@ -198,9 +198,9 @@ fn known_issues_are_as_stated() {
                     changed.push(format!("{name}: {side} {contradiction}\n{text}"));
                 }
             };
-            let mut door = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
-            door.arg("rs274");
-            check("gaugeblock rs274", ours, door);
+            let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+            command.arg("rs274");
+            check("gaugeblock rs274", ours, command);
             if rs274.is_some() {
                 check("rs274", theirs, Command::new("rs274"));
             }

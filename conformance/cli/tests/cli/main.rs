@@ -1,24 +1,24 @@
 //! Tests that run the command `gaugeblock`.
 
-mod ahead;
-mod behind;
+mod by_protocol;
 mod command;
 mod command_line;
 mod deployment;
+mod extensions;
 mod fuzz;
 mod known_issues;
 mod linuxcnc;
 mod motion;
 mod not_a_report;
-mod offers;
 mod offline;
+mod prefetch;
 mod printed;
 mod protocol;
 mod recorded;
 mod report;
 mod rs274;
-mod rs274_door;
+mod rs274_by_protocol;
+mod scenario_encoding;
 mod shards;
 mod template;
-mod told;
 mod tutorial;

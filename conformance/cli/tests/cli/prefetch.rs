@@ -1,5 +1,4 @@
-//! A controller that is told ahead what is run next works on it meanwhile; what comes of it is told to whoever runs
-//! that, and to nobody else.
+//! Prefetching: a controller begins the next run early, and only the thread that runs it gets the result.
 
 use std::fs::read_to_string;
 use std::time::Duration;

@@ -1,5 +1,5 @@
-//! rs274 through the door: the adapter that is built in gets the same verdicts behind the protocol; and so does one
-//! in Python that has grown from the template, case by case.
+//! rs274 through the adapter protocol: the built-in adapter gets the same verdicts, and so does one in Python that has
+//! grown from the template, case by case.
 
 use std::collections::BTreeMap;
 use std::io::Write as _;
@@ -55,7 +55,7 @@ fn is_there() -> bool {
     let found = Rs274::find(None);
     if let Err(error) = &found {
         // Written past the test runner, which keeps what passing tests print to itself.
-        let notice = format!("left out: rs274 through the door ({error})\n");
+        let notice = format!("left out: rs274 through the protocol ({error})\n");
         std::io::stderr().write_all(notice.as_bytes()).expect("standard error can be written");
     }
     found.is_ok()

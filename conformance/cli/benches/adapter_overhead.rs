@@ -1,7 +1,7 @@
 //! What the adapter protocol costs a case: production behind it less production in this process, against a bare round
 //! trip of lines of the same size through pipes.
 //!
-//! `cargo bench -p gaugeblock --bench door`
+//! `cargo bench -p gaugeblock --bench adapter_overhead`
 //!
 //! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is
 //! what a case costs whoever certifies: its model and its verdict are found while the controller works. A run alone

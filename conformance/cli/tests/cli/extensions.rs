@@ -1,5 +1,4 @@
-//! What an adapter may offer beyond the four operations, and TCP: the verdicts stay the same, and whatever goes wrong
-//! is charged to nobody else.
+//! Extensions of the protocol, and TCP: verdicts do not depend on them, and failures stay with their own case.
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};

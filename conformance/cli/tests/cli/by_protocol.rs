@@ -1,5 +1,5 @@
-//! Controllers of this project behind the protocol get the verdicts that they get without, in whichever way it is
-//! spoken.
+//! Controllers of this project get the same verdicts through the adapter protocol as in this process, over every
+//! transport.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;

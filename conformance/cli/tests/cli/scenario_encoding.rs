@@ -1,4 +1,4 @@
-//! What is told of a scenario: what has its default is left out, and what is told means the same.
+//! Encoding of scenarios: members with their default are left out, and the rest decodes to the same scenario.
 
 use std::path::Path;
 
