@@ -1,15 +1,14 @@
-//! What the adapter protocol costs a case: production behind it less production in this process, against a bare round
-//! trip of lines of the same size through pipes.
+//! The cost of the adapter protocol for a case: production in another process minus production in this process,
+//! compared with a bare round trip of lines of the same size through pipes.
 //!
 //! `cargo bench -p gaugeblock --bench adapter_overhead`
 //!
-//! Everything is measured case by case, by turns; what counts is the least of all rounds. In a campaign of one job is
-//! what a case costs whoever certifies: its model and its verdict are found while the controller works. A run alone
-//! is how long somebody waits for one outcome who does nothing meanwhile.
+//! Each case is measured in turn; the minimum of all rounds counts. The cost in a campaign is that of a certification
+//! with one job: the referee computes the model and the verdict while the controller works. The cost of a run alone is
+//! the latency of one outcome for a caller that only waits.
 //!
-//! What a case of a campaign is held against are bare round trips that follow at once on one another, so that neither
-//! side falls asleep. What one costs a campaign in this process that makes one beside each case, where both sides may
-//! sleep in between, is told below.
+//! The bare round trips follow each other immediately, so that neither side sleeps. The cost of a round trip next to
+//! each case of a campaign in this process, where both sides may sleep in between, is printed below.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;

@@ -1,7 +1,7 @@
 //! `gaugeblock rs274`: the production interpreter behind the command line and the printed text of LinuxCNC's `rs274`.
 //!
 //! ```text
-//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block (switched, settled, motion) ─► calls ─► output
+//! Arguments ─► ini, machine, parameters ─► Interpreter ─► printer ─► block (io, settings, motion) ─► calls ─► output
 //!              source (program, subroutine files)            └ text (number and comment of a line)
 //! ```
 //!

@@ -100,7 +100,8 @@ pub enum Operation {
         /// What, and where it belongs.
         event: OperatorEvent,
     },
-    /// [`Extension::Digest`]: tell the outcome of the last run, whose digest was answered. Answered by `outcome` or `file`.
+    /// [`Extension::Digest`]: report the outcome of the last run, whose digest was answered. Answered by `outcome` or
+    /// `file`.
     Outcome {},
     /// The session ends: answer with `done`, and exit.
     Bye {},

@@ -57,7 +57,8 @@ pub(crate) struct Arguments {
     machine: PathBuf,
     #[command(flatten)]
     how: run::RunSetup,
-    /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated machine
+    /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated
+    /// machine
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production")]
     controller: String,
     /// Feed the planner one segment per CYCLES servo cycles [default: as fast as it takes them]

@@ -1,8 +1,8 @@
 //! Known issues: each file of `conformance/known-issues` states a program and what each side does with it today.
 //!
 //! A behaviour that changes fails this test, also where the change fixes the issue: then the file is deleted or becomes
-//! a case of the suite. LinuxCNC's `rs274` runs where it is installed. The issues of the folder `motion` are programs of
-//! `gaugeblock motion fuzz`, and the law that each breaks.
+//! a case of the suite. LinuxCNC's `rs274` runs where it is installed. The issues of the folder `motion` are programs
+//! of `gaugeblock motion fuzz`, and the law that each breaks.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,5 @@
-//! `gaugeblock plan` and `gaugeblock motion check`: samples of our planner keep the laws, broken ones are found, wrong calls
-//! are told.
+//! `gaugeblock plan` and `gaugeblock motion check`: samples of our planner keep the laws, violations are found, and
+//! usage errors are reported.
 
 use std::fs::Permissions;
 use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _, symlink};

@@ -10,8 +10,8 @@ pub const EXPECTATIONS: &str = "listed in the expectations";
 pub const BASELINE: &str = "as in the baseline";
 
 impl Run<'_> {
-    /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the known ones.
-    /// Divergences that are attributed to other rules stay as they are.
+    /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the known
+    /// ones. Divergences that are attributed to other rules stay as they are.
     pub fn mark_accepted(
         &mut self,
         mismatches: &[ExpectationMismatch],

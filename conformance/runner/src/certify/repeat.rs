@@ -1,4 +1,4 @@
-//! Repeated runs: a case that breaks its controller is run again on a fresh one, and a sample of all cases is run twice.
+//! Repeated runs: a case that breaks its controller is run again on a fresh one, and a sample of all cases runs twice.
 
 use gaugeblock_adapter::{Adapter, Expected, HarnessError};
 use gaugeblock_compare::compare;

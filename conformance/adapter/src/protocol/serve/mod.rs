@@ -50,8 +50,8 @@ pub struct Served {
 pub enum Caller {
     /// From the process that started this one, with the same rights.
     Parent,
-    /// From any program that reaches an address, a web page in a browser included: no file is written for this caller, and
-    /// the session ends at the first line that is not JSON.
+    /// From any program that reaches an address, a web page in a browser included: no file is written for this caller,
+    /// and the session ends at the first line that is not JSON.
     Network,
 }
 
