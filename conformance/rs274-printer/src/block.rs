@@ -246,7 +246,8 @@ impl Printed<'_> {
         }
     }
 
-    /// What the end of a program resets is printed whether it changes or not, but for plane, override and coolant.
+    /// Settings that the end of a program resets are printed whether they change or not, except plane, override and
+    /// coolant.
     pub(super) fn program_end(&mut self) {
         let (mut before, after) = (self.before, self.after);
         before.assume(self.words);

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-/// Entries by section and name; names are compared as they stand, the first of several counts.
+/// Entries by section and name. Names are compared literally; the first of several counts.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ini {
     entries: Vec<(String, String, String)>,
 }
 
 impl Ini {
-    /// Reads the text of an INI file; what is no entry is passed over.
+    /// Reads the text of an INI file and skips lines that are not entries.
     pub(super) fn read(text: &str) -> Self {
         let mut entries = Vec::new();
         let mut section = String::new();

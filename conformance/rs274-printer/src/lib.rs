@@ -57,7 +57,7 @@ use printer::Printer;
 use refusals::RefusedBlock;
 use source::{Files, Texts};
 
-/// How many blocks are executed between looks at what they came to.
+/// How many blocks are executed between checks of their results.
 const BLOCKS: u64 = 1 << 20;
 
 /// Why it does not begin, or does not end as it should; for people.
@@ -69,7 +69,7 @@ struct Run {
     interpreter: Interpreter,
     printer: Printer,
     texts: Texts,
-    /// Whether it goes on behind a refused block.
+    /// Whether it continues after a refused block.
     goes_on: bool,
 }
 
@@ -304,7 +304,7 @@ fn read_text(path: &Path) -> Result<String, ErrorMessage> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Writes a line to standard error; a reader that went away is no error.
+/// Writes a line to standard error; a closed reader is not an error.
 fn complain(text: &str) {
     let _closed_pipe = writeln!(std::io::stderr(), "{text}");
 }

@@ -85,7 +85,7 @@ pub(super) fn options(editions: &str) -> Options {
     options
 }
 
-/// Reads a tool table: a tool a line, comments behind a semicolon.
+/// Reads a tool table: a tool a line, comments after a semicolon.
 pub(super) fn tools(text: &str) -> Vec<Tool> {
     text.lines().filter_map(tool).collect()
 }

@@ -57,7 +57,7 @@ macro_rules! modes {
 }
 
 impl Modes {
-    /// Takes over what the words of a block set that was refused, and of which nothing is told: modes without lengths.
+    /// Takes over what the words of a refused block set and the interpreter does not report: modes without lengths.
     pub(super) fn assume(&mut self, words: &Words) {
         for code in &words.m {
             match code {

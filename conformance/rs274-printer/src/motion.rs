@@ -302,7 +302,7 @@ fn with_level(plane: Plane, at: &Position, level: f64) -> Position {
     at
 }
 
-/// The length of a straight move: that of X, Y and Z, or of the rotary axes where those stand.
+/// The length of a straight move: that of X, Y and Z, or of the rotary axes if those do not move.
 fn distance(from: &Position, to: &Position) -> f64 {
     let (from, to) = (from.to_array(), to.to_array());
     let length = |axes: std::ops::Range<usize>| {

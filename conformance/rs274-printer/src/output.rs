@@ -11,9 +11,9 @@ pub(super) struct Output {
     buffer: Vec<u8>,
     /// Number of the last line.
     line: u64,
-    /// What stands between the number and the call: the block's number.
+    /// The text between the number and the call: the block's number.
     label: Vec<u8>,
-    /// The first error of writing; what comes behind it is not written.
+    /// The first error of writing; nothing is written after it.
     failed: Option<io::Error>,
 }
 
@@ -118,7 +118,7 @@ impl Output {
         self.keep(flushed);
     }
 
-    /// Why not all was written, if so; a reader that went away is no error.
+    /// Why not all was written, if so; a closed reader is not an error.
     pub(super) fn failure(&mut self) -> Option<io::Error> {
         self.failed.take().filter(|error| error.kind() != io::ErrorKind::BrokenPipe)
     }

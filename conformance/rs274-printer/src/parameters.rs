@@ -13,7 +13,7 @@ const REQUIRED: [(u32, u32); 5] =
 /// Each work coordinate system has ten of twenty numbers.
 const SYSTEM: u32 = 20;
 
-/// The parameters of a file; what is no pair of numbers is passed over.
+/// The parameters of a file. Lines that are not pairs of numbers are skipped.
 ///
 /// # Errors
 /// The numbers do not ascend.

@@ -1,7 +1,7 @@
 //! Refused blocks: how far they came, and what is said.
 //!
-//! The sentences are our own, but for those on which programs depend that read the output of `rs274`: short facts of
-//! its interface, as observed.
+//! The sentences are our own, except those on which programs depend that read the output of `rs274`: short facts of its
+//! interface, as observed.
 
 use gaugeblock_vocabulary::{Fault, FaultKind, Plane, Position};
 
@@ -235,7 +235,7 @@ impl RefusedBlock<'_> {
         Some(text.to_owned())
     }
 
-    /// The text that is shown with the sentence. Where a call is of the wrong style it is that of the definition.
+    /// The text that is printed with the sentence. For a call of the wrong style it is that of the definition.
     pub(super) fn message(&self) -> String {
         if self.fault.kind == Some(FaultKind::MixedStyles) {
             let line = self.line.trim();
@@ -265,7 +265,7 @@ impl RefusedBlock<'_> {
         Some(text.to_owned())
     }
 
-    /// A named parameter that does not exist: the first one of the line behind an equals sign.
+    /// A named parameter that does not exist: the first one of the line after an equals sign.
     fn absent(&self) -> Option<String> {
         let value = self.line.split_once('=').map_or(self.line, |(_, value)| value);
         let name = value.split_once("#<")?.1.split('>').next()?;
@@ -314,7 +314,7 @@ impl RefusedBlock<'_> {
     }
 }
 
-/// A number with four significant digits and no zeros behind them.
+/// A number with four significant digits and no trailing zeros.
 fn four_digits(value: f64) -> String {
     let mut decimals = 3_usize;
     let mut scale = value;

@@ -10,7 +10,7 @@ use super::codes::{INCH, WORK_OFFSETS, system_of};
 use super::modes::{Modes, Spindle};
 
 impl Printed<'_> {
-    /// Settings after the block, but for what the end of a program resets after it was set.
+    /// Settings after the block, except those that the end of a program resets after they were set.
     pub(super) fn set(&self) -> Modes {
         let mut after = self.after;
         if self.words.has_m(2) || self.words.has_m(30) {
@@ -169,7 +169,7 @@ impl Printed<'_> {
         (self.before, self.feed) = (self.after, feed);
     }
 
-    /// What is set after the block, without what codes of the block itself set behind the restore.
+    /// Settings after the block, without those that codes of the block itself set after the restore.
     fn without_own_codes(&self, before: &Modes) -> Modes {
         let own = |codes: &[u16]| self.words.g_of(codes).is_some();
         let mut after = self.after;
@@ -277,7 +277,7 @@ fn scaled(position: Position, scale: f64) -> Position {
     Position::from([x, y, z, a, b, c, u, v, w])
 }
 
-/// Whether two numbers are not the same, but for what a conversion loses.
+/// Whether two numbers differ by more than a conversion loses.
 fn differ(one: f64, other: f64) -> bool {
     (one - other).abs() > 1.0e-9
 }

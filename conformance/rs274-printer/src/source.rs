@@ -38,7 +38,7 @@ impl Text {
     }
 }
 
-/// The texts of all files that were read, for whoever shows a line of them.
+/// The texts of all files that were read, to print lines of them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Texts(Rc<RefCell<Loaded>>);
 
@@ -62,7 +62,7 @@ impl Texts {
         loaded.main.bytes.trim_ascii_start().starts_with(b"%")
     }
 
-    /// Whether a second percent line ends the main program, with text behind it or not.
+    /// Whether a second percent line ends the main program, with text after it or not.
     pub(super) fn has_second_percent(&self) -> bool {
         let loaded = self.0.borrow();
         let lines = u32::try_from(loaded.main.starts.len()).unwrap_or(u32::MAX);
@@ -84,9 +84,9 @@ impl Texts {
 pub(super) struct Files {
     texts: Texts,
     folders: Vec<PathBuf>,
-    /// Where reading stands in the main file.
+    /// The position of the reader in the main file.
     at: usize,
-    /// The open subroutine files, innermost last, and where reading stands in each.
+    /// The open subroutine files, innermost last, and the position of the reader in each.
     open: Vec<(Rc<[u8]>, usize)>,
     main: Rc<[u8]>,
 }
@@ -124,7 +124,7 @@ pub(super) fn is_unclosed(main: &[u8]) -> bool {
 /// The text of a sub that the main program defines, with empty lines before it so that its lines keep their numbers;
 /// none where there is none.
 ///
-/// `rs274` finds a sub that is defined behind its call. The interpreter does not, but looks for a file of its name.
+/// `rs274` finds a sub that is defined after its call. The interpreter does not, but looks for a file of its name.
 fn defined_later(main: &[u8], name: &str) -> Option<Vec<u8>> {
     let name = name.strip_suffix(".ngc")?.as_bytes();
     let mut text = Vec::new();

@@ -1,4 +1,4 @@
-//! Threads and taps: what `rs274` does there otherwise than its manual says, and what shows in the printed moves alone.
+//! Threads and taps: divergences of `rs274` from its manual, and what appears in the printed moves alone.
 
 use gaugeblock_vocabulary::{Effect, Event, Lathe, Plane, Position};
 
@@ -7,7 +7,7 @@ use super::block::Printed;
 /// The G code of a thread, in tenths.
 const THREAD: u16 = 760;
 
-/// Where a traverse stands within a thread.
+/// The position of a traverse within a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Traverse {
     /// To where a pass begins, before the one to the depth of the pass.
@@ -30,7 +30,7 @@ impl Printed<'_> {
         }
     }
 
-    /// Prints an effect of a thread; whether it is one that is printed otherwise there.
+    /// Prints an effect of a thread. True if `rs274` prints it differently there.
     ///
     /// Quirk `rs274.thread-clearance`. Each pass begins and ends as far from its cut as the last one does from the
     /// drive line, and a last traverse leads to the end of that line. Quirk `rs274.thread-feed-override`. The feed

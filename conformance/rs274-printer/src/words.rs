@@ -37,7 +37,7 @@ impl Words {
         self.letters.get(usize::from(letter.wrapping_sub(b'A'))).copied().flatten()
     }
 
-    /// The first G code of a list that stands among the words.
+    /// The first G code of a list that is among the words.
     pub(super) fn g_of(&self, codes: &[u16]) -> Option<u16> {
         self.g.iter().copied().find(|code| codes.contains(code))
     }

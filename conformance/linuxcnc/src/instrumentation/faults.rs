@@ -1,7 +1,7 @@
 //! Error messages and the kinds of fault that they mean.
 //!
-//! The messages carry no number, so a fragment of the text decides; the first row that is contained in the message
-//! wins. A message without a row is no fault but a harness error: a wrong kind would be judged, an unknown one is seen.
+//! The messages carry no number, so a fragment of the text decides; the first row that the message contains wins. A
+//! message without a row is a harness error, not a fault: a wrong kind would be judged, an unknown one is noticed.
 
 use gaugeblock_vocabulary::FaultKind as Kind;
 

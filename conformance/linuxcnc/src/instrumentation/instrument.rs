@@ -1,7 +1,8 @@
-//! Makes a program tell where it is: probe lines after each line, tags on lines that a jump can reach.
+//! Instruments a program, so that its output reports where it is: probe lines after each line, and tags on lines that a
+//! jump can reach.
 //!
-//! A probe line prints; it says file and line, and shows what parameters can show. What happens between two probes was
-//! done by the block between them. (DEBUG,…) would do as well, but a program can switch it off.
+//! A probe line prints file, line, and what parameters expose. The block between two probes did what happened between
+//! them. (DEBUG,…) would do as well, but a program can switch it off.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -11,8 +12,8 @@ use super::source::{Form, LAST_PARAMETER, Source, form, has_slash, without_numbe
 /// Longest line that the interpreter reads.
 pub(crate) const LONGEST_LINE: usize = 252;
 
-/// How many parameters a probe line shows: a message that has more than about 500 characters, once its values are in
-/// it, makes the interpreter crash, and large numbers are long.
+/// How many parameters a probe line prints. A message of more than about 500 characters, with its values, crashes the
+/// interpreter, and large numbers are long.
 const MOST_VALUES: usize = 12;
 
 /// Characters that binding an end to a parameter may take.
@@ -55,11 +56,11 @@ pub(crate) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "
 /// How a program is observed.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// What each probe line begins with; it stands nowhere in the program.
+    /// The beginning of each probe line; it does not occur in the program.
     pub(crate) marker: String,
-    /// Parameters that are shown after each block, as they are written behind `#`.
+    /// Parameters that are printed after each block, as written after `#`.
     pub(crate) parameters: Vec<String>,
-    /// Where a controller reads ahead: marks that pass through its queue, so that they tell what has been executed.
+    /// For a controller that reads ahead: marks that pass through its queue and report what has been executed.
     pub(crate) marks: Option<Marks>,
 }
 
@@ -76,7 +77,7 @@ pub(crate) struct Marks {
 pub(crate) const GATE: &str = "0.15";
 
 impl Plan {
-    /// A plan for a program: it shows the parameters that the text names, #1 to #30, and `more`.
+    /// A plan for a program: it prints the parameters that the text names, #1 to #30, and `more`.
     pub(crate) fn new(source: &Source, more: &BTreeSet<u32>) -> Self {
         let named = source.parameters();
         let mut numbers: BTreeSet<u32> =
@@ -198,7 +199,7 @@ impl Plan {
         format!("_{}{block}", self.marker.trim_matches('@'))
     }
 
-    /// The probe lines that stand after a line.
+    /// The probe lines after a line.
     pub(crate) fn probe(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
         let shown =
@@ -219,7 +220,7 @@ impl Plan {
         text
     }
 
-    /// The parameters that one probe line after another shows.
+    /// The parameters that each probe line prints.
     pub(crate) fn parameter_groups(&self) -> Vec<&[String]> {
         let mut groups = Vec::new();
         let mut rest = self.parameters.as_slice();
@@ -238,8 +239,8 @@ impl Plan {
         groups
     }
 
-    /// A tag that an error message shows, on lines that a jump can reach. It stands in a comment; comments of O-word
-    /// lines are never executed, so that it hides nothing.
+    /// A tag that an error message quotes, on lines that a jump can reach. It is in a comment; comments of O-word lines
+    /// are never executed, so that it hides nothing.
     fn tag(&self, file: usize, number: u32, line: &str) -> String {
         if form(line) != Form::Control {
             return String::new();

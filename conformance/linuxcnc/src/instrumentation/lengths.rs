@@ -1,5 +1,5 @@
-//! Settings that are lengths. The calls print them once, in the unit that is active then; the vocabulary shows them
-//! in the unit that is active now.
+//! Settings that are lengths. The calls print them once, in the unit that is active then; the vocabulary has them in
+//! the unit that is active now.
 
 use gaugeblock_vocabulary::{Axis, FeedMode, LengthUnit, Position, Settings};
 
@@ -50,14 +50,14 @@ impl Lengths {
         }
     }
 
-    /// F was set. Under inverse time it is no length.
+    /// F was set. Under inverse time it is not a length.
     pub(crate) fn feed(&mut self, rate: f64, mode: Option<FeedMode>) -> Settings {
         let is_length = mode != Some(FeedMode::InverseTime);
         self.feed = is_length.then_some((rate, self.unit));
         Settings { feed_rate: Some(rate), ..Settings::default() }
     }
 
-    /// F as a parameter tells it, with more decimals than the call has; where they differ by more than those, the
+    /// F as a parameter reports it, with more decimals than the call has. If they differ by more than those, the
     /// parameter means something else.
     pub(crate) fn precise_feed(&mut self, precise: f64) {
         if let Some((rate, unit)) = &mut self.feed
@@ -68,7 +68,7 @@ impl Lengths {
         }
     }
 
-    /// Inverse time has come into force: the number of F stays, and is no length any more.
+    /// Inverse time was set: the number of F stays, and is no longer a length.
     pub(crate) fn feed_is_no_length(&mut self) {
         self.feed = None;
     }

@@ -1,9 +1,9 @@
 //! Observing LinuxCNC's interpreter from within a program, for every controller that has it.
 //!
-//! A program is run with a probe line after each line (`instrument`), which prints the place and what parameters show
-//! there. `probe` reads what was printed, `state` tells it in the fields of the vocabulary, `steps` makes executed
-//! blocks of one probe after the other. `refusal` and `faults` know the interpreter's error messages, `lengths`
-//! follows what was shown once into another unit, `source` knows the little that must be known of a program's text,
+//! A program runs with a probe line after each line (`instrument`), which prints the place and what parameters expose
+//! there. `probe` reads what was printed, `state` converts it to the fields of the vocabulary, `steps` turns
+//! consecutive probes into executed blocks. `refusal` and `faults` know the interpreter's error messages, `lengths`
+//! converts printed lengths to another unit, `source` knows the little that must be known of a program's text,
 //! `workspace` writes what a machine stores.
 
 pub(crate) mod faults;

@@ -4,7 +4,7 @@ use gaugeblock_adapter::HarnessError;
 
 use super::instrument::{MODES, NUMBERS, Plan};
 
-/// One probe: a place that the run reached, and what it showed there.
+/// One probe: a place that the run reached, and what it printed there.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Probe {
     /// File, 0 for the main program.
@@ -29,7 +29,7 @@ impl Probe {
         self.mode(name) == 1
     }
 
-    /// Whether another probe shows the same modes and numbers.
+    /// Whether another probe has the same modes and numbers.
     pub(crate) fn has_same_modes(&self, other: &Self) -> bool {
         self.modes == other.modes && self.numbers == other.numbers
     }
@@ -60,13 +60,13 @@ impl<'a> Reader<'a> {
         Self { plan, parts, values: Vec::new(), place: None, next: 0, broken_off: false }
     }
 
-    /// A reader where a run was broken off, perhaps within a probe: what is left of that one is passed over. The run
-    /// may begin another one before it stands.
+    /// A reader after an aborted run, perhaps within a probe: the rest of that probe is skipped. The run may begin
+    /// another one before it stops.
     pub(crate) fn is_incomplete(plan: &'a Plan) -> Self {
         Self { broken_off: true, ..Self::new(plan) }
     }
 
-    /// Takes the text of a probe line behind the marker; returns the probe when it is complete.
+    /// Takes the text of a probe line after the marker; returns the probe when it is complete.
     pub(crate) fn take(&mut self, line: &str) -> Result<Option<Probe>, HarnessError> {
         let wrong =
             |what: &str| HarnessError::Unreadable { what: what.to_owned(), line: line.to_owned() };

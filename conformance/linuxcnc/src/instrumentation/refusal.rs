@@ -1,4 +1,4 @@
-//! Reads an error message and the line that is shown with it: which block was refused, and why.
+//! Reads an error message and the line that is printed with it: which block was refused, and why.
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Fault, FaultKind};
@@ -10,10 +10,10 @@ use super::source::{Source, code, last_comment};
 /// What the program says first, and means nothing.
 const GREETING: &str = "executing";
 
-/// The fault that an error output tells. `next` is the block after the last one that is known to have been executed.
+/// The fault that standard error reports. `next` is the block after the last one that is known to have been executed.
 ///
-/// The message stands first, the refused line last. A line that a jump can reach has a tag; any other is the next
-/// one. Where the end of a file is what is wrong, the line is merely the last one that was read.
+/// The message comes first, the refused line last. A line that a jump can reach has a tag; any other is the next one.
+/// If the end of a file is the error, the line is merely the last one that was read.
 ///
 /// # Errors
 /// A message that the fault table does not explain.
@@ -59,8 +59,8 @@ pub(crate) fn fault(
     })
 }
 
-/// Whether the message may as well mean another kind, so that the controller tells none: it is the same for a word's
-/// value and a parameter's number, and for a word that is missing and one that is negative.
+/// Whether the message is the same for two kinds, so that the controller does not report which: for a word's value and
+/// a parameter's number, and for a missing word and a negative one.
 fn is_ambiguous(kind: FaultKind, message: &str, line: &str) -> bool {
     let code = code(line);
     match message {

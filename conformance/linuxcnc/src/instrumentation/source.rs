@@ -23,7 +23,7 @@ pub(crate) struct Source {
 /// What kind of block a line holds, as far as it matters for observing it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// Nothing but blanks and comments.
+    /// Only blanks and comments.
     Empty,
     /// A percent sign.
     Percent,
@@ -109,7 +109,7 @@ impl Source {
             .collect()
     }
 
-    /// Whether the program asks for line numbers, which probes change.
+    /// Whether the program reads line numbers, which probes change.
     pub(crate) fn names_line(&self) -> bool {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
@@ -148,7 +148,7 @@ impl Source {
         })
     }
 
-    /// Whether the value of a letter is computed somewhere: behind it stands no plain number.
+    /// Whether the value of a letter is computed somewhere: no plain number follows it.
     pub(crate) fn computes_word(&self, letter: char) -> bool {
         self.all().any(|(_, _, line)| {
             let code = without_names(&code(line));
@@ -166,7 +166,7 @@ impl Source {
         self.all().any(|(_, _, line)| line.contains(['h', 'H']) && names(&compact(line)))
     }
 
-    /// A line with a message that ends within the name of a parameter: what it shows is what happens to lie in memory.
+    /// A line with a message that ends within the name of a parameter: it prints whatever is in memory.
     pub(crate) fn shows_open_name(&self) -> Option<BlockLocation> {
         self.all()
             .find(|(_, _, line)| shows_open_name(line))
@@ -213,7 +213,7 @@ pub(crate) fn code(line: &str) -> String {
     code
 }
 
-/// The text of the last comment in parentheses, if nothing but blanks or a semicolon comment follows the block.
+/// The text of the last comment in parentheses, if only blanks or a semicolon comment follow it.
 pub(crate) fn last_comment(line: &str) -> Option<&str> {
     let start = line.rfind('(')?;
     let rest = &line[start + 1..];
@@ -280,7 +280,7 @@ pub(crate) fn opens_probe_log(line: &str) -> Option<bool> {
         .then(|| last_comment(line).map(compact).is_some_and(|text| text.starts_with("probeopen")))
 }
 
-/// Without what stands between `<` and `>`.
+/// The text without what is between `<` and `>`.
 fn without_names(code: &str) -> String {
     let parts = code.split('<').enumerate();
     let outside = parts.map(|(index, part)| {
@@ -310,7 +310,7 @@ fn m_codes(code: &str) -> impl Iterator<Item = u32> {
 /// Parameters that a program names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Parameters {
-    /// Numbers that stand behind a `#`.
+    /// Numbers after a `#`.
     pub(crate) numbered: BTreeSet<u32>,
     /// Names between `#<` and `>`, in lower case without blanks.
     pub(crate) named: BTreeSet<String>,

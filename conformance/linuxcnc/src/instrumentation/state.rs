@@ -1,4 +1,4 @@
-//! What a probe shows, in the fields of the vocabulary.
+//! The values of a probe, in the fields of the vocabulary.
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
@@ -69,8 +69,8 @@ pub(crate) fn compensation(
     }
 }
 
-/// Settings that parameters show of the first spindle and of the rest, beside the modes: all that is known before the
-/// first block.
+/// Settings that parameters expose of the first spindle and of the rest, in addition to the modes: all that is known
+/// before the first block.
 pub(crate) fn others(probe: &Probe) -> Settings {
     let switch = |name| Some(if probe.is(name) { Switch::On } else { Switch::Off });
     let turn = match (probe.is("_spindle_on"), probe.is("_spindle_cw")) {
@@ -97,7 +97,8 @@ pub(crate) fn others(probe: &Probe) -> Settings {
     }
 }
 
-/// The state after a block, as far as it is shown. The tool comes from the calls: its parameter keeps an old value.
+/// The state after a block, as far as it is observable. The tool comes from the calls: its parameter keeps an old
+/// value.
 pub(crate) fn state(probe: &Probe, tool: i32, plan: &Plan) -> Result<Rs274State, HarnessError> {
     let whole = |name| i32::try_from(probe.mode(name)).map_err(|_| unknown(name, probe.mode(name)));
     let prepared = if probe.mode("_selected_pocket") == -1 { -1 } else { whole("_selected_tool")? };

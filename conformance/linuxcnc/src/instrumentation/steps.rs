@@ -22,7 +22,7 @@ pub(crate) struct Steps<'a> {
     plan: &'a Plan,
     block_delete: bool,
     known: Rs274State,
-    /// Depth of calls where the last probe stood.
+    /// Depth of calls at the last probe.
     level: i64,
     at: Option<(usize, u32)>,
     /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
@@ -84,7 +84,7 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// A block was executed; the run is now behind it, or where it jumped to.
+    /// Records an executed block; the run is now after it, or where it jumped to.
     ///
     /// # Errors
     /// A mode that is not known.
@@ -131,7 +131,7 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// Whether a line is a (PROBECLOSE) alone, and no file is open: a comment that does nothing is no block.
+    /// Whether a line is only a (PROBECLOSE) without an open file: such a comment is not a block.
     fn is_idle_probe_close(&mut self, (file, line): (usize, u32)) -> bool {
         let line = self.source.line(file, line);
         let is_skipped = self.block_delete && has_slash(line);
@@ -148,7 +148,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The program ended with the next block; what was shown afterwards, and all numbered parameters that are not zero.
+    /// Records that the program ended with the next block, what was printed afterwards, and all numbered parameters
+    /// that are not zero.
     ///
     /// # Errors
     /// A mode that is not known.
@@ -189,7 +190,7 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// The run goes on behind this probe: the program again, or the next block after one that was broken off.
+    /// Continues after this probe: the program again, or the next block after an aborted one.
     pub(crate) fn resume_at(&mut self, probe: &Probe) {
         self.at = Some((probe.file, probe.line));
     }
@@ -221,8 +222,7 @@ impl<'a> Steps<'a> {
     }
 }
 
-/// Where a run ended in a sub, it was not the end but the stop before it that showed #1 to #30: the list at the end has
-/// what they are.
+/// If a run ended in a sub, #1 to #30 come from the stop before it: the list at the end has their values.
 fn arguments_at_end(observed: &mut Rs274State, parameters: Option<&BTreeMap<u32, f64>>) {
     let observed = observed.parameter.iter_mut().flat_map(|observed| observed.0.iter_mut());
     for (name, value) in observed {
@@ -232,7 +232,7 @@ fn arguments_at_end(observed: &mut Rs274State, parameters: Option<&BTreeMap<u32,
     }
 }
 
-/// Cuts an outcome off where the budget ends; tells which bound did.
+/// Cuts an outcome off where the budget ends; returns the bound that was reached.
 pub(crate) fn limit(outcome: &mut Outcome, budget: Budget) -> Option<Bound> {
     let steps = usize::try_from(budget.steps).unwrap_or(usize::MAX);
     let mut effects = 0;

@@ -28,7 +28,7 @@ pub(super) struct CapturedRun<'a> {
     pub(super) refused: bool,
     /// Whether it was ended because it ran too long or wrote too much.
     pub(super) cut_off: bool,
-    /// What was shown after the end, if the program reached its end.
+    /// The output after the end, if the program reached its end.
     pub(super) after_end: Option<&'a Probe>,
     /// Numbered parameters that are not zero at the end.
     pub(super) parameters: Option<&'a BTreeMap<u32, f64>>,
@@ -107,8 +107,8 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 /// Why a block is not judged that has a spline and a tool change or the program end.
 const HIDDEN_SPLINE: &str = "where a spline ends beside a tool change or the program end";
 
-/// T0 selects no tool, since tools do not change places here; once a tool was selected, or the table written, it
-/// shows as tool 0.
+/// T0 selects no tool, since tools do not change places here; after a tool was selected, or the table written, it
+/// appears as tool 0.
 fn select_none(step: &mut Step) {
     if let Some(State::Rs274(state)) = &mut step.state
         && state.prepared_tool == Some(0)

@@ -12,7 +12,7 @@ use gaugeblock_vocabulary::Machine;
 
 use crate::instrumentation::source::Source;
 
-/// The file that whoever uses the memory holds locked, in the folder for temporary files.
+/// The lock file of the memory of HAL, in the folder for temporary files.
 const FILE: &str = "gaugeblock-hal.lock";
 
 /// Whether HAL items can be named.

@@ -47,8 +47,8 @@ const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 }
 /// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
 const RESOLUTION: f64 = 1.0e-4;
 
-/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they are shown
-/// with the error of inches.
+/// Lengths that are printed when they are set and not when the length unit changes: set in inches, they have the error
+/// of inches.
 const CARRIED: &[&str] = &[
     "feed_rate",
     "blend_tolerance",
@@ -88,7 +88,7 @@ pub struct Rs274 {
 }
 
 impl Rs274 {
-    /// Finds the binary, at `path` or on the search path, and asks for its version.
+    /// Finds the binary, at `path` or on the search path, and queries its version.
     ///
     /// # Errors
     /// It is missing, does not run, or is not of version 2.9.

@@ -1,4 +1,4 @@
-//! One run of the program: a cleaned environment, limits, and nothing left behind.
+//! One run of the program: a cleaned environment, limits, and no surviving process.
 
 use std::ffi::OsString;
 use std::io;
@@ -112,7 +112,7 @@ impl Process<'_> {
         }
     }
 
-    /// Ends it, if it still runs, and whatever it left behind.
+    /// Kills it, if it still runs, with all of its processes.
     fn end(self) -> io::Result<ExitStatus> {
         match self {
             Self::Plain(mut child) => {

@@ -23,7 +23,7 @@ pub(super) struct Home {
 }
 
 impl Home {
-    /// A home for each Python 3 of this machine; whether it fits the one in the controller shows when that is started.
+    /// A home for each Python 3 of this machine; only a start finds out whether it fits the one in the controller.
     pub(super) fn candidates() -> Vec<Self> {
         let Ok(entries) = fs::read_dir(LIBRARIES) else { return Vec::new() };
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());

@@ -48,7 +48,7 @@ pub(super) struct Session<'a> {
 /// Which programs are also run without probes, to see that both do the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unprobed {
-    /// One in [`SAMPLE`], always the same ones, and those whose outcome cannot be told otherwise.
+    /// One in [`SAMPLE`], always the same ones, and those whose outcome cannot be determined in another way.
     Sample,
     /// All.
     All,
@@ -63,7 +63,7 @@ pub(super) enum From {
     Fork,
 }
 
-/// What the runs showed.
+/// What the runs printed.
 #[derive(Debug)]
 pub(super) struct Observed {
     /// What the probes print.
@@ -78,14 +78,14 @@ pub(super) struct Observed {
     pub(super) plain_stderr: String,
     /// Numbered parameters that are not zero at the end.
     pub(super) parameters: BTreeMap<u32, f64>,
-    /// What was shown after the program's end, if it reached its end.
+    /// The output after the program's end, if it reached its end.
     pub(super) after_end: Option<Probe>,
     /// Whether the program was stopped before an end that was none when it was entered by hand.
     pub(super) stopped_in_vain: bool,
 }
 
 impl Session<'_> {
-    /// Runs the program under observation and, where it is needed or asked for, without; both must do the same.
+    /// Runs the program under observation and, if needed or requested, without; both must do the same.
     ///
     /// # Errors
     /// It could not be run, was not understood, or did something else under observation.
@@ -131,7 +131,7 @@ impl Session<'_> {
     /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped
     /// by an error before its last block, with its state alive, and that block and a probe are entered by hand.
     ///
-    /// Once more where it turns out that a parameter was written that no probe showed.
+    /// It runs once more if a parameter was written that no probe printed.
     fn run_probed(&self, ends: &Ends) -> Result<Observed, HarnessError> {
         let mut more = BTreeSet::new();
         loop {
@@ -154,7 +154,7 @@ impl Session<'_> {
         }
     }
 
-    /// The run as the program stands. What it leaves in the parameters counts.
+    /// The run of the unchanged program. The parameters that it leaves count.
     fn run_plain(&self, observed: &mut Observed) -> Result<(), HarnessError> {
         let plain =
             |_: usize, lines: &[String]| lines.iter().map(|line| format!("{line}\n")).collect();

@@ -18,7 +18,7 @@ pub(super) enum Stop {
     Flooded,
 }
 
-/// How long output may stand in its pipe. A controller that writes word by word would wake us for each.
+/// How long output may stay in its pipe. A controller that writes word by word would wake us for each.
 const PACE: Timespec = Timespec { tv_sec: 0, tv_nsec: 1_000_000 };
 
 /// The controller's ends.
@@ -69,7 +69,7 @@ impl Streams {
         Ok((streams, Ends { input, output, errors }))
     }
 
-    /// Writes the input and reads both outputs to their ends; or tells why it stopped before.
+    /// Writes the input and reads both outputs to their ends, or returns why it stopped before.
     pub(super) fn pass(&mut self, input: &str, limit: usize, deadline: Instant) -> Option<Stop> {
         let mut unread = input.as_bytes();
         loop {

@@ -1,4 +1,4 @@
-//! Finds the binary and asks it for its version.
+//! Finds the binary and queries its version.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};

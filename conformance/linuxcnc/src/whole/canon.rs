@@ -18,7 +18,7 @@ use crate::instrumentation::state;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
-/// What the commands so far have set, and the events of the block that is told.
+/// Settings after the commands so far, and the events of the block in progress.
 #[derive(Clone, Debug)]
 pub(super) struct Canon {
     /// Settings in force.
@@ -65,7 +65,7 @@ impl Canon {
         }
     }
 
-    /// The block that is told next; `after` is what a probe showed after it, `read` what #5399 was then.
+    /// Begins the next block; `after` is the probe after it, `read` what #5399 was then.
     pub(super) fn begin(&mut self, line: &str, after: &Probe, read: Option<f64>) {
         self.block = code(line);
         self.read = read.unwrap_or_default();
@@ -74,7 +74,7 @@ impl Canon {
         self.set(Settings { units: Some(unit), ..rescaled });
     }
 
-    /// The block is over: the settings that its probe shows, and its events.
+    /// Ends the block: the settings of its probe, and its events.
     ///
     /// # Errors
     /// A mode that is not known.

@@ -7,11 +7,10 @@
 //! commands become settings and effects (`canon`), probe lines within the program the state after each block, and all
 //! together an outcome (`assemble`).
 //!
-//! Where no person interrupts, it reads ahead no more than one command, so that all that stands before a refused block
-//! has been carried out.
+//! Without an operator it reads ahead at most one command, so that all blocks before a refused one have been executed.
 //!
-//! What it cannot show: moves that do not move, the tool length mode apart from the offset, Q of G64, the limit of a
-//! spindle's speed, and which of several spindles a command is for; their pins tell.
+//! Not observable: moves that do not move, the tool length mode apart from the offset, Q of G64, the limit of a
+//! spindle's speed, and which of several spindles a command is for; their pins report that.
 
 mod assemble;
 mod canon;
@@ -57,7 +56,8 @@ const SPARE: Duration = Duration::from_secs(15);
 /// Fields that it does not show.
 const HIDDEN_FIELDS: &[&str] = &["tool_length", "naive_cam_tolerance", "spindle_limit"];
 
-/// Fields that commands show in their place among effects; not lengths, since a change of the unit is no command.
+/// Fields that commands report at their place among effects. Lengths are not among them, since a change of the unit is
+/// not a command.
 const FIELDS_AT_EFFECTS: &[&str] =
     &["rotation", "path", "mist", "flood", "feed_override", "adaptive_feed", "feed_stop"];
 
@@ -78,7 +78,7 @@ const HIDDEN_EFFECTS: &[&str] = &[
 /// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
 const PIN_PERIOD: f64 = 0.01;
 
-/// How often a run is repeated in which a new controller prints what nobody understands.
+/// How often a run is repeated if a fresh controller prints something unknown.
 const CHANCES: u32 = 2;
 
 /// The controller.
@@ -90,7 +90,7 @@ pub struct LinuxCnc {
 }
 
 impl LinuxCnc {
-    /// Finds the installed controller and asks for its version. Nothing is started yet.
+    /// Finds the installed controller and queries its version. Nothing is started yet.
     ///
     /// # Errors
     /// It is missing, is not of version 2.9, or the system does not allow name spaces of its own.
@@ -168,7 +168,7 @@ impl LinuxCnc {
     }
 }
 
-/// What a run showed.
+/// The observations of a run.
 #[derive(Debug)]
 struct RecordedRun {
     items: Vec<Item>,
@@ -180,7 +180,7 @@ impl Adapter for LinuxCnc {
         &self.capabilities
     }
 
-    /// Under inverse time it shows the speed of a move, and not F.
+    /// Under inverse time it reports the speed of a move, and not F.
     /// Of several spindles it does not tell which one a command is for; and under constant surface speed the pins
     /// of a spindle's speed, and with it of its brake, follow the radius, which is a matter of motion.
     fn observables(&self, scenario: &Scenario) -> Capabilities {
@@ -217,7 +217,7 @@ impl Adapter for LinuxCnc {
         supports::supports(scenario)
     }
 
-    /// By setup, since another one costs a start; within it first those that leave nothing behind.
+    /// By setup, since another one costs a start; within it first those that leave no residue.
     fn order_key(&self, scenario: &Scenario) -> String {
         let source = Source::new(&scenario.program);
         let leaves = reuse::words_leave_traces(&source);

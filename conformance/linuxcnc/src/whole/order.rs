@@ -1,5 +1,5 @@
-//! What is asked of a controller for a scenario: how its program is observed, what the driver is to do meanwhile, and
-//! the way back to where the next program begins.
+//! The orders for a scenario: how its program is observed, what the driver does meanwhile, and how it returns to where
+//! the next program begins.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use super::setup;
 use crate::instrumentation::instrument::{GATE, Marks, Plan};
 use crate::instrumentation::source::{Source, code, has_slash};
 
-/// Feed override under which programs run whose pace nobody looks at.
+/// Feed override for programs whose pace is not compared.
 const HURRY: f64 = 10_000.0;
 
 /// The parameter that holds what M66 has read.

@@ -20,7 +20,7 @@ use crate::instrumentation::workspace;
 /// How long a program may take.
 const LONGEST: Duration = Duration::from_secs(600);
 
-/// Samples that the sampler can hold while nobody takes them out.
+/// Samples that the sampler can hold before they are read.
 const DEPTH: u32 = 400_000;
 
 /// A sampler prints six decimals; positions go through it a thousand times as large.
@@ -214,7 +214,7 @@ fn moving(rows: &[Vec<f64>]) -> &[Vec<f64>] {
     &rows[first.saturating_sub(REST)..(last + REST + 1).min(rows.len())]
 }
 
-/// Columns that are kept, each with its place: not those of axes that nobody knows limits of and that never move.
+/// Columns to keep, each with its place: axes without limits that never move are left out.
 fn without_idle_tail(
     columns: &[Column],
     rows: &[Vec<f64>],

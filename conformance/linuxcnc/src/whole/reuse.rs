@@ -25,20 +25,20 @@ pub(super) fn foreign_names(source: &Source) -> BTreeSet<String> {
     named.filter(|name| !own.contains(name) && !name.contains('[')).collect()
 }
 
-/// Whether a run leaves something in the interpreter that no reset takes back: a loop that it was to leave or a call
-/// that it was to repeat, or, after some refusals, the refusal itself.
+/// Whether a run leaves something in the interpreter that no reset removes: a loop to leave or a call to repeat, or,
+/// after some refusals, the refusal itself.
 pub(super) fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     let end = items.iter().position(Item::is_end).unwrap_or_default();
     let refuses_all = items[end..].iter().any(|item| matches!(item, Item::Refused(_)));
     refuses_all || words_leave_traces(source)
 }
 
-/// Whether a program has words that may leave something behind: a changed tool table is one such thing.
+/// Whether a program has words that may leave residue, for example a changed tool table.
 pub(super) fn words_leave_traces(source: &Source) -> bool {
     ["continue", "break", "m98", "g10l1"].into_iter().any(|word| has(source, word))
 }
 
-/// Whether this stands in the code of a program.
+/// Whether the code of a program contains this.
 pub(super) fn has(source: &Source, word: &str) -> bool {
     source.all().any(|(_, _, line)| code(line).contains(word))
 }

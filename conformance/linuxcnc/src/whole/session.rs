@@ -62,7 +62,7 @@ pub(super) struct Session {
     pub(super) setup: Setup,
     /// Names that programs have given values: they stay for as long as it runs.
     pub(super) names: BTreeSet<String>,
-    /// What a probe showed at the beginning of the first program.
+    /// The probe at the beginning of the first program.
     pub(super) fresh: Option<Probe>,
     /// Text of the tool table that it has read.
     pub(super) tools: String,

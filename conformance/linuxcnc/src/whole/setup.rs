@@ -17,7 +17,7 @@ pub(super) const SERVO_PERIOD: f64 = 0.001;
 /// Pins that one sampler takes; the controller's own limit is 20.
 const PINS_PER_SAMPLER: usize = 16;
 
-/// Nothing is slower than this where nobody says how fast a machine is, millimetres per second and per second squared.
+/// Default limits of a machine, millimetres per second and per second squared: nothing is slower.
 const FAST: (f64, f64) = (1.0e6, 1.0e9);
 
 /// A configuration.
@@ -59,8 +59,8 @@ pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
     !scenario.operator.is_empty() || !scenario.environment.inputs.is_empty()
 }
 
-/// A person acts on what is read ahead, and what changes meanwhile in HAL is read ahead too; otherwise the controller
-/// reads ahead as little as it can, so that what stands before a refused block has been executed.
+/// Operators act on what is read ahead, and HAL pins that change meanwhile are read ahead too. Other scenarios read
+/// ahead as little as possible, so that the blocks before a refused one have been executed.
 fn reads_ahead(scenario: &Scenario) -> bool {
     let interrupts = |action: &Action| {
         matches!(action, Action::Abort | Action::Pause | Action::FeedHold(_) | Action::Mode(_))
@@ -120,7 +120,7 @@ fn ini(scenario: &Scenario) -> String {
     workspace::ini_text(&sections)
 }
 
-/// What every configuration of a machine has in its INI file, whoever drives it.
+/// The INI entries of every configuration of a machine.
 pub(super) fn machine_sections(scenario: &Scenario) -> Sections {
     let machine = &scenario.machine;
     let mut sections: Sections = workspace::ini_sections(machine);
@@ -305,7 +305,7 @@ fn driver(scenario: &Scenario, pins: &[Wired]) -> Value {
     })
 }
 
-/// A user program as a script that does nothing but take its time and exit.
+/// A user program as a script that takes its time and exits.
 fn user_program(program: &UserProgram) -> (String, String, bool, bool) {
     let text = format!("#!/bin/sh\nsleep {}\nexit {}\n", program.duration, program.exit_status);
     let folder = match program.folder {

@@ -17,7 +17,7 @@ pub(super) struct Issued {
 }
 
 impl Issued {
-    /// Something that is not issued but told by the driver, in its place among commands.
+    /// A report of the driver at its place among commands.
     pub(super) fn own(name: &str, argument: String) -> Self {
         Self { name: name.to_owned(), arguments: vec![argument] }
     }
@@ -76,7 +76,7 @@ pub(super) enum Item {
     Block(String, u32),
     /// That is over.
     Executed,
-    /// The line that the interpreter stands at.
+    /// The current line of the interpreter.
     Line(u32),
     /// A command goes out.
     Issued(Issued),
@@ -104,7 +104,7 @@ impl Item {
         if let Self::Probe(probe) = self { Some(probe) } else { None }
     }
 
-    /// Whether it is not the driver's word that pins were otherwise than before the first run.
+    /// Whether it is anything except the driver's report that pins differed from those before the first run.
     pub(super) fn begins_as_new(&self) -> bool {
         let Self::Driver(report) = self else { return true };
         report.get("as_new").and_then(Value::as_bool) != Some(false)
@@ -178,7 +178,7 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
     Ok(items)
 }
 
-/// Whether a line repeats what the error channel tells as well.
+/// Whether a line repeats a message of the error channel.
 fn is_remark(line: &str) -> bool {
     [
         "wait for orient complete",

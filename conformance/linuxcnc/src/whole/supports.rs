@@ -41,7 +41,7 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     simultaneous_events(scenario)
 }
 
-/// What it does not tell of blocks by hand.
+/// What it does not report of MDI blocks.
 fn mdi(scenario: &Scenario) -> Result<(), String> {
     let program = &scenario.program;
     let lines = program.language.lines(&program.main).filter(|_| program.start == Start::Mdi);

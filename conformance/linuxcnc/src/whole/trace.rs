@@ -25,7 +25,7 @@ impl Trace {
         Self { files, file: 0, line: 0, executing: false }
     }
 
-    /// A probe told which file is open.
+    /// A probe reported which file is open.
     pub(super) fn stands_in(&mut self, file: usize) {
         self.file = file;
     }
@@ -45,7 +45,7 @@ impl Trace {
         self.executing = false;
     }
 
-    /// The interpreter stands behind this line.
+    /// The interpreter is after this line.
     pub(super) fn line(&mut self, line: u32) {
         if !self.executing {
             self.line = line;

@@ -1,4 +1,4 @@
-//! Finds the controller and asks it for its version, and whether it may be given name spaces of its own.
+//! Finds the controller and queries its version, and whether it can have namespaces of its own.
 
 use std::env;
 use std::path::PathBuf;

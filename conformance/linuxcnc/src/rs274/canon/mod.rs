@@ -1,7 +1,7 @@
 //! Canonical calls as settings and effects of the vocabulary.
 //!
-//! Moves and the feed are read here, modes and offsets in `settings`, spindles and switches in `spindles`, the rest
-//! in `effects`. Each hands on what it does not know; what nobody knows is an error.
+//! Moves and the feed are read here, modes and offsets in `settings`, spindles and switches in `spindles`, the rest in
+//! `effects`. Each passes on unknown calls; a call that none of them knows is an error.
 
 mod effects;
 mod settings;
@@ -29,11 +29,11 @@ pub(super) enum Mark {
     ProgramEnd,
     /// The second percent sign was read.
     PercentEnd,
-    /// Something that the output shows too little of.
+    /// Something that the output prints only in part.
     Unsupported(String),
 }
 
-/// What the calls so far have set, and the events since it was last asked.
+/// Settings after the calls so far, and the events since they were last taken.
 #[derive(Clone, Debug)]
 pub(super) struct Canon {
     /// Settings in force.
@@ -73,8 +73,8 @@ impl Canon {
         }
     }
 
-    /// Which block comes next: the calls do not tell dynamic compensation from static, nor U, V and W planes from each
-    /// other; the block does.
+    /// Names the next block: the calls do not distinguish dynamic compensation from static, nor U, V and W planes from
+    /// each other; the block does.
     pub(super) fn block(&mut self, line: &str) {
         self.block = code(line);
     }
@@ -85,7 +85,7 @@ impl Canon {
         std::mem::take(&mut self.events)
     }
 
-    /// Where the controlled point is after the block. No call shows where a spline ends.
+    /// Where the controlled point is after the block. No call prints the end of a spline.
     pub(super) fn arrived(&mut self, position: Position) {
         for event in &mut self.events {
             if let Event::Do(Effect::NurbsFeed { end, .. }) = event {
@@ -95,8 +95,8 @@ impl Canon {
         self.position = position;
     }
 
-    /// Whether a spline is among the events, and beside it what hides where it ends: the program end, or a tool
-    /// change, behind which the controller's point is what its memory held.
+    /// Whether a spline is among the events together with something that hides its end: the program end, or a tool
+    /// change, after which the controller's point is what its memory held.
     pub(super) fn hides_spline(&self, ends: bool) -> bool {
         let spline = |event: &Event| matches!(event, Event::Do(Effect::NurbsFeed { .. }));
         let change = |event: &Event| matches!(event, Event::Do(Effect::ChangeTool { .. }));
@@ -108,7 +108,7 @@ impl Canon {
         state::set(&mut self.now, &mut self.events, &change);
     }
 
-    /// Takes over the modes that a probe shows.
+    /// Takes over the modes of a probe.
     ///
     /// # Errors
     /// A mode that is not known.
@@ -216,8 +216,8 @@ impl Canon {
         }
     }
 
-    /// F under inverse time is set with the other words of its block, behind what a comment says; the first call that
-    /// shows it is the one of the move.
+    /// F under inverse time is set with the other words of its block, after what a comment says; the first call that
+    /// prints it is that of the move.
     fn rate_of_block(&mut self, rate: f64) {
         let change = self.lengths.feed(rate, Some(FeedMode::InverseTime));
         let mut set = Vec::new();

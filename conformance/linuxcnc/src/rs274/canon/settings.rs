@@ -41,8 +41,8 @@ impl Canon {
         Ok(Mark::None)
     }
 
-    /// Modes that no call shows are told in comments. A comment of the program may say the same; the probe after the
-    /// block puts that right.
+    /// Comments report modes that no call prints. A comment of the program may say the same; the probe after the block
+    /// corrects that.
     fn comment(&mut self, text: &str) -> Settings {
         let none = Settings::default();
         let Some(text) = text.strip_prefix("interpreter: ") else { return none };
@@ -86,7 +86,7 @@ impl Canon {
         }
     }
 
-    /// Compensation on a side, as the comment shows it.
+    /// Compensation on a side, as the comment names it.
     fn compensation(&self, side: Compensation) -> Settings {
         let compensation = state::compensation(side, self.now.compensation, &self.block);
         Settings { compensation: Some(compensation), ..Settings::default() }
@@ -131,7 +131,7 @@ fn unit(call: &Call) -> Result<LengthUnit, HarnessError> {
     }
 }
 
-/// The call tells per revolution from the rest; comments tell inverse time from per minute.
+/// The call distinguishes per revolution from the rest; comments distinguish inverse time from per minute.
 fn feed_mode_call(now: Option<FeedMode>, mode: f64) -> Settings {
     let feed_mode = if mode > 0.0 { Some(FeedMode::PerRevolution) } else { now };
     Settings { feed_mode, ..Settings::default() }

@@ -1,7 +1,7 @@
 //! Writing into the tool table.
 //!
-//! The call shows all of an entry but the diameter, and lengths in the unit of the machine: the diameter is the one
-//! that the table had, or twice the R of the block.
+//! The call prints an entry without its diameter, and lengths in the unit of the machine. The diameter is the one that
+//! the table had, or twice the R of the block.
 
 use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, Position};
 

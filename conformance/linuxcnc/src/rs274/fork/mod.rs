@@ -132,7 +132,7 @@ impl Fork<'_> {
         self.status.is_some()
     }
 
-    /// Ends it, if it still runs, and whatever it left behind.
+    /// Kills it, if it still runs, with all of its processes.
     ///
     /// # Errors
     /// Its server is gone.

@@ -27,7 +27,7 @@ pub(in crate::rs274) struct Start {
     pub(in crate::rs274) tools: String,
 }
 
-/// How long the server may take to start, or to answer where the answer depends on nothing but itself.
+/// How long the server may take to start, or to give an answer that depends only on itself.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The server, ended when it is dropped, with all its forks.
@@ -39,10 +39,10 @@ pub(super) struct Server {
     _home: Workspace,
 }
 
-/// What it tells.
+/// Its answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// It can be asked for forks.
+    /// It can fork.
     Ready,
     /// A fork has begun, and leads a group of this number.
     Begun(Pid),
@@ -54,7 +54,7 @@ impl Server {
     /// Starts the program with the library, as far as the program can be started without a case.
     ///
     /// # Errors
-    /// It did not start, or not in time, or did not come to the point where it forks.
+    /// It did not start, or not in time, or did not reach the point where it forks.
     pub(super) fn start(program: Started<'_>, library: &Path, start: &Start) -> io::Result<Self> {
         let home = Workspace::in_memory("rs274").map_err(io::Error::other)?;
         home.write(TOOLS, &start.tools).map_err(io::Error::other)?;
@@ -90,10 +90,10 @@ impl Server {
         }
     }
 
-    /// What it tells next.
+    /// Reads its next answer.
     ///
     /// # Errors
-    /// It is gone, or tells nothing in this time.
+    /// It has ended, or does not answer in this time.
     pub(super) fn answer(&mut self, within: Duration) -> io::Result<Answer> {
         self.control.set_read_timeout(Some(within.max(Duration::from_micros(1))))?;
         let mut message = [[0; 4]; 2];
@@ -108,7 +108,7 @@ impl Server {
         }
     }
 
-    /// Lets go of the fork: it is ended if it still runs, and whatever it left behind.
+    /// Kills the fork, if it still runs, with all of its processes.
     ///
     /// # Errors
     /// The server is gone.

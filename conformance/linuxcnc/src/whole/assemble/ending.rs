@@ -12,7 +12,7 @@ impl Assembly<'_> {
     /// How the run ended, and its last block.
     ///
     /// # Errors
-    /// Nothing tells how it ended, or an error message is unknown.
+    /// Nothing reports how it ended, or an error message is unknown.
     pub(super) fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
         if let Some(end) = self.end_by_status()? {
             return Ok(end);
@@ -123,7 +123,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// The run was aborted, has ended before, or waits for another block by hand; what a probe showed afterwards.
+    /// The run was aborted, has ended before, or waits for another MDI block; what a probe printed afterwards.
     fn ends_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
         let Some(probe) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);

@@ -1,6 +1,6 @@
 //! Blocks that a person enters by hand while no program runs.
 //!
-//! The driver shows what is in force before such a block and after it: the first probe ends what came before, the
+//! The driver reports the settings before such a block and after it: the first probe ends what came before, the
 //! program's end among it.
 
 use gaugeblock_adapter::HarnessError;

@@ -57,12 +57,12 @@ pub(super) struct Assembly<'a> {
     /// Whether the next wait is one of ours.
     at_gate: bool,
     refused: Option<Fault>,
-    /// A fault of the machine, told by the error channel.
+    /// A fault of the machine, from the error channel.
     stopped: Option<String>,
     aborted: bool,
-    /// Whether another mode was asked for, which a controller may take as an abort.
+    /// Whether another mode was requested, which a controller may take as an abort.
     asked_for_mode: bool,
-    /// Whether the operator has asked for a pause that the controller has not been told yet.
+    /// Whether the operator has requested a pause that has not reached the controller yet.
     asked_to_pause: bool,
     /// Whether each line of the program is entered by hand.
     by_hand: bool,
@@ -300,7 +300,7 @@ impl<'a> Assembly<'a> {
         Ok(())
     }
 
-    /// What a block did, told under the settings that its probe shows.
+    /// The events of a block, under the settings of its probe.
     fn events(
         &mut self,
         printed: Vec<Effect>,
