@@ -68,7 +68,7 @@ pub enum Reply {
     /// Only [`Interpreter::abort`](crate::Interpreter::abort) or [`begin`](crate::Interpreter::begin) may follow.
     Aborted,
     /// The block is aborted here, and what follows is only read: it changes modes and parameters, and nothing of the
-    /// machine. The interpreter goes on as if this effect were done, until
+    /// machine. The interpreter continues as if this effect were done, until
     /// [`Interpreter::end_read_ahead`](crate::Interpreter::end_read_ahead).
     ReadOnly,
 }

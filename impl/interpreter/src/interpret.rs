@@ -75,7 +75,6 @@ pub struct Interpreter {
     pub(crate) percent_closed: bool,
     /// How many loops of the main program have been compiled.
     pub(crate) generation: u32,
-    /// The parameters.
     pub(crate) parameters: Parameters,
     /// The modes.
     pub(crate) modal: Modal,
@@ -375,8 +374,8 @@ impl Interpreter {
         self.cursor.segment == STREAM && !self.line_pending && self.pending.is_none()
     }
 
-    /// The file and line of the block that the next step executes; none where that goes on within a block or ends the
-    /// run. The block is only read and kept: a caller that does not use this loses nothing.
+    /// The file and line of the block that the next step executes; none where that continues a block or ends the run.
+    /// The block is only read and kept: a caller that does not use this loses nothing.
     pub fn next_block<S: Source>(&mut self, source: &mut S) -> Option<(&str, u32)> {
         if self.ended.is_some() || self.pending.is_some() {
             return None;

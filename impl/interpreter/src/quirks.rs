@@ -51,7 +51,8 @@ pub(crate) fn is_parameter(number: f64) -> bool {
     (1.0..=LAST_PARAMETER).contains(&number)
 }
 
-/// By how much the radii of an arc may differ, length units: always, and where it is less than a thousandth of them.
+/// The fine and the coarse tolerance of an arc's radii, length units. A difference up to the fine one is always
+/// accepted, up to the coarse one only where it is at most a thousandth of the radius.
 pub(crate) fn arc_tolerances(units: LengthUnit) -> (f64, f64) {
     let diagonal = math::sqrt(2.0);
     match units {
@@ -60,7 +61,7 @@ pub(crate) fn arc_tolerances(units: LengthUnit) -> (f64, f64) {
     }
 }
 
-/// Below what radius an arc has none, length units.
+/// The least radius of an arc, length units.
 pub(crate) fn arc_least_radius(units: LengthUnit) -> f64 {
     match units {
         LengthUnit::Inch => 0.000_05,

@@ -5,11 +5,11 @@ use alloc::collections::BTreeMap;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// The text of a program and of its subroutine files, as much at a time as lies ready.
+/// The text of a program and of its subroutine files, as much at a time as is ready.
 ///
 /// A main program is read from front to back and never held whole, so it may be larger than memory; what runs again
-/// (loops, subroutines) is kept as bytecode by the interpreter. Lines that lie whole in what [`Self::text`] gives are
-/// read in place.
+/// (loops, subroutines) is kept as bytecode by the interpreter. Lines that are whole in the result of [`Self::text`]
+/// are read in place.
 pub trait Source {
     /// The text of the innermost open file from the reader's place; empty at its end. The same call again gives the
     /// same text.
@@ -38,7 +38,7 @@ pub trait Source {
     /// The file is there but cannot be read.
     fn open(&mut self, name: &str) -> Result<bool, SourceError>;
 
-    /// Closes the innermost open subroutine file; reading goes on in the one before it.
+    /// Closes the innermost open subroutine file; reading continues in the one before it.
     fn close(&mut self);
 }
 

@@ -1,8 +1,8 @@
 //! The words of one block after evaluation: what the syntax hands to the modal side.
 
-/// How many G words one block may carry: more than there are modal groups is a conflict anyhow.
+/// Most G words of a block: more than there are modal groups is a conflict anyhow.
 pub(crate) const G_WORDS: usize = 24;
-/// How many M words one block may carry before it is refused for their number.
+/// Most M words of a block that are kept before it is refused for their number.
 pub(crate) const M_WORDS: usize = 8;
 
 /// The words of one block. Values are as the program writes them: active unit, degrees, degrees of plane.

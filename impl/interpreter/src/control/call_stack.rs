@@ -12,7 +12,7 @@ pub(crate) const LOOP: u32 = 1;
 /// The segment that holds the numbered subprograms.
 pub(crate) const PROGRAMS: u32 = 2;
 
-/// Which block comes next.
+/// The place of the next block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
     /// The segment; [`STREAM`] for the next line of the main program.
@@ -52,7 +52,7 @@ pub(crate) struct Frame {
     pub(crate) kind: FrameKind,
     /// The sub's label.
     pub(crate) label: NameId,
-    /// Where the caller goes on.
+    /// Where the caller continues.
     pub(crate) back: Cursor,
     /// `#1` to `#30` of the caller.
     pub(crate) arguments: [f64; 30],
@@ -65,7 +65,6 @@ pub(crate) struct Frame {
 /// A label that points to a condition or loop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Definition {
-    /// The label.
     pub(crate) label: NameId,
     /// If, While, Do or Repeat.
     pub(crate) keyword: Keyword,
@@ -75,7 +74,7 @@ pub(crate) struct Definition {
     pub(crate) line: u32,
     /// Where that line begins in its file.
     pub(crate) offset: u64,
-    /// Where the block lies.
+    /// The place of the block.
     pub(crate) at: Cursor,
     /// Which of the loops that were in [`LOOP`] it belongs to.
     pub(crate) generation: u32,

@@ -280,7 +280,7 @@ impl Interpreter {
         Ok(Ok(number))
     }
 
-    /// Where subs end in what follows; the source has been read to its end then.
+    /// The ends of the subs in the rest of the text; the source is at its end after it.
     pub(super) fn ends<S: Source>(&mut self, file: u32, source: &mut S) -> Result<Ends, Error> {
         let mut code = CodeSegment { file, ..CodeSegment::default() };
         let mut ends = BTreeMap::new();

@@ -13,7 +13,6 @@ use crate::syntax::{LineKind, LinePlace, PercentAlone, is_o_word, is_percent};
 /// The target of a search.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LabelTarget {
-    /// The label.
     pub(crate) label: NameId,
     /// Whether a keyword is the right one.
     pub(crate) accept: fn(Keyword) -> bool,

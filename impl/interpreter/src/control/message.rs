@@ -27,13 +27,12 @@ pub(crate) struct Logs {
 /// The values that a comment can print.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
-    /// The parameters.
     pub(crate) parameters: &'a Parameters,
     /// The modes.
     pub(crate) modal: &'a Modal,
     /// The names and the readings.
     pub(crate) compiler: &'a LineCompiler,
-    /// Where the comment lies.
+    /// The segment of the comment.
     pub(crate) segment: &'a CodeSegment,
 }
 

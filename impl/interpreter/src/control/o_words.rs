@@ -15,7 +15,7 @@ use crate::source::Source;
 use crate::syntax::bytecode::{Block, Keyword, NONE, OWord};
 use crate::syntax::label_ops;
 
-/// Why a control block does not go on as usual.
+/// Why a control block fails.
 pub(crate) enum ControlError {
     /// The block is refused.
     Refusal(Refusal),

@@ -16,7 +16,7 @@ pub(crate) struct Reader {
     place: LinePlace,
     /// The last line ended in a carriage return at the end of the text: a line feed may belong to it.
     after_return: bool,
-    /// A line that did not lie whole in the source's text.
+    /// A line that was not whole in the source's text.
     line: Vec<u8>,
 }
 
@@ -121,7 +121,7 @@ impl Reader {
         self.place.offset = self.place.offset.saturating_add(u64::try_from(bytes).unwrap_or(0));
     }
 
-    /// A line whose end does not lie in the text that is ready. What is too long to be a block is cut.
+    /// A line whose end is not in the text that is ready. A line that is too long for a block is cut.
     #[cold]
     fn read_split_line<S: Source, T>(
         &mut self,

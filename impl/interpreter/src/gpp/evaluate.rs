@@ -103,7 +103,6 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// A text.
     pub(super) fn text(
         &self,
         source: Source,

@@ -112,7 +112,7 @@ impl Runner {
 
     fn set_systems(&mut self, sets: &[(usize, Value)]) -> Result<(), StatementError> {
         if !planted(Fault::PresenceStays) {
-            // Both are in order: the variables are gone through once.
+            // Both are in order: one pass over the variables is enough.
             let mut named: Vec<usize> = sets.iter().map(|(system, _)| *system).collect();
             named.sort_unstable();
             let mut named = named.into_iter().peekable();
@@ -214,7 +214,7 @@ impl Runner {
         let had_value = self.variables.has_value(slot);
         let is_text = self.variables.variable_of(slot).is_some_and(|one| one.is_text());
         let changed = if is_text {
-            // The text of a variable lies where it may be changed, and is copied.
+            // The text of a variable may change in place, so that it is copied.
             let mut copy = core::mem::take(&mut self.text);
             copy.clear();
             let text = self.evaluator().text(source, stack).map(|text| copy.push_str(text));

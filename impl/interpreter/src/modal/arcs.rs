@@ -40,7 +40,7 @@ impl InPlane {
         self.first.is_finite() && self.second.is_finite()
     }
 
-    /// How long it is. Infinite is only what no number is large enough for, and zero what is none.
+    /// Its length. Only a length beyond the largest number is infinite, and only no length is zero.
     #[inline]
     fn length(self) -> f64 {
         let length = math::hypotenuse(self.first, self.second);
@@ -88,16 +88,16 @@ struct Tolerances {
     coarse: f64,
     /// Radii that differ by no more always are.
     fine: f64,
-    /// By how much R may be too small for half a circle: what is lost when numbers are written.
+    /// The tolerance by which R may be too small for half a circle, because written numbers are rounded.
     radius: f64,
     /// Whether the larger radius counts instead of that of the start: quirk rs274.arc-radius-tolerance.
     of_larger: bool,
-    /// Below what radius there is none: quirk rs274.arc-least-radius.
+    /// The least radius of an arc: quirk rs274.arc-least-radius.
     least: f64,
 }
 
 impl Tolerances {
-    /// Of two radii, how much of one they may differ by.
+    /// The part of a radius by which two radii may differ.
     const RELATIVE: f64 = 0.001;
 
     fn of(units: LengthUnit) -> Self {
@@ -263,7 +263,7 @@ struct RadiusFormat {
     radius: f64,
     /// Whether the centre is on the left of the chord.
     left: bool,
-    /// By how much the radius may be too small.
+    /// The tolerance by which the radius may be too small.
     slack: f64,
     emulates_rs274: bool,
 }
@@ -291,7 +291,7 @@ impl RadiusFormat {
         if centre.is_finite() { Ok(centre) } else { self.far_centre(start, chord, length) }
     }
 
-    /// How far the centre is from the chord, on the left of it.
+    /// The signed distance of the centre from the chord, positive on its left.
     #[inline]
     fn signed_height(&self, height: f64) -> f64 {
         let least = if self.emulates_rs274 { quirks::ARC_HEIGHT * self.radius } else { 0.0 };

@@ -1,4 +1,4 @@
-//! Where the axis words of a move lead: absolute and incremental (11.5.54), diameters (11.5.10), polar words
+//! The end point of a move's axis words: absolute and incremental (11.5.54), diameters (11.5.10), polar words
 //! (11.4.12), machine coordinates (11.5.33).
 
 use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};

@@ -66,7 +66,7 @@ pub(super) fn code_of(motion: Motion) -> u16 {
     }
 }
 
-/// The motion modes among which a series of cycles goes on (11.5.61).
+/// Whether a motion mode belongs to a series of cycles (11.5.61).
 pub(super) const fn is_cycle(motion: Motion) -> bool {
     matches!(
         motion,

@@ -38,12 +38,12 @@ impl Modal {
         }
     }
 
-    /// Where the axis words of a move lead.
+    /// The end point of a move's axis words.
     pub(super) fn end_point(&self, words: &Words) -> Coordinates {
         self.point_from(self.position, words)
     }
 
-    /// Where the axis words of a move lead that may be polar.
+    /// The end point of a move's axis words, which may be polar.
     pub(super) fn polar_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
         let end = self.end_point(words);
         if words.is_polar() {
@@ -52,7 +52,7 @@ impl Modal {
         Ok(end)
     }
 
-    /// Where axis words lead, incremental ones from a point.
+    /// The point of axis words, incremental ones from a point.
     pub(super) fn point_from(&self, from: Coordinates, words: &Words) -> Coordinates {
         let radius;
         let words = if self.active.now().lathe == Lathe::Diameter {

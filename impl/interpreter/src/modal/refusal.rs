@@ -4,7 +4,7 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
-/// How execution goes on after a block.
+/// How execution continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flow {
     /// With the next block.

@@ -246,7 +246,7 @@ impl Runner {
         Ok(())
     }
 
-    /// Where the axis words lead.
+    /// The end point of the axis words.
     fn target(&self, letters: &Letters) -> Result<Coordinates, Stop> {
         let mut end = self.position;
         for (axis, letter) in Axis::ALL.iter().zip(AXES) {

@@ -30,7 +30,6 @@ pub(super) struct Program {
     pub(super) blocks: IndexRange,
 }
 
-/// A block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
     /// Its line, from 1.
@@ -66,7 +65,6 @@ pub(super) enum Kind {
     Stop(Stop),
 }
 
-/// A word.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Word {
     /// In upper case.

@@ -59,7 +59,6 @@ pub(super) struct Runner {
     /// Its G codes in tenths, and its M codes.
     pub(super) g: Vec<u16>,
     pub(super) m: Vec<u16>,
-    /// Its effects.
     pub(super) effects: Vec<Effect>,
     pub(super) report: StepReport,
     stack: Stack,

@@ -57,7 +57,6 @@ pub(crate) struct Slot {
 }
 
 impl Slot {
-    /// Its value.
     pub(crate) fn value(&self) -> f64 {
         self.value
     }

@@ -49,7 +49,7 @@ fn angle(from: (f64, f64), to: (f64, f64), turns: i32) -> f64 {
     if turns < 0 { -(part + whole) } else { part + whole }
 }
 
-/// Where a point lies in a plane through a centre, along two directions of it.
+/// The coordinates of a point in a plane through a centre, along two directions of it.
 fn in_plane(point: &Axes, centre: [f64; 3], along: [f64; 3], across: [f64; 3]) -> (f64, f64) {
     let [x, y, z, ..] = point;
     let [centre_x, centre_y, centre_z] = centre;

@@ -37,7 +37,7 @@ pub enum MotionRequest {
     WithNextMove(OutputSwitch),
     /// To come to rest first: what the effect does then is the caller's.
     Rest,
-    /// Nothing; motion goes on as if the effect were not there.
+    /// Nothing; motion continues as if the effect were not there.
     Nothing,
     /// A motion whose effect does not include the path (G5 to G5.3), or which follows a spindle there and back
     /// (G33.1, G84).

@@ -14,11 +14,8 @@ pub(crate) const NONE: u32 = u32::MAX;
 /// Operators between two numbers, by rising precedence of their groups (11.4.6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Binary {
-    /// AND.
     And,
-    /// OR.
     Or,
-    /// XOR.
     Xor,
     /// EQ.
     Equal,
@@ -63,7 +60,6 @@ pub(crate) enum Function {
     RoundDown,
     /// FUP.
     RoundUp,
-    /// ROUND.
     Round,
     /// LN.
     Logarithm,
@@ -124,7 +120,6 @@ pub(crate) enum Op {
     GCode(u16),
     /// Takes an M code.
     M,
-    /// An M code.
     MCode(u16),
     /// Takes the value of `$`.
     Dollar,
@@ -166,35 +161,21 @@ pub(crate) enum ParameterRef {
 /// The keyword of an o-word (11.7).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Keyword {
-    /// `sub`.
     Sub,
-    /// `endsub`.
     EndSub,
-    /// `return`.
     Return,
-    /// `call`.
     Call,
-    /// `if`.
     If,
-    /// `elseif`.
     ElseIf,
-    /// `else`.
     Else,
-    /// `endif`.
     EndIf,
     /// `while`: the head of a loop or the end of a do.
     While,
-    /// `endwhile`.
     EndWhile,
-    /// `do`.
     Do,
-    /// `repeat`.
     Repeat,
-    /// `endrepeat`.
     EndRepeat,
-    /// `break`.
     Break,
-    /// `continue`.
     Continue,
     /// A number alone: the beginning of a numbered program.
     Program,
@@ -202,10 +183,8 @@ pub(crate) enum Keyword {
     Unknown,
 }
 
-/// An o-word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OWord {
-    /// The keyword.
     pub(crate) keyword: Keyword,
     /// Its label; [`NONE`] where it is computed, by the first number that the block's operations push.
     pub(crate) label: NameId,
@@ -221,13 +200,11 @@ pub(crate) struct OWord {
 pub(crate) enum Kind {
     /// Words, settings of parameters, comments.
     Plain,
-    /// Control.
     Control(OWord),
     /// A sub in a segment of its own.
     Definition {
         /// The sub's label.
         label: NameId,
-        /// Its segment.
         segment: u32,
     },
     /// The percent line that ends a file.
@@ -243,7 +220,6 @@ pub(crate) struct Block {
     pub(crate) first: u32,
     /// One past the last operation.
     pub(crate) end: u32,
-    /// Its kind.
     pub(crate) kind: Kind,
     /// The comment that acts; [`NONE`] for none.
     pub(crate) comment: u32,
@@ -260,23 +236,14 @@ pub(crate) struct Block {
 pub(crate) enum Act {
     /// MSG.
     Message,
-    /// DEBUG.
     Debug,
-    /// PRINT.
     Print,
-    /// LOG.
     Log,
-    /// LOGOPEN.
     LogOpen,
-    /// LOGAPPEND.
     LogAppend,
-    /// LOGCLOSE.
     LogClose,
-    /// PROBEOPEN.
     ProbeOpen,
-    /// PROBECLOSE.
     ProbeClose,
-    /// ABORT.
     Abort,
 }
 

@@ -61,7 +61,7 @@ impl Outputs {
         some_wait
     }
 
-    /// Drops what waits: it is gone with its program.
+    /// Drops the values that wait, after the end of their program.
     pub(super) fn forget_waiting(&mut self) {
         self.some_wait = false;
         for output in &mut self.outputs {

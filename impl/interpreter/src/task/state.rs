@@ -195,7 +195,7 @@ impl<M: Machine> TaskState<M> {
         self.update_items();
     }
 
-    /// After an abort: what waits for a motion is gone with the motions that were queued, or waits for the next one.
+    /// After an abort: outputs that wait for a motion are dropped with the queued motions, or wait for the next one.
     pub(super) fn forget_waiting(&mut self) {
         if self.choices.waits_after_abort {
             return;

@@ -164,8 +164,8 @@ impl Modal {
         Levels { retract, bottom, clear }
     }
 
-    /// Where the first hole is, and how far each is from the one before: in absolute mode they are all in one place
-    /// (11.5.43.3).
+    /// The place of the first hole, and the distance of each from the one before: in absolute mode they are all in
+    /// one place (11.5.43.3).
     fn holes(
         &self,
         words: &Words,
@@ -187,7 +187,7 @@ impl Modal {
         Ok(([at_first + by_first, at_second + by_second], step))
     }
 
-    /// Where the hole is that polar words name, as they name X and Y of a move (11.4.12).
+    /// The hole of polar words, which set X and Y as for a move (11.4.12).
     fn polar_hole(
         &self,
         words: &Words,
