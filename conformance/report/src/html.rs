@@ -1,7 +1,6 @@
-//! The report as one page that needs nothing beside it: worst first, with a search, and what each divergence is.
+//! The report as one self-contained page: worst first, with a search, and a card for each divergence.
 //!
-//! What a controller says stands in it as text, whatever it is: the template escapes everything but pictures, which
-//! are made of numbers.
+//! Text of a controller stays text: the template escapes everything except pictures, which are made of numbers.
 
 use std::cmp::Reverse;
 use std::time::Duration;
@@ -35,7 +34,7 @@ pub fn html(report: &Report<'_>) -> Result<String, String> {
     Ok(escape_text(&page).into_owned())
 }
 
-/// What the page shows.
+/// The content of the page.
 #[derive(Debug, Serialize)]
 struct Page<'a> {
     controller: &'a str,
@@ -160,7 +159,7 @@ struct Moved<'a> {
     picture: String,
 }
 
-/// Each choice and quirk: what it is held to, and what it shows.
+/// Each choice and quirk: the expected and the observed option.
 #[derive(Debug, Serialize)]
 struct Fingerprint<'a> {
     agrees: usize,
@@ -192,7 +191,7 @@ struct Slow<'a> {
     time: String,
 }
 
-/// What the whole comes to, in a sentence, and as which kind of verdict that is shown.
+/// The result in a sentence, and the verdict whose style it has.
 pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
     match report.exit_status() {
         0 if report.mismatches.is_some() => {
@@ -240,7 +239,7 @@ fn words(report: &Report<'_>) -> Vec<Word> {
     words.into_iter().map(|word| Word { word, class: class(word) }).collect()
 }
 
-/// The worst first: of what diverges, that of which nobody knows, in most cases.
+/// The worst first: unknown divergences in most cases.
 fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
     let mut rules = report.rules();
     rules.sort_by_key(|result| {
@@ -269,7 +268,7 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
     rules.into_iter().map(row).collect()
 }
 
-/// Pictures of what is no card.
+/// Pictures of cases without a card.
 fn motions<'a>(report: &'a Report<'_>) -> Vec<Moved<'a>> {
     let others = report.run.cases.iter().filter(|result| result.verdict.divergence().is_none());
     let drawn = others.filter_map(|result| {

@@ -1,4 +1,4 @@
-//! What a run of the suite comes to: counts, a verdict per rule, an exit status.
+//! The results of a run of the suite: counts, a verdict per rule, an exit status.
 
 pub mod baseline;
 mod cards;
@@ -28,7 +28,7 @@ pub use rule::{Counts, RuleResult, RuleVerdict};
 use gaugeblock_runner::certify::{CaseResult, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 
-/// A run with what it is held against.
+/// A run with its mismatches.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
     /// The run.
@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
         leaking.map(|case| (case, case.leaked_failure.as_deref().unwrap_or_default())).collect()
     }
 
-    /// Fields and effects that were not shown, with the number of cases.
+    /// Fields and effects that were not observable, with the number of cases.
     pub fn masked(&self) -> BTreeMap<&str, usize> {
         let mut masked = BTreeMap::new();
         for field in self.run.cases.iter().flat_map(|result| &result.masked) {

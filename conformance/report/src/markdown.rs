@@ -1,8 +1,8 @@
 //! The report as a short page of Markdown, for a pull request: the verdict first, what is new, and the smallest
 //! programs.
 //!
-//! Whatever a controller says stands in code, in a run of backticks that it cannot close: no heading, no link, no
-//! mention, no HTML of its making. The page has a limit, and says what it leaves out.
+//! Text of a controller is in code spans, in a run of backticks that it cannot close: it makes no heading, no link, no
+//! mention, no HTML. The page has a limit, and says what it leaves out.
 
 use gaugeblock_runner::certify::CaseResult;
 use gaugeblock_runner::expectations::ExpectationMismatch;
@@ -16,7 +16,7 @@ use super::{Report, RuleResult, html};
 /// Most bytes of the page: less than a comment on GitHub may have.
 const MOST: usize = 60_000;
 
-/// Most characters of a text that is shown.
+/// Longest text in characters.
 const SHOWN: usize = 300;
 
 /// Most items of a list.
@@ -131,8 +131,7 @@ fn rules(report: &Report<'_>) -> String {
     )
 }
 
-/// What differs, alike departures together, each with its smallest program, in at most so many bytes: what nothing
-/// explains first.
+/// Divergences in groups, each with its smallest program, in at most so many bytes: unexplained ones first.
 fn divergences(report: &Report<'_>, room: usize) -> String {
     let mismatches = report.mismatches.as_ref();
     let is_known = |result: &CaseResult<'_>| {
@@ -301,7 +300,7 @@ fn visible(text: &str) -> String {
     text.chars().map(|c| if is_seen(c) { c } else { ' ' }).collect()
 }
 
-/// How many backticks stand together at most.
+/// Longest run of backticks.
 fn longest_run(text: &str) -> usize {
     text.split(|c| c != '`').map(str::len).max().unwrap_or_default()
 }

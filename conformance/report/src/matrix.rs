@@ -17,9 +17,9 @@ use super::{Report, RuleVerdict};
 pub struct Judged {
     /// The controller and its version.
     pub controller: String,
-    /// The edition that it was held to.
+    /// The edition that it was compared with.
     pub edition: String,
-    /// Verdict and what it rests on, by rule.
+    /// Verdict and compared kinds, by rule.
     rules: BTreeMap<String, (RuleVerdict, Tally)>,
 }
 
@@ -55,7 +55,7 @@ impl Judged {
     /// Reads a report that `certify --format json` or `--report` wrote.
     ///
     /// # Errors
-    /// It is no such report; the message follows the name of the file.
+    /// It is not such a report; the message follows the name of the file.
     pub fn read(text: &str) -> Result<Self, String> {
         let written: Written = read(text)?;
         let rules = written.rules.into_iter();

@@ -121,7 +121,7 @@ impl Stored {
     }
 }
 
-/// The whole of a run that was made in parts, as far as the parts tell.
+/// Puts the parts of a run together, as far as the parts are there.
 ///
 /// # Errors
 /// A part that is missing or there twice, or parts of different runs, with their names.
@@ -184,7 +184,7 @@ fn first_mismatch(a: &Stored, b: &Stored) -> String {
     .unwrap_or_else(|| "other options".to_owned())
 }
 
-/// The cases of a stored report in the order in which `all` of a run stand: each of them exactly once.
+/// The cases of a stored report in the order of `all` cases of a run: each of them exactly once.
 ///
 /// # Errors
 /// A case that is missing, there twice, or not of the run.

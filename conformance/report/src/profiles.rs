@@ -32,7 +32,7 @@ impl ProfileResult<'_> {
         self.verdicts.values().sum::<usize>() + self.not_run
     }
 
-    /// How many of its rules came to this.
+    /// How many of its rules have this verdict.
     pub fn count(&self, verdict: RuleVerdict) -> usize {
         self.verdicts.get(&verdict).copied().unwrap_or_default()
     }

@@ -102,7 +102,7 @@ fn chapters(text: &mut String, report: &Report<'_>) {
     }
 }
 
-/// A divergence: the rule, where it stands, the program, what was expected and found.
+/// A divergence: the rule, its sources, the program, what was expected and found.
 fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     let Some(divergence) = result.verdict.divergence() else { return };
     let word = result.verdict.word();
@@ -134,7 +134,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     line!(text);
 }
 
-/// What nobody knows of, alike departures together.
+/// Unknown divergences in groups.
 fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
     const SHOWN: usize = 12;
     let groups: Vec<_> =

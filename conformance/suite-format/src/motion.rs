@@ -27,7 +27,7 @@ pub struct MotionCase {
     /// Why it is there, where the name does not say it.
     #[serde(default)]
     pub why: String,
-    /// The case above it from which everything is taken that stands here not, its fault left out.
+    /// The case above it from which missing members are taken, except its defect.
     #[serde(default)]
     pub like: Option<String>,
     /// The program.
@@ -88,7 +88,7 @@ pub enum SampleDefect {
         /// By how much, millimetres or degrees.
         by: BTreeMap<Axis, f64>,
     },
-    /// A column shows its values later, or earlier where this is below zero.
+    /// A column has its values later, or earlier if this is below zero.
     Late {
         /// Its name.
         column: String,
@@ -103,7 +103,7 @@ pub enum SampleDefect {
         #[serde(default = "one")]
         samples: usize,
     },
-    /// A sample stands there more than once.
+    /// A sample occurs more than once.
     Repeated {
         /// Which.
         from: usize,
@@ -111,7 +111,7 @@ pub enum SampleDefect {
         #[serde(default = "one")]
         samples: usize,
     },
-    /// Some samples stand in the opposite order.
+    /// Some samples are in the opposite order.
     Reversed {
         /// The first of them.
         from: usize,
@@ -148,7 +148,7 @@ pub enum MotionAssertion {
         /// The first sample at which it is broken.
         at: Option<usize>,
     },
-    /// The program asks for nothing that a law could be held to.
+    /// The program contains nothing that the law applies to.
     NotApplicable {
         /// Its id.
         law: String,
@@ -233,7 +233,7 @@ impl MotionCase {
         self.check_form()
     }
 
-    /// Whether it is in its form, but for what it says.
+    /// Checks the form, except the assertions.
     pub(super) fn check_form(&self) -> Result<(), String> {
         if self.program.is_empty() {
             return Err("it has no program".to_owned());

@@ -5,8 +5,7 @@ use gaugeblock_vocabulary::{Options, Scenario};
 
 use crate::{Assertion, Case, Edition, Suite};
 
-/// The options that a controller is held to: the edition's, and on top of them those that it declares to read the
-/// documents by.
+/// The options of a comparison: those of the edition, replaced by those that the controller declares.
 pub fn options_of(suite: &Suite, edition: &Edition, declared: &Options) -> Options {
     let mut options = suite.options(edition);
     for (id, option) in declared.0.iter() {

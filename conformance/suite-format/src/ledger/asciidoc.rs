@@ -14,7 +14,7 @@ pub(super) fn split<'text>(lines: impl Iterator<Item = &'text str>) -> Vec<TextS
     reader.collector.finish()
 }
 
-/// Where the reader stands between two lines.
+/// The state of the reader between two lines.
 #[derive(Default)]
 struct Reader {
     collector: Collector,

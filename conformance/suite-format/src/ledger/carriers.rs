@@ -1,4 +1,4 @@
-//! The pages that a ledger names are there: a sentence that nobody carries any more is not carried.
+//! Checks that the pages which a ledger names exist: a sentence whose page is gone is no longer carried.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -28,7 +28,7 @@ struct Item {
 }
 
 /// Each rule, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that
-/// is no ledger names none.
+/// is not a ledger names none.
 pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let Ok(names) = toml::from_str::<Names>(text) else { return Vec::new() };
     let is_choice = |id: &str, kind: ChoiceKind| {

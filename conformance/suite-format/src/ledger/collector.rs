@@ -3,7 +3,7 @@
 use super::digest::words;
 use super::kind::Kind;
 
-/// A section of a document: what stands under one heading, up to the next heading of any level.
+/// A section of a document: the text under one heading, up to the next heading of any level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextSection {
     /// The words of the heading.
@@ -12,7 +12,7 @@ pub struct TextSection {
     pub items: Vec<TextItem>,
 }
 
-/// An item as it stands in the document.
+/// An item in the words of the document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextItem {
     /// What it is.
@@ -40,7 +40,7 @@ impl Collector {
         }
     }
 
-    /// Adds one item, unless it has no words or stands before the first heading.
+    /// Adds one item, unless it has no words or comes before the first heading.
     pub(super) fn item(&mut self, kind: Kind, text: String) {
         if let Some(section) = self.sections.last_mut()
             && !words(kind, &text).is_empty()

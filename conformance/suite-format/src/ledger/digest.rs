@@ -12,7 +12,7 @@ pub fn digest(kind: Kind, text: &str) -> String {
     hex(&Sha256::digest(words(kind, text).join(" "))[..DIGEST_BYTES])
 }
 
-/// The SHA-256 of a whole file as it stands, in hexadecimal digits.
+/// The SHA-256 of a whole file, in hexadecimal digits.
 pub fn file_digest(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
@@ -42,7 +42,7 @@ fn without_punctuation(word: &str) -> &str {
     if bare.starts_with(|first: char| first.is_ascii_digit()) { word } else { bare }
 }
 
-/// Letters, digits and the signs that tell codes and expressions apart.
+/// Letters, digits and the signs that distinguish codes and expressions.
 fn belongs_to_word(mark: char) -> bool {
     mark.is_alphanumeric() || "#$%&+/<=>[]_.-".contains(mark)
 }

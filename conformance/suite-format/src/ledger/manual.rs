@@ -13,7 +13,7 @@ const TABLE_PITCH: i32 = 40;
 /// Captions and tables without one begin at least this far from the left edge. Pixels.
 const CENTRED: i32 = 200;
 
-/// Splits the manual; what stands before the first numbered heading is left out.
+/// Splits the manual; text before the first numbered heading is left out.
 pub(super) fn split(xml: &str) -> Vec<TextSection> {
     let mut reader = Reader::default();
     for line in lines(xml) {

@@ -43,7 +43,7 @@ pub struct Ledger {
     pub document: String,
     /// Its title, for people.
     pub title: String,
-    /// The edition that holds to it.
+    /// The edition of the document.
     pub edition: String,
     /// How its text is set out.
     pub form: Form,
@@ -57,7 +57,7 @@ pub struct Ledger {
     pub sections: Vec<Section>,
 }
 
-/// What became of one section: what stands under one heading, up to the next of any level.
+/// One section with its items: the text under one heading, up to the next of any level.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Section {
@@ -83,12 +83,12 @@ pub struct Item {
     /// The choices that it is a source of.
     #[serde(default)]
     pub choices: Vec<String>,
-    /// The quirks of controllers that depart from it.
+    /// The quirks of controllers that differ from it.
     #[serde(default)]
     pub quirks: Vec<String>,
-    /// Why nothing that a run shows could bear it out or contradict it.
+    /// Why no observation of a run could confirm or contradict it.
     pub not_observable: Option<String>,
-    /// Why the suite does not take it up.
+    /// Why the suite does not cover it.
     pub out_of_scope: Option<String>,
     /// The later issue that carries it, or the rest of it where rules carry a part.
     pub later: Option<String>,
@@ -130,7 +130,7 @@ impl Ledger {
         self.sections.iter().find(|section| section.name == name)
     }
 
-    /// Everything by which this is no complete ledger, each with its place.
+    /// Every fault of the ledger, each with its place.
     pub fn faults(&self) -> Vec<String> {
         let mut faults = Vec::new();
         let mut names = BTreeSet::new();
@@ -174,8 +174,8 @@ impl Item {
         }
     }
 
-    /// Why the item is not classified, or not as one thing. Rules or a choice carry it, or one of
-    /// the three reasons stands; only `later` may stand beside rules.
+    /// Why the item is not classified, or in more than one way. Rules or a choice carry it, or it has one of the three
+    /// reasons; only `later` may be combined with rules.
     fn fault(&self) -> Option<&'static str> {
         let carried = !self.rules.is_empty() || !self.choices.is_empty();
         let set_aside = [&self.not_observable, &self.out_of_scope].into_iter().flatten().count();
@@ -197,10 +197,10 @@ impl Item {
     }
 }
 
-/// Why a file is no ledger.
+/// Why a file is not a valid ledger.
 #[derive(Clone, Debug)]
 pub enum LedgerError {
-    /// It is no TOML file of the ledger's form.
+    /// It is not a TOML file of the ledger's form.
     Form(toml::de::Error),
     /// It is incomplete or contradicts itself: every fault with its place.
     Content(Vec<String>),

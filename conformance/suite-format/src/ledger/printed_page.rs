@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-/// Where the text of a page begins; above it stands the running header. Pixels from the top.
+/// The top of the text of a page; the running header is above it. Pixels from the top.
 const HEADER_HEIGHT: i32 = 80;
-/// Pieces whose tops lie this near stand on one line. Pixels.
+/// Pieces whose tops differ by less than this are on one line. Pixels.
 const SAME_LINE: i32 = 5;
 /// A gap of this width is a blank. Pixels.
 const BLANK_WIDTH: i32 = 3;

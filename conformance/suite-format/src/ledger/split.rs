@@ -22,8 +22,7 @@ pub enum Form {
     Manual,
 }
 
-/// Splits a document. Sections without items are left out; so is what stands before the first
-/// heading.
+/// Splits a document. Sections without items are left out; so is text before the first heading.
 pub fn extract(document_text: &str, form: Form) -> Vec<TextSection> {
     let mut sections = match form {
         Form::Asciidoc => asciidoc::split(document_text.lines()),

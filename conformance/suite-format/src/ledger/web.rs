@@ -4,7 +4,7 @@
 use super::collector::{Collector, TextSection};
 use super::kind::Kind;
 
-/// Splits a page. What stands before the first heading is left out.
+/// Splits a page. Text before the first heading is left out.
 pub(super) fn split(text: &str) -> Vec<TextSection> {
     let mut collector = Collector::default();
     let mut kind = Kind::Sentence;
@@ -33,8 +33,8 @@ fn trimmed(line: &str) -> &str {
     }
 }
 
-/// A heading is a line without a full stop whose words of four letters and more begin with a
-/// capital; a page number may stand before it and a colon after it.
+/// A heading is a line without a full stop whose words of four letters and more begin with a capital; a page number may
+/// precede it and a colon follow it.
 fn heading(line: &str) -> Option<&str> {
     let name = line
         .trim_start_matches(|mark: char| mark.is_ascii_digit())
