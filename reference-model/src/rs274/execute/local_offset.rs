@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Position};
 
-use super::offsets::{in_force_changes, store_length};
+use super::offset_storage::{in_force_changes, store_length};
 use super::target::offset_words;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;

@@ -11,6 +11,7 @@ pub(crate) mod local_offset;
 pub mod message;
 pub mod motion;
 pub(crate) mod move_start;
+mod offset_storage;
 pub mod offsets;
 pub mod orient;
 pub mod outputs;

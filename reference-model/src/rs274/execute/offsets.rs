@@ -2,12 +2,13 @@
 
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 
+use super::offset_storage::{in_force_changes, store_length};
 use super::target::offset_words;
 use super::tool_table::{self, Values};
 use super::{local_offset, positions, whole, word};
-use crate::ids::{choice, rule};
+use crate::ids::rule;
 use crate::rs274::evaluate::Words;
-use crate::rs274::modes::{converted, each, first_parameter};
+use crate::rs274::modes::{each, first_parameter};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -119,21 +120,6 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Step
     }
 }
 
-/// Rule offsets.change-under-compensation. Whether an offset that is in force can be changed while the cutter is
-/// compensated is a choice.
-pub(super) fn in_force_changes(state: &mut State) -> Result<(), StepError> {
-    let rule = rule::offsets::CHANGE_UNDER_COMPENSATION;
-    if state.modes.compensation == Compensation::Off {
-        return Ok(());
-    }
-    if state.choices.is(choice::offsets::ChangeUnderCompensation::Refused) {
-        let message = "an offset in force is changed while cutter compensation is on";
-        return Err(refuse(rule, FaultKind::CompensationActive, message));
-    }
-    state.coverage.accepted(rule);
-    Ok(())
-}
-
 /// G10 L2 and L20.
 ///
 /// Rule offsets.set. It sets the origin of system P to the axis values; P0 is the active one (offsets.set-active).
@@ -234,13 +220,4 @@ fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
         Ok(system @ 1..=9) => Ok(system),
         _ => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
     }
-}
-
-/// Stores a coordinate in the machine's length unit, as one of nine parameters from a first one.
-pub(super) fn store_length(first: u32, axis: Axis, value: f64, state: &mut State) {
-    let mut position = Position::default();
-    *position.get_mut(axis) = value;
-    let stored = converted(position, state.modes.units, state.machine.length_unit).get(axis);
-    let place = (first..).zip(Axis::ALL).find(|(_, known)| **known == axis).map(|(place, _)| place);
-    state.parameters.store(place.expect("offsets: an axis is one of nine"), stored);
 }

@@ -1,9 +1,8 @@
 //! G28, G28.1, G30, G30.1: positions of the machine that a program goes to by way of another point.
 
-use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, Effect, FaultKind, Position};
 
 use super::target::{end_point, letter};
-use super::tool_change::traverse;
 use super::word;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
@@ -154,4 +153,10 @@ fn by_way_of(
     }
     traverse(if of_machine { end } else { state.modes.machine_point(end) }, state, record);
     Ok(())
+}
+
+/// A rapid move to a machine position, active length unit.
+pub(crate) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
+    state.position = state.modes.program_point(machine);
+    record.effect(state, Effect::StraightTraverse { end: state.position });
 }

@@ -82,19 +82,13 @@ fn moves(state: &mut State, record: &mut Record) {
     if state.machine.tool_change.quill_up {
         let here = state.modes.machine_point(state.position);
         let z = state.dialect().reached(Axis::Z, 0.0, state);
-        traverse(Position { z, ..here }, state, record);
+        positions::traverse(Position { z, ..here }, state, record);
         state.coverage.accepted(rule::tool::CHANGE_QUILL_UP);
     }
     if state.machine.tool_change.at_g30 {
-        traverse(positions::destination(positions::G30_POSITION, state), state, record);
+        positions::traverse(positions::destination(positions::G30_POSITION, state), state, record);
         state.coverage.accepted(rule::tool::CHANGE_AT_G30);
     }
-}
-
-/// A rapid move to a machine position, active length unit.
-pub(crate) fn traverse(machine: Position, state: &mut State, record: &mut Record) {
-    state.position = state.modes.program_point(machine);
-    record.effect(state, Effect::StraightTraverse { end: state.position });
 }
 
 /// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken

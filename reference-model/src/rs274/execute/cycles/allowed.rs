@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
+use super::cycle::axes_of;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::{letter, word};
@@ -15,7 +16,7 @@ use crate::rs274::state::State;
 /// Rule cycles.under-compensation. It is refused while cutter compensation is on.
 /// Rule cycles.inverse-time. So it is under inverse time.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let Some(axes) = has_axis_words(words).then(|| super::axes_of(state.modes.plane)) else {
+    let Some(axes) = has_axis_words(words).then(|| axes_of(state.modes.plane)) else {
         let message = "a cycle without axis words";
         return Err(refuse(rule::cycles::AXIS_WORDS_MISSING, FaultKind::MissingWord, message));
     };

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Motion, ReturnMode};
 
-use super::{Cycle, Kind, axes_of};
+use super::cycle::{Cycle, Kind, axes_of};
 use crate::ids::{Rule, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::moved;

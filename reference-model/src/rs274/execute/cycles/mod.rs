@@ -5,6 +5,7 @@
 //! the normal axis in program coordinates, active length unit.
 
 mod allowed;
+mod cycle;
 mod heights;
 mod strokes;
 mod tapping;
@@ -20,31 +21,7 @@ use crate::rs274::modes::motion_mode;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-
-/// What a cycle is for; its number says little.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// G81.
-    Drill,
-    /// G82.
-    DrillDwell,
-    /// G73.
-    ChipBreaking,
-    /// G83.
-    Peck,
-    /// G74.
-    TapLeft,
-    /// G84.
-    TapRight,
-    /// G85.
-    Bore,
-    /// G86.
-    BoreSpindleStop,
-    /// G89.
-    BoreDwell,
-    /// G87 and G88.
-    Undefined,
-}
+pub(crate) use cycle::{Cycle, Kind, feed_along, traverse_along};
 
 /// Each cycle with its kind and its rule.
 const KINDS: &[(Motion, Kind, Rule)] = &[
@@ -70,42 +47,6 @@ fn kind_of(motion: Motion) -> Option<(Kind, Rule)> {
 /// Whether a motion mode is a canned cycle.
 pub(crate) fn is_cycle(motion: Motion) -> bool {
     kind_of(motion).is_some()
-}
-
-/// The first, second and normal axis of a plane.
-pub(crate) fn axes_of(plane: Plane) -> [Axis; 3] {
-    match plane {
-        Plane::Xy => [Axis::X, Axis::Y, Axis::Z],
-        Plane::Zx => [Axis::Z, Axis::X, Axis::Y],
-        Plane::Yz => [Axis::Y, Axis::Z, Axis::X],
-        Plane::Uv => [Axis::U, Axis::V, Axis::W],
-        Plane::Wu => [Axis::W, Axis::U, Axis::V],
-        Plane::Vw => [Axis::V, Axis::W, Axis::U],
-    }
-}
-
-/// A cycle of one block, all its numbers found.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Cycle {
-    /// What it is for.
-    pub(crate) kind: Kind,
-    /// First, second and normal axis.
-    pub(crate) axes: [Axis; 3],
-    /// Where the normal axis was before the first of a row of cycles.
-    #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
-    pub(crate) initial: f64,
-    /// R: where feeding begins.
-    pub(crate) retract: f64,
-    /// Bottom of the hole.
-    pub(crate) bottom: f64,
-    /// The clear height, where the last move of each repeat ends.
-    pub(crate) clear: f64,
-    /// P: seconds at the bottom.
-    pub(crate) dwell: f64,
-    /// Q: how much deeper each peck goes, active length unit.
-    pub(crate) peck: f64,
-    /// The spindle that $ names, 0 without it.
-    pub(crate) spindle: usize,
 }
 
 /// Executes a cycle as often as L says, and remembers its sticky numbers.
@@ -295,16 +236,6 @@ fn in_between_motion(cycle: &Cycle, place: [f64; 2], state: &mut State, record: 
 fn traverse(end: Position, state: &mut State, record: &mut Record) {
     state.position = end;
     record.effect(state, Effect::StraightTraverse { end });
-}
-
-pub(crate) fn traverse_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
-    *state.position.get_mut(axis) = to;
-    record.effect(state, Effect::StraightTraverse { end: state.position });
-}
-
-fn feed_along(axis: Axis, to: f64, state: &mut State, record: &mut Record) {
-    *state.position.get_mut(axis) = to;
-    record.effect(state, Effect::StraightFeed { end: state.position });
 }
 
 /// The rules that an accepted cycle follows.

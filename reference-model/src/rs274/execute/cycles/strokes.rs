@@ -2,14 +2,14 @@
 
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
 
-use super::{Cycle, Kind, feed_along, tapping, traverse_along};
+use super::cycle::{Cycle, Kind, feed_along, traverse_along, turns};
+use super::tapping;
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::word;
-use crate::rs274::order::Phase;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::task::{Record, update_pins};
+use crate::rs274::task::Record;
 
 /// A bottom that is this close is reached: what is left is rounding of the increments.
 const REACHED: f64 = 1e-9;
@@ -123,7 +123,7 @@ pub(super) fn perform(
     }
     feed_along(normal, cycle.bottom, state, record);
     if matches!(cycle.kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
-        dwells(cycle.dwell, state, record);
+        record.dwell(state, cycle.dwell);
     }
     if cycle.kind == Kind::BoreDwell {
         feed_along(normal, cycle.clear, state, record);
@@ -141,16 +141,6 @@ pub(super) fn perform(
         turns(turn, cycle, state);
     }
     Ok(())
-}
-
-/// The cycle starts or stops its spindle, which the pins show at once.
-pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
-    state.dialect().set_turn(turn, cycle.spindle, state);
-    update_pins(state, Some(Phase::Motion));
-}
-
-pub(super) fn dwells(seconds: f64, state: &mut State, record: &mut Record) {
-    record.dwell(state, seconds);
 }
 
 /// Pecks: each feeds deeper by Q, or to the bottom where that is less.

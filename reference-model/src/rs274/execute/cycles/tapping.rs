@@ -2,8 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, SpindleTurn, Switch};
 
-use super::strokes::{dwells, turns};
-use super::{Cycle, Kind};
+use super::cycle::{Cycle, Kind, turns};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -46,7 +45,7 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     };
     turns(SpindleTurn::Stopped, cycle, state);
     turns(out, cycle, state);
-    dwells(cycle.dwell, state, record);
+    record.dwell(state, cycle.dwell);
     state.dialect().feed_tap(normal, cycle.clear, state, record);
     if state.choices.is(choice::cycles::TapReturn::AsBefore) {
         turns(SpindleTurn::Stopped, cycle, state);
