@@ -170,7 +170,8 @@ impl Reader<'_> {
         self.here().items.insert(name);
     }
 
-    /// Reads a module that is a child of this one.
+    /// Reads a module that is a child of this one. Of two with one name, between which a feature chooses, other modules
+    /// use the first.
     fn read_child(&mut self, child: &syn::ItemMod) {
         let name = child.ident.to_string();
         let (file, folder) = (self.here().file, self.here().folder.clone());
@@ -190,7 +191,7 @@ impl Reader<'_> {
                 read_file(self.tree, &package, &path, Some(self.module))
             }
         };
-        self.here().children.insert(name, module);
+        self.here().children.entry(name).or_insert(module);
     }
 }
 
