@@ -22,7 +22,7 @@ fn pages(suite: &Suite) -> impl Iterator<Item = (&Rule, Law)> {
 }
 
 fn breaks(case: &MotionCase, law: &str) -> bool {
-    let of_law = |assertion: &MotionAssertion| matches!(assertion, MotionAssertion::Breaks { law: id, .. } if id == law);
+    let of_law = |found: &MotionAssertion| matches!(found, MotionAssertion::Breaks { law: id, .. } if id == law);
     case.is_recorded() && case.parsed().iter().any(of_law)
 }
 
