@@ -28,7 +28,7 @@ pub(super) struct RefusedBlock<'a> {
 const AT_ONCE: [&str; 4] = [
     "axis words that two",
     "a rotary axis word in a canned",
-    "polar words beside",
+    "polar words together",
     "G53 without G0",
 ];
 const WITH_MOTION: [&str; 7] = [
@@ -122,8 +122,8 @@ pub(super) fn cycle_progress(fault: &Fault, words: &Words) -> Option<CycleProgre
             Some(CycleProgress::Above)
         }
         "Q is negative or zero"
-        | "G86 while the spindle stands"
-        | "tapping while the spindle stands"
+        | "G86 while the spindle is stopped"
+        | "tapping while the spindle is stopped"
         | "tapping while the spindle turns the other way" => Some(CycleProgress::OverHole),
         _ => None,
     }

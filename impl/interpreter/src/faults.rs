@@ -74,7 +74,7 @@ faults! {
     "cycles.no-pecks" NoPecks,
     /// G86 leaves the spindle stopped.
     "cycles.spindle-stays" SpindleStays,
-    /// A negative dwell is no dwell.
+    /// A negative dwell is left out.
     "dwell.negative" NegativeDwell,
     /// Numbers are equal only when all their digits are.
     "expressions.equal-exactly" EqualExactly,
@@ -136,19 +136,19 @@ faults! {
     "inputs.no-result" NoInputResult,
     /// A wait of zero seconds is taken.
     "inputs.zero-timeout" ZeroTimeout,
-    /// A wait for an input that came to nothing reads zero.
+    /// A wait for an input that timed out reads zero.
     "inputs.timeout-zero" TimeoutReadsZero,
     /// Of two codes of a modal group the last one counts.
     "modal-groups.last-wins" LastWins,
     /// A word that nothing uses is passed over.
     "modal-groups.unused-word" UnusedWord,
-    /// M codes of one group stand together.
+    /// M codes of one group are accepted in one block.
     "modal-groups.m-codes-together" MCodesTogether,
     /// Axis words after G80 move as the mode before.
     "motion.after-cancel" AfterCancel,
     /// A rapid move needs a feed rate.
     "motion.traverse-needs-feed" TraverseNeedsFeed,
-    /// A sixth bracket may stand within five.
+    /// A sixth bracket is accepted within five.
     "nct.six-brackets" SixBrackets,
     /// What a macro has assigned stays in its caller's variables.
     "nct.locals-not-restored" LocalsNotRestored,
@@ -176,7 +176,7 @@ faults! {
     "nct.return-within" ReturnWithin,
     /// A code is cut off and not rounded.
     "nct.code-cut" CodeCut,
-    /// The number behind GOTO is cut off and not rounded.
+    /// The number after GOTO is truncated and not rounded.
     "nct.label-cut" LabelCut,
     /// A block that a modal call takes as arguments is executed all the same.
     "nct.block-executed-too" BlockExecutedToo,
@@ -200,7 +200,7 @@ faults! {
     "orient.full-turn-refused" FullTurnRefused,
     /// A spindle that was oriented turns on.
     "orient.turns-on" OrientTurnsOn,
-    /// A spindle that stands at its angle is still asked to turn there.
+    /// A spindle at its angle is still commanded to turn there.
     "orient.request-stays" OrientRequestStays,
     /// M64 waits for the next motion.
     "outputs.on-waits" OnWaits,
@@ -246,7 +246,7 @@ faults! {
     "positions.one-position" OnePosition,
     /// Axes without a word go to the predefined position too.
     "positions.all-axes" AllAxes,
-    /// A probe that nothing touched is no error.
+    /// A probe without contact is not an error.
     "probe.miss-accepted" MissAccepted,
     /// G38.4 looks for contact as G38.2 does.
     "probe.toward-only" TowardOnly,
@@ -278,7 +278,7 @@ faults! {
     "spindle.negative-speed" NegativeSpeed,
     /// D of G96 is not looked at.
     "spindle.no-limit" NoSpindleLimit,
-    /// A spindle at a speed of zero is asked to turn.
+    /// A spindle at a speed of zero is commanded to turn.
     "spindle.on-at-zero" OnAtZero,
     /// G5 has a control point too few.
     "splines.quadratic-only" QuadraticOnly,
@@ -302,7 +302,7 @@ faults! {
     "text.any-length" AnyLength,
     /// The second percent line does not end a program.
     "text.percent-goes-on" PercentGoesOn,
-    /// A spindle that stands is no obstacle to a synchronised move.
+    /// A synchronised move is accepted while the spindle is stopped.
     "threading.standing-spindle" StandingSpindle,
     /// G76 makes no spring passes.
     "threading.no-spring-passes" NoSpringPasses,

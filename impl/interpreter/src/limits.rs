@@ -54,7 +54,7 @@ impl fmt::Display for Limit {
             Self::CallDepth => "nested calls",
             Self::NamedParameters => "named parameters",
             Self::CodeBytes => "bytes of loops and subroutines",
-            Self::BlocksAhead => "blocks read behind an abort",
+            Self::BlocksAhead => "blocks read ahead at an abort",
         })
     }
 }

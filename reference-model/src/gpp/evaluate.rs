@@ -66,7 +66,7 @@ impl Run<'_> {
             Expression::Number(number) => *number,
             Expression::Variable(reference) => match self.value_of(reference)? {
                 Value::Number(number) => number,
-                Value::Text(_) => unreachable!("syntax: texts stand in no expression"),
+                Value::Text(_) => unreachable!("syntax: an expression has no texts"),
             },
             Expression::Negated(operand) => -self.number(operand)?,
             Expression::Chain(first, others) => {

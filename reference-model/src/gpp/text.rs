@@ -118,7 +118,7 @@ fn beginning_with_a_digit(text: &str) -> Token {
 
 /// What is said of a text that is no number.
 pub fn no_number(text: &str) -> String {
-    format!("this is no number: {text}")
+    format!("not a number: {text}")
 }
 
 /// Whether a text is `digits[.digits]` or `.digits`.

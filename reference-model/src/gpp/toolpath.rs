@@ -93,7 +93,7 @@ impl Reader<'_> {
         match first.to_ascii_lowercase().as_str() {
             "format" if is_head => self.format(rest),
             "system" if is_head => self.system(rest),
-            "format" | "system" => Err(bad("the head stands before the first block")),
+            "format" | "system" => Err(bad("the head comes before the first block")),
             "block" => self.block(rest, number),
             _ => Err(bad(format!("a line begins with format, system or block, not {first}"))),
         }
@@ -116,7 +116,7 @@ impl Reader<'_> {
             }
             set_key(&mut self.toolpath.variables.formats[place], &key, value)?;
             if !keys.insert(key) {
-                return Err(bad("a key stands once"));
+                return Err(bad("a key occurs twice"));
             }
         }
         Ok(())
@@ -128,7 +128,7 @@ impl Reader<'_> {
         let (format, rest) = word(rest);
         let name = name.to_ascii_uppercase();
         if !is_system_name(&name) || is_keyword(&name) {
-            return Err(bad("this is no name of a system variable"));
+            return Err(bad("not a valid name of a system variable"));
         }
         if self.toolpath.variables.place(&name).is_some() {
             return Err(bad("this variable has been declared"));
@@ -140,7 +140,7 @@ impl Reader<'_> {
         };
         let format = format_of(format)?;
         if !rest.is_empty() {
-            return Err(bad("nothing stands after the format"));
+            return Err(bad("unexpected text after the format"));
         }
         let declared =
             self.toolpath.variables.declare(&name, None, format, Some(class), self.choices);
@@ -150,12 +150,12 @@ impl Reader<'_> {
     fn block(&mut self, text: &str, line: u32) -> Result<(), StepError> {
         let (name, rest) =
             text.split_once(':').ok_or_else(|| bad("a block's name ends with a colon"))?;
-        let name = words(name).ok_or_else(|| bad("this is no name of a block"))?;
+        let name = words(name).ok_or_else(|| bad("not a valid name of a block"))?;
         let before_values = &rest[..rest.find(['=', '"']).unwrap_or(rest.len())];
         let (qualifier, mut rest) = match before_values.split_once(':') {
             Some((qualifier, _)) => {
                 let words =
-                    words(qualifier).ok_or_else(|| bad("this is no qualifier of a block"))?;
+                    words(qualifier).ok_or_else(|| bad("not a valid qualifier of a block"))?;
                 (Some(words), &rest[qualifier.len() + 1..])
             }
             None => (None, rest),
@@ -169,7 +169,7 @@ impl Reader<'_> {
             }
             let (variable, value, after) = self.value(rest)?;
             if !named.insert(variable) {
-                return Err(bad("a variable stands once in a line"));
+                return Err(bad("a variable occurs twice in a line"));
             }
             values.push((variable, value));
             rest = after;
@@ -199,7 +199,7 @@ impl Reader<'_> {
             }
         };
         if !rest.is_empty() && !rest.starts_with([' ', '\t']) {
-            return Err(bad("a blank stands between two values"));
+            return Err(bad("no blank between two values"));
         }
         if matches!(value, Value::Text(_)) != variables.is_text(variable) {
             return Err(bad(format!("{name} has a value of the other type")));
@@ -212,7 +212,7 @@ fn number(text: &str) -> Result<f64, StepError> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     let is_number = is_number(digits) && text.len() <= LONGEST_NUMBER;
     let number = text.parse().ok().filter(|_| is_number);
-    number.ok_or_else(|| bad(format!("this is no number: {text}")))
+    number.ok_or_else(|| bad(format!("not a number: {text}")))
 }
 
 fn format_of(name: &str) -> Result<usize, StepError> {

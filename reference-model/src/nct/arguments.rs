@@ -119,7 +119,7 @@ impl Run<'_> {
             }
             None if is_block => Ok(None),
             None => {
-                let message = format!("{letter} is no argument");
+                let message = format!("{letter} is not an argument");
                 Err(refuse(rule::nct::ARGUMENTS, FaultKind::Macro, message))
             }
         }

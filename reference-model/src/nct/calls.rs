@@ -131,7 +131,7 @@ impl Run<'_> {
 
     fn once(&self, words: &Words, letter: char) -> Result<(), StepError> {
         if words.iter().filter(|(other, _)| *other == letter).count() > 1 {
-            return Err(refuse_form(FaultKind::RepeatedWord, format!("{letter} stands twice")));
+            return Err(refuse_form(FaultKind::RepeatedWord, format!("{letter} occurs twice")));
         }
         Ok(())
     }

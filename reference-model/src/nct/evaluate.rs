@@ -61,7 +61,7 @@ impl Run<'_> {
         let Some(number) = self.value(expression)? else {
             return Err(open("a vacant variable as the number of a variable"));
         };
-        whole(number).ok_or_else(|| open("the number of a variable that is no whole number"))
+        whole(number).ok_or_else(|| open("the number of a variable that is not a whole number"))
     }
 
     /// Rule nct.functions. Which functions there are, and in which unit their angles are, are choices.

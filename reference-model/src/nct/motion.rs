@@ -91,7 +91,7 @@ fn arc(modes: &Modes, end: Position, words: &Words) -> Result<Effect, StepError>
         .iter()
         .find(|(letter, _)| "IJK".contains(*letter) && *letter != of_first && *letter != of_second)
     {
-        let message = format!("{letter} is no offset in the selected plane");
+        let message = format!("{letter} is not an offset in the selected plane");
         return Err(refuse(rule, FaultKind::UnusedWord, message));
     }
     let from = (modes.position.get(first), modes.position.get(second));

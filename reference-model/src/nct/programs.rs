@@ -73,7 +73,7 @@ impl Programs {
         let known = u32::try_from(number).ok().and_then(|number| self.by_number.get(&number));
         match known {
             Some(Some(place)) => Ok(*place),
-            Some(None) => Err(open(format!("program {number} stands several times"))),
+            Some(None) => Err(open(format!("program {number} occurs several times"))),
             None => {
                 let message = format!("there is no program {number}");
                 Err(refuse(rule::nct::CALL, FaultKind::UnknownSub, message))
@@ -112,7 +112,7 @@ impl Program {
         let known = u32::try_from(number).ok().and_then(|number| self.sequence.get(&number));
         let place = match known {
             Some(Some(place)) => *place,
-            Some(None) => return Err(open(format!("N{number} stands several times"))),
+            Some(None) => return Err(open(format!("N{number} occurs several times"))),
             None => {
                 let message = format!("no block begins with N{number}");
                 return Err(refuse(rule, FaultKind::UnknownLabel, message));

@@ -272,7 +272,7 @@ impl Run<'_> {
                 continue;
             }
             if !seen.insert(*letter) {
-                let message = format!("{letter} stands twice");
+                let message = format!("{letter} occurs twice");
                 return Err(refuse_form(FaultKind::RepeatedWord, message));
             }
             let is_used = match letter {

@@ -31,7 +31,7 @@ pub(super) enum Stop {
 }
 
 /// A statement of another form than any that there is.
-pub(super) const NO_STATEMENT: Stop = Stop::Refused(FaultKind::Statement, "this is no statement");
+pub(super) const NO_STATEMENT: Stop = Stop::Refused(FaultKind::Statement, "not a statement");
 
 /// A compiled program.
 #[derive(Debug)]
@@ -231,11 +231,11 @@ impl<'a> Compiler<'a> {
         self.end()?;
         self.section = Section::Blocks;
         if words::is_taken(heading.split(':').next().unwrap_or_default()) {
-            let why = "a word of the language is no name of a block";
+            let why = "a word of the language is not a valid name of a block";
             return Err(Stop::Refused(FaultKind::Declaration, why));
         }
         if self.blocks.insert(heading, self.program.statements.len()).is_some() {
-            let why = "a block of this name and qualifier stands twice";
+            let why = "a block of this name and qualifier exists already";
             return Err(Stop::Refused(FaultKind::Declaration, why));
         }
         Ok(())
@@ -297,7 +297,7 @@ impl<'a> Compiler<'a> {
             (Section::Declarations, _) => Err(NO_STATEMENT),
             (Section::Newline | Section::Blocks, _) if declares => Err(Stop::Refused(
                 FaultKind::Declaration,
-                "a declaration behind the part for declarations",
+                "a declaration after the part for declarations",
             )),
             (Section::Newline | Section::Blocks, Some(keyword)) => {
                 self.take()?;

@@ -45,7 +45,7 @@ impl Compiler<'_> {
     /// A name to which FORMAT gives a format.
     fn formatted(&mut self, name: String, format: usize) -> Result<(), Stop> {
         if words::is_taken(&name) {
-            return Err(refused("a word of the language is no name"));
+            return Err(refused("a word of the language is not a valid name"));
         }
         let known = self.names.get(&name).copied();
         if name.contains('_') {

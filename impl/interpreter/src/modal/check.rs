@@ -110,7 +110,7 @@ impl Modal {
         let mut groups = FREE;
         for (slot, number) in block.m.iter_mut().zip(codes) {
             let Some(code) = m_code(*number) else {
-                return refuse(FaultKind::UnknownCode, format!("M{number} is no code"));
+                return refuse(FaultKind::UnknownCode, format!("M{number} is not a known code"));
             };
             let group = self.group_of(*number, code.group);
             if groups & group != 0 && !planted(Fault::MCodesTogether) {
@@ -269,7 +269,10 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
         let code =
             if *tenths == 100 { Some(set_data(block.words.get(b'L'))) } else { g_code(*tenths) };
         let Some(code) = code else {
-            return refuse(FaultKind::UnknownCode, format!("G{} is no code", code_text(*tenths)));
+            return refuse(
+                FaultKind::UnknownCode,
+                format!("G{} is not a known code", code_text(*tenths)),
+            );
         };
         match block.g.get_mut(usize::from(code.group)) {
             Some(slot) if *slot == NONE || planted(Fault::LastWins) => *slot = *tenths,
@@ -317,10 +320,10 @@ fn check_polar(block: &Block<'_>, used: &WordUse) -> Result<(), Refusal> {
         return Ok(());
     }
     if words.present & (X | Y) != 0 {
-        return refuse(FaultKind::AxisWords, "polar words beside X or Y");
+        return refuse(FaultKind::AxisWords, "polar words together with X or Y");
     }
     if used.axis_codes != 0 && !matches!(block.g(NON_MODAL), Some(280 | 300)) {
-        return refuse(FaultKind::UnusedWord, "polar words of a code that is no move");
+        return refuse(FaultKind::UnusedWord, "polar words of a code that is not a move");
     }
     Ok(())
 }

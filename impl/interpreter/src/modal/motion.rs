@@ -100,7 +100,10 @@ impl Modal {
     /// Under constant surface speed the spindle must turn (11.5.60).
     pub(super) fn check_turning(&self) -> Result<(), Refusal> {
         if self.is_surface_speed_stopped() {
-            return refuse(FaultKind::ZeroSpeed, "a feed move under G96 while the spindle stands");
+            return refuse(
+                FaultKind::ZeroSpeed,
+                "a feed move under G96 while the spindle is stopped",
+            );
         }
         Ok(())
     }

@@ -23,7 +23,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         if block.words.is_polar() && matches!(code, 50..=53) {
-            let why = "polar words of a spline: what they give is no move (11.4.12)";
+            let why = "polar words of a spline: they give no move (11.4.12)";
             return Err(Refusal::Unspecified(why.into()));
         }
         match code {

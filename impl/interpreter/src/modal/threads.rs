@@ -70,7 +70,10 @@ impl Modal {
         self.check_compensated_move(false)?;
         let spindle = self.selected(block, FIRST)?;
         if !self.spindle_of(spindle).turns() && !planted(Fault::StandingSpindle) {
-            return refuse(FaultKind::ZeroSpeed, "a synchronised move while the spindle stands");
+            return refuse(
+                FaultKind::ZeroSpeed,
+                "a synchronised move while the spindle is stopped",
+            );
         }
         Ok(spindle.trailing_zeros())
     }

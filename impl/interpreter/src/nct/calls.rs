@@ -44,11 +44,11 @@ impl Runner {
             return refuse(FaultKind::MissingWord, "a call without P");
         };
         if programs.next().is_some() {
-            return refuse(FaultKind::RepeatedWord, "P stands twice");
+            return refuse(FaultKind::RepeatedWord, "P occurs twice");
         }
         let repeat = repeats.next().map(|(_, value)| *value);
         if repeats.next().is_some() {
-            return refuse(FaultKind::RepeatedWord, "L stands twice");
+            return refuse(FaultKind::RepeatedWord, "L occurs twice");
         }
         called(*program, repeat)
     }
@@ -100,7 +100,7 @@ impl Runner {
         let mut seen = 0_u32;
         for (letter, value) in self.words.iter().skip(from) {
             let place = match letter {
-                b'G' if of_call => return refuse(FaultKind::Macro, "G is no argument"),
+                b'G' if of_call => return refuse(FaultKind::Macro, "G is not an argument"),
                 b'P' | b'L' if of_call => continue,
                 b'G' | b'P' | b'L' if !self.choices.own_numbers => continue,
                 b'G' | b'P' | b'L' => number_of(*letter).wrapping_sub(1),
@@ -108,7 +108,7 @@ impl Runner {
                 _ => {
                     let bit = 1_u32.wrapping_shl(u32::from(letter.wrapping_sub(b'A')));
                     if seen & bit != 0 {
-                        return Err(Stop::Open("the letter of an argument stands twice"));
+                        return Err(Stop::Open("the letter of an argument occurs twice"));
                     }
                     seen |= bit;
                     number_of(*letter).wrapping_sub(1)
@@ -191,7 +191,7 @@ impl Runner {
         let is_it = |one: &&(u32, usize)| one.0 == number;
         let Some((_, program)) = numbers.next().filter(is_it) else { return Err(none) };
         if numbers.next().is_some_and(|one| is_it(&one)) {
-            return Err(Stop::Open("a program number that stands several times is searched"));
+            return Err(Stop::Open("a program number that occurs several times is searched"));
         }
         let most = if self.choices.deeper { 15 } else { 8 };
         if self.frames.len() > most {

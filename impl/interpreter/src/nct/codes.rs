@@ -89,7 +89,7 @@ impl Runner {
             if !position.0.iter().all(|coordinate| coordinate.is_finite()) {
                 return refuse(
                     FaultKind::OutOfDomain,
-                    "a position that is too far away to be told in this unit",
+                    "a position that is too large for this unit",
                 );
             }
             self.position = position;

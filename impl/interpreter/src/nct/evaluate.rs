@@ -160,7 +160,7 @@ fn finite(result: f64) -> Result<f64, Stop> {
     if result.is_finite() {
         return Ok(result);
     }
-    refuse(FaultKind::OutOfDomain, "the result is no number, or too large")
+    refuse(FaultKind::OutOfDomain, "the result is not a number, or too large")
 }
 
 /// A comparison with a vacant side: zero is below vacant.
@@ -168,7 +168,7 @@ fn vacant(left: Option<f64>, compare: Compare, right: Option<f64>) -> Result<boo
     let is_open = matches!(compare, Compare::Less | Compare::LessOrEqual)
         || left.or(right).is_some_and(|number| number.abs() > 0.0);
     if is_open {
-        return Err(Stop::Open("a comparison with a vacant value that stands in no table"));
+        return Err(Stop::Open("a comparison with a vacant value that no table has"));
     }
     Ok(compare.says(left.is_none().cmp(&right.is_none())))
 }

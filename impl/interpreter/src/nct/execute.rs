@@ -166,7 +166,7 @@ impl Runner {
                 _ => AXES.contains(letter),
             };
             if letters.get(*letter).is_some() {
-                return refuse(FaultKind::RepeatedWord, "a letter stands twice");
+                return refuse(FaultKind::RepeatedWord, "a letter occurs twice");
             }
             if !is_used {
                 return refuse(FaultKind::UnusedWord, "nothing in the block uses a letter");
@@ -193,7 +193,7 @@ impl Runner {
         if let Some(value) = letters.get(b'T') {
             let tool = math::whole(math::round_away(value)).filter(|tool| *tool >= 0);
             let Some(tool) = tool.and_then(|tool| i32::try_from(tool).ok()) else {
-                return refuse(FaultKind::WordOutOfRange, "T is no number of a tool");
+                return refuse(FaultKind::WordOutOfRange, "T is not a tool number");
             };
             self.tool = tool;
             self.effects.push(Effect::PrepareTool { tool });

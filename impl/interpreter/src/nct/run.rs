@@ -227,7 +227,7 @@ impl Runner {
         let is_it = |label: &&(usize, u32, usize)| (label.0, label.1) == (program, number);
         let Some((.., block)) = labels.next().filter(is_it).copied() else { return Err(none) };
         if labels.next().is_some_and(|label| is_it(&label)) {
-            return Err(Stop::Open("a sequence number that stands several times is searched"));
+            return Err(Stop::Open("a sequence number that occurs several times is searched"));
         }
         let within = self.code.blocks.get(block).and_then(|block| block.within);
         if let Some(within) = within.and_then(|within| self.code.loops.get(within))

@@ -85,7 +85,7 @@ impl Reader<'_> {
         let from = self.code.words.len();
         while !self.cursor.is_at_end() {
             let Some(letter) = self.cursor.letter() else {
-                return refuse(FaultKind::BadBlock, "what stands here begins no word");
+                return refuse(FaultKind::BadBlock, "no word begins here");
             };
             if matches!(letter, b'N' | b'O') {
                 if self.cursor.begins_variable() {

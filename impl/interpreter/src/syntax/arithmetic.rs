@@ -18,7 +18,7 @@ fn finite(value: f64) -> Result<f64, ArithmeticError> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(&(FaultKind::OutOfDomain, "the result is no number"))
+        Err(&(FaultKind::OutOfDomain, "the result is not a number"))
     }
 }
 

@@ -192,7 +192,8 @@ impl LineCompiler {
         const N: u8 = b'n' - b'a';
         const O: u8 = b'o' - b'a';
         if letter == N || letter == O {
-            return cursor.refuse(FaultKind::BadBlock, "it stands at the beginning of a line only");
+            return cursor
+                .refuse(FaultKind::BadBlock, "it is allowed only at the beginning of a line");
         }
         // The usual word is a letter and a number; it never touches the stack.
         let short = number::short(cursor.rest().get(1..).unwrap_or(&[]));
@@ -222,7 +223,7 @@ impl LineCompiler {
         }
         let bit = 1_u32.wrapping_shl(u32::from(letter));
         if items.letters & bit != 0 {
-            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a letter stands twice");
+            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a letter occurs twice");
         }
         items.letters |= bit;
         if let Some(number) = known {
@@ -255,7 +256,7 @@ impl LineCompiler {
         let bit = 1_u32.wrapping_shl(u32::from(place));
         let polar = matches!(op, Op::At | Op::Caret);
         if items.letters & bit != 0 && !(polar && self.emulates_rs274) {
-            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word stands twice");
+            return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word occurs twice");
         }
         items.letters |= bit;
         into.ops.push(op);

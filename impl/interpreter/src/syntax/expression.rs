@@ -92,7 +92,7 @@ impl LineCompiler {
             return Ok(());
         }
         if self.choices.sign_refused {
-            return cursor.refuse(FaultKind::BadNumber, "a sign stands before a number only");
+            return cursor.refuse(FaultKind::BadNumber, "a sign is allowed only before a number");
         }
         self.unsigned_value(cursor, into, depth)?;
         if sign == b'-' {

@@ -65,7 +65,7 @@ fn read(parser: &mut Parser<'_>) -> Result<PassedOver, StepError> {
         },
     };
     if word.keyword == Keyword::ProgramNumber && parser.peek().is_some() {
-        let message = "behind the number of an O-word stands a keyword, which does not begin";
+        let message = "the number of an O-word without a keyword";
         let error = parser.refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message);
         return Ok(PassedOver::WithoutKeyword(error));
     }

@@ -213,7 +213,7 @@ fn system(saved: &Modes, state: &State) -> Result<(), StepError> {
     let rule = quirk::rs274::SYSTEM_RESTORE;
     let selected = saved.work_offset != state.modes.work_offset;
     if selected && saved.compensation != Compensation::Off && state.shows(rule) {
-        let message = "a restore of the coordinate system beside that of the compensation";
+        let message = "a restore of the coordinate system together with that of the compensation";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     Ok(())

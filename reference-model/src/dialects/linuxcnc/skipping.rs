@@ -252,7 +252,7 @@ fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     };
     let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
     if [*number, turns].iter().any(|value| math::near_integer(*value).is_none()) {
-        let message = "P or L of M98 is no integer";
+        let message = "P or L of M98 is not an integer";
         return Err(refuse(rule, FaultKind::NotAnInteger, message));
     }
     if turns < 0.0 {

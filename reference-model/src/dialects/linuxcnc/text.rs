@@ -58,8 +58,8 @@ impl SyntaxRules for LinuxCnc {
         let is_number = |next: char| next.is_numeric();
         let calls = parser.sees("m98") && !parser.peek_behind(3).is_some_and(is_number);
         let (kind, message) = match parser.peek() {
-            Some('o') => (FaultKind::BadCharacter, "an O-word behind a comment"),
-            Some('m') if calls => (FaultKind::UnknownCode, "M98 behind a comment"),
+            Some('o') => (FaultKind::BadCharacter, "an O-word after a comment"),
+            Some('m') if calls => (FaultKind::UnknownCode, "M98 after a comment"),
             _ => return Ok(()),
         };
         Err(parser.refuse(quirk::rs274::COMMENT_BEFORE_O_WORD, kind, message))

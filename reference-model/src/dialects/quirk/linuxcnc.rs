@@ -15,16 +15,17 @@ quirks! {
     INPUT_NUMBER = "linuxcnc.input-number",
     /// An abort brings back the modes that were in force at the last motion of the main program.
     MODES_OF_LAST_MOTION = "linuxcnc.modes-of-last-motion",
-    /// M19 for a spindle that is locked sets angle and direction, but does not ask the spindle to turn there.
+    /// M19 for a spindle that is locked sets angle and direction, but does not command the spindle to turn
+    /// there.
     ORIENT_WHILE_LOCKED = "linuxcnc.orient-while-locked",
     /// M64, M65 and M68 with the number of no output show an error and change nothing, and the program goes
     /// on.
     OUTPUT_NUMBER_AT_ONCE = "linuxcnc.output-number-at-once",
     /// M62, M63 and M67 with the number of no output are accepted, and nothing changes.
     OUTPUT_NUMBER_WITH_MOTION = "linuxcnc.output-number-with-motion",
-    /// When a program starts `_value` still tells what the last sub of the program before it has returned.
+    /// When a program starts `_value` still has what the last sub of the program before it has returned.
     RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
-    /// A speed releases the brake of a spindle that stands; the next stop applies it again.
+    /// A speed releases the brake of a spindle that is stopped; the next stop applies it again.
     SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
     /// M66 with L above 4 is accepted, and ends with its time-out, whatever the input does.
     WAIT_MODE_TIMES_OUT = "linuxcnc.wait-mode-times-out",

@@ -12,8 +12,8 @@ quirks! {
     /// An arc whose centre is nearer than 0.00127 mm or 0.00005 inch to its start or to its end is refused;
     /// one with R may be smaller.
     ARC_LEAST_RADIUS = "rs274.arc-least-radius",
-    /// R0 makes an arc whose centre is no number, where half the distance to its end is no more than R may be
-    /// too small by.
+    /// R0 makes an arc whose centre is not a number, where half the distance to its end is no more than R may
+    /// be too small by.
     ARC_NO_RADIUS = "rs274.arc-no-radius",
     /// The radii at the start and at the end of an arc may differ by more than five times of what is
     /// documented.
@@ -27,16 +27,16 @@ quirks! {
     CALCULATE_WITHOUT_AXES = "rs274.calculate-without-axes",
     /// G80 is refused in a block with the axis words of G43.1 or G43.2.
     CANCEL_BESIDE_OFFSET = "rs274.cancel-beside-offset",
-    /// G80 may stand in a block with another motion code, which wins, or with itself.
+    /// G80 is allowed in a block with another motion code, which wins, or with itself.
     CANCEL_WITH_MOTION = "rs274.cancel-with-motion",
     /// Where G33, G33.1, G76 and the cycles have no $, and under feed per revolution, the spindle is the one
     /// that was chosen last: by the $ of G33, G33.1 or G76, or by a block with G93 to G97, which without $
     /// chooses spindle 0.
     CHOSEN_SPINDLE = "rs274.chosen-spindle",
-    /// Behind a comment at the beginning of a block neither an O-word nor M98 can stand: no end is found
+    /// After a comment at the beginning of a block neither an O-word nor M98 is allowed: no end is found
     /// there, and a block that is reached is refused.
     COMMENT_BEFORE_O_WORD = "rs274.comment-before-o-word",
-    /// L, an integer of zero or more, may stand with G41 and G42. It does nothing.
+    /// L, an integer of zero or more, is allowed with G41 and G42. It does nothing.
     COMPENSATION_L_WORD = "rs274.compensation-l-word",
     /// A continue in a do loop is remembered until a loop ends that tests first or counts: a repeat that ends
     /// next begins again, and a while that is broken next tests its condition once more.
@@ -58,21 +58,20 @@ quirks! {
     /// below R rises in each block, be it by nothing; in one that began above R the first move in the plane
     /// rises to the clear height on its way, when it begins at R or below.
     CYCLE_RISE = "rs274.cycle-rise",
-    /// `_ccomp` does not tell G41.1 and G42.1 from G41 and G42.
+    /// `_ccomp` does not distinguish G41.1 and G42.1 from G41 and G42.
     DYNAMIC_COMPENSATION_CODE = "rs274.dynamic-compensation-code",
-    /// R, any number, may stand with G41.1 and G42.1. It does nothing.
+    /// R, any number, is allowed with G41.1 and G42.1. It does nothing.
     DYNAMIC_COMPENSATION_R_WORD = "rs274.dynamic-compensation-r-word",
     /// A restore brings back dynamic cutter compensation without its diameter, as compensation by a tool of
     /// the table.
     DYNAMIC_COMPENSATION_RESTORE = "rs274.dynamic-compensation-restore",
-    /// A motion code beside G43.1 uses the axis words as well.
+    /// A motion code together with G43.1 uses the axis words as well.
     DYNAMIC_LENGTH_WITH_MOTION = "rs274.dynamic-length-with-motion",
     /// G43.1 without axis words is accepted.
     DYNAMIC_LENGTH_WITHOUT_AXES = "rs274.dynamic-length-without-axes",
     /// A name between `<` and `>` may be empty.
     EMPTY_NAME = "rs274.empty-name",
-    /// The end of a condition or loop that is passed over, and its next branch, may stand in a sub that
-    /// follows.
+    /// The end of a condition or loop that is passed over, and its next branch, may be in a sub that follows.
     ENDS_IN_OTHER_SUBS = "rs274.ends-in-other-subs",
     /// EXISTS of a numbered parameter is accepted.
     EXISTS_NUMBERED = "rs274.exists-numbered",
@@ -81,8 +80,7 @@ quirks! {
     FANUC_CHANGES_AT_END = "rs274.fanuc-changes-at-end",
     /// L of M98 is refused as negative from 2147483648 on.
     FANUC_COUNT_TOO_LARGE = "rs274.fanuc-count-too-large",
-    /// A call with L0 leaves a call level behind: the tenth is refused, and inside a sub it spoils the sub's
-    /// end.
+    /// A call with L0 leaves a call level: the tenth is refused, and inside a sub it spoils the sub's end.
     FANUC_ZERO_LOOPS = "rs274.fanuc-zero-loops",
     /// G94 and G95 lose the feed rate even when they are active already.
     FEED_LOST_AT_SAME_MODE = "rs274.feed-lost-at-same-mode",
@@ -100,8 +98,8 @@ quirks! {
     FEED_UNIT = "rs274.feed-unit",
     /// The program end sets the feed to zero.
     FEED_ZERO_AT_END = "rs274.feed-zero-at-end",
-    /// A file that is called may define further subs beside its own; the head of one within its own does
-    /// nothing.
+    /// A file that is called may define further subs in addition to its own; the head of one within its own
+    /// does nothing.
     FILE_WITH_TWO_SUBS = "rs274.file-with-two-subs",
     /// Only the first spindle's state is saved and restored.
     FIRST_SPINDLE_SAVED = "rs274.first-spindle-saved",
@@ -109,7 +107,7 @@ quirks! {
     G_CODE_TOLERANCE = "rs274.g-code-tolerance",
     /// G92.1, G92.2 and G92.3 exclude each other and no other code of group 0, after which they act.
     G92_CODES_APART = "rs274.g92-codes-apart",
-    /// A name of the form of a HAL item or of an INI entry can be assigned where there is no such thing.
+    /// A name of the form of a HAL item or of an INI entry can be assigned if there is no such item or entry.
     HAL_ASSIGNMENT = "rs274.hal-assignment",
     /// Under inverse time F may be zero.
     INVERSE_TIME_ZERO_RATE = "rs274.inverse-time-zero-rate",
@@ -128,7 +126,7 @@ quirks! {
     LOG_CLOSED = "rs274.log-closed",
     /// A carriage return without a line feed does not end a line but counts as a blank.
     LONE_RETURN = "rs274.lone-return",
-    /// %lf is shown as it stands.
+    /// %lf is printed unchanged.
     LONG_FORMAT = "rs274.long-format",
     /// G53 is refused in incremental distance mode.
     MACHINE_INCREMENTAL = "rs274.machine-incremental",
@@ -142,13 +140,13 @@ quirks! {
     /// A move in machine coordinates computes the axes anew that it does not move, so that a zero loses its
     /// sign.
     MACHINE_ZERO_SIGN = "rs274.machine-zero-sign",
-    /// MSG with blanks between its letters or behind it is a plain comment.
+    /// MSG with blanks between its letters or after it is a plain comment.
     MESSAGE_BLANKS = "rs274.message-blanks",
-    /// `#0` in a message is shown as zero.
+    /// `#0` in a message is printed as zero.
     MESSAGE_PARAMETER_ZERO = "rs274.message-parameter-zero",
-    /// A message shows a value that is nearer to zero than a ten-thousandth as zero.
+    /// A message prints a value that is nearer to zero than a ten-thousandth as zero.
     MESSAGE_SMALL_VALUE = "rs274.message-small-value",
-    /// A named parameter that a line creates exists already, as zero, for the values behind it on that line.
+    /// A named parameter that a line creates exists already, as zero, for later values on that line.
     NAMED_EXISTS_EARLY = "rs274.named-exists-early",
     /// A dwell of any negative time but -1 is accepted.
     NEGATIVE_DWELL = "rs274.negative-dwell",
@@ -159,16 +157,16 @@ quirks! {
     /// Once it was called, a numbered program is known by its number in every file, before those of the file
     /// itself.
     NUMBERS_OF_ALL_FILES = "rs274.numbers-of-all-files",
-    /// G53 may stand with G5.2, and not with the points that follow.
+    /// G53 is allowed with G5.2, and not with the points that follow.
     NURBS_MACHINE_COORDINATES = "rs274.nurbs-machine-coordinates",
     /// A NURBS of order two needs three control points, as one of order three does.
     NURBS_ORDER_TWO = "rs274.nurbs-order-two",
-    /// Each control point of a NURBS needs P, but for one in the block of the first G5.2.
+    /// Each control point of a NURBS needs P, except one in the block of the first G5.2.
     NURBS_WEIGHT = "rs274.nurbs-weight",
     /// A restore does not switch off again what was saved as off: feed stop, adaptive feed, and flood while
     /// mist was on.
     OFF_NOT_RESTORED = "rs274.off-not-restored",
-    /// With G10 a word may stand that another L of it uses: P, Q, R, I, J and axis words with L0, and Q with
+    /// With G10 a word is allowed that another L of it uses: P, Q, R, I, J and axis words with L0, and Q with
     /// L2 and L20. It does nothing.
     OFFSET_DATA_WORDS = "rs274.offset-data-words",
     /// After M19 every spindle is taken for stopped, oriented or not, though it turns on.
@@ -200,8 +198,8 @@ quirks! {
     /// Under feed per revolution G1, G2 and G3 are refused while the speed of the spindle is zero, whether it
     /// turns or not.
     PER_REVOLUTION_STANDING = "rs274.per-revolution-standing",
-    /// Percent lines of a called file count as the main program begins: where that begins with one, the first
-    /// one ends the called file; where it does not, they mean nothing, and are no blocks.
+    /// Percent lines of a called file depend on how the main program begins. If it begins with one, the first
+    /// one ends the called file; if not, they mean nothing, and are not blocks.
     PERCENT_IN_FILE = "rs274.percent-in-file",
     /// A restore selects the plane before it turns cutter compensation off, and is refused there.
     PLANE_RESTORE = "rs274.plane-restore",
@@ -211,7 +209,7 @@ quirks! {
     POLAR_NEEDS_ANGLE = "rs274.polar-needs-angle",
     /// Polar words are refused where another plane than XY was selected before their block.
     POLAR_PLANE = "rs274.polar-plane",
-    /// @ and ^ may stand more than once in a block. The last one counts.
+    /// @ and ^ are allowed more than once in a block. The last one counts.
     POLAR_REPEATED = "rs274.polar-repeated",
     /// An incremental polar move with an angle that ends at the origin is refused.
     POLAR_TO_ORIGIN = "rs274.polar-to-origin",
@@ -219,7 +217,7 @@ quirks! {
     POSITION_MOVE_IN_PLACE = "rs274.position-move-in-place",
     /// G92 leaves the local offset of axes alone for which it has no word.
     POSITION_OMITTED_AXES = "rs274.position-omitted-axes",
-    /// An expression that reads 5420 to 5428 is refused while cutter compensation is on; a message shows
+    /// An expression that reads 5420 to 5428 is refused while cutter compensation is on; a message prints
     /// them, and `_x` to `_w` are read.
     POSITION_UNDER_COMPENSATION = "rs274.position-under-compensation",
     /// Under inverse time probing ignores F in its block, and goes at the rate that was set before.
@@ -245,7 +243,7 @@ quirks! {
     /// G98 and G99 are refused while cutter compensation is on, and so is a restore of another return mode
     /// under a compensation that was on at the save too.
     RETRACT_UNDER_COMPENSATION = "rs274.retract-under-compensation",
-    /// Once a sub or a numbered program was called, a return in the main program is no error: it sets the
+    /// Once a sub or a numbered program was called, a return in the main program is not an error: it sets the
     /// value parameters, and the next block follows.
     RETURN_AFTER_CALL = "rs274.return-after-call",
     /// When G10 L2 turns the coordinate system in force, or the program end that of G54, the point is turned
@@ -277,7 +275,7 @@ quirks! {
     SKIPPED_LABELS = "rs274.skipped-labels",
     /// S with $-1 sets the speed of all spindles.
     SPEED_OF_ALL_SPINDLES = "rs274.speed-of-all-spindles",
-    /// The program end enables the speed override for the interpreter only and does not tell the spindle.
+    /// The program end enables the speed override for the interpreter only and does not command the spindle.
     SPEED_OVERRIDE_AT_END = "rs274.speed-override-at-end",
     /// M51 with $0 is refused.
     SPEED_OVERRIDE_DOLLAR = "rs274.speed-override-dollar",
@@ -289,7 +287,7 @@ quirks! {
     SPLINE_NOT_MODAL = "rs274.spline-not-modal",
     /// Under G95 splines need no feed rate.
     SPLINE_PER_REVOLUTION = "rs274.spline-per-revolution",
-    /// Where the machine stands at the start is told without the rotation that is stored for the coordinate
+    /// The machine's position at the start is reported without the rotation that is stored for the coordinate
     /// system in force; all that follows has it.
     STORED_ROTATION = "rs274.stored-rotation",
     /// A sub that is defined later in the file than its call is found; its definition is refused when it is
@@ -297,19 +295,20 @@ quirks! {
     SUB_FOUND_LATER = "rs274.sub-found-later",
     /// A definition that is reached once more, as in a loop, is refused.
     SUB_REACHED_AGAIN = "rs274.sub-reached-again",
-    /// G96 with D0 tells the spindle revolutions per minute, while programs read constant surface speed.
+    /// G96 with D0 commands the spindle in revolutions per minute, while programs read constant surface
+    /// speed.
     SURFACE_LIMIT_ZERO = "rs274.surface-limit-zero",
-    /// A restore into constant surface speed fails when the speed has not changed, and otherwise loses the
+    /// A restore into constant surface speed fails when the speed has not changed; if it has, it loses the
     /// limit D.
     SURFACE_SPEED_RESTORE = "rs274.surface-speed-restore",
-    /// A feed move under G96 is made while the spindle stands.
+    /// A feed move under G96 is made while the spindle is stopped.
     SURFACE_SPEED_WHILE_STOPPED = "rs274.surface-speed-while-stopped",
-    /// E, any number, may stand with G33 and G33.1. It does nothing.
+    /// E, any number, is allowed with G33 and G33.1. It does nothing.
     SYNCHRONISED_E_WORD = "rs274.synchronised-e-word",
-    /// G33 and G33.1 do not stand in a block with F.
+    /// G33 and G33.1 are not allowed in a block with F.
     SYNCHRONISED_FEED_WORD = "rs274.synchronised-feed-word",
-    /// A restore programs the coordinate system beside G41 or G42: where the cutter was compensated at the
-    /// save and another system is selected now, it is refused.
+    /// A restore programs the coordinate system together with G41 or G42: where the cutter was compensated at
+    /// the save and another system is selected now, it is refused.
     SYSTEM_RESTORE = "rs274.system-restore",
     /// Outside of the XY plane the feeds of G74 and G84 lead to a point with the axes in another order,
     /// though the controlled point is then where it should be.
@@ -342,13 +341,13 @@ quirks! {
     /// A restore programs G43 again instead of bringing back the saved offset: one from G43.1 or from another
     /// tool than that in the spindle is lost.
     TOOL_OFFSET_RESTORE = "rs274.tool-offset-restore",
-    /// A tool offset keeps its number when the length unit changes, so that a later change of the offset
+    /// A tool offset keeps its number when the length unit changes. A later change of the offset therefore
     /// shifts the position, and G53, G28, G30, what G28.1 and G30.1 store, where M6 moves to and what G10 L10
-    /// and L11 measure are beside the point.
+    /// and L11 measure are off the point.
     TOOL_OFFSET_UNIT = "rs274.tool-offset-unit",
     /// Parameters that a call does not pass are zero in the sub.
     UNPASSED_ARGUMENTS_ZERO = "rs274.unpassed-arguments-zero",
-    /// Q-1 may stand in a block of which no code uses Q, and in a later block of a row of G73 or G83, where
+    /// Q-1 is allowed in a block of which no code uses Q, and in a later block of a row of G73 or G83, where
     /// the Q before holds. It does nothing.
     UNUSED_Q_MINUS_ONE = "rs274.unused-q-minus-one",
     /// Where a sub is defined, its body is skipped but the values of its returns and of its endsub are
@@ -359,8 +358,8 @@ quirks! {
     VALUE_CLEARED_AT_RETURN = "rs274.value-cleared-at-return",
     /// M66 with L above 4 is accepted.
     WAIT_MODE_ANY = "rs274.wait-mode-any",
-    /// A format with more than one digit behind its period loses its percent sign.
+    /// A format with more than one digit after its period loses its percent sign.
     WRONG_FORMAT_SIGN = "rs274.wrong-format-sign",
-    /// `_tool_offset` tells whether an offset is not zero, not whether G43 is on.
+    /// `_tool_offset` reports whether an offset is not zero, not whether G43 is on.
     ZERO_TOOL_OFFSET_OFF = "rs274.zero-tool-offset-off",
 }

@@ -68,7 +68,7 @@ impl Reader<'_> {
             return Err(refuse(rule::gpp::DECLARATION, FaultKind::NoSuchVariable, message));
         }
         if is_keyword(&name) || !is_user_name(&name) {
-            return Err(refused(format!("{name} is no name of a user variable")));
+            return Err(refused(format!("{name} is not a valid name of a user variable")));
         }
         let size = if self.takes("[") { Some(self.size()?) } else { None };
         self.variables.declare(&name, size, format, None, &self.choices)
@@ -223,7 +223,7 @@ impl Reader<'_> {
         refuse(
             rule,
             FaultKind::Declaration,
-            "declarations stand before the newline procedure and the blocks",
+            "declarations come before the newline procedure and the blocks",
         )
     }
 }

@@ -241,5 +241,5 @@ fn open(what: &str) -> StepError {
 }
 
 fn not_a_number(text: &str) -> StepError {
-    refuse(rule::gpp::STATEMENT, FaultKind::BadNumber, format!("this is no number: {text}"))
+    refuse(rule::gpp::STATEMENT, FaultKind::BadNumber, format!("not a number: {text}"))
 }

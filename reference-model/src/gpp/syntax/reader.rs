@@ -83,7 +83,7 @@ impl Reader<'_> {
             }
             let heading = self.heading()?;
             if blocks.contains_key(&heading) {
-                let message = "a block of this name and qualifier stands above";
+                let message = "a block of this name and qualifier exists already";
                 return Err(refuse_form(FaultKind::Declaration, message));
             }
             let statements = self.statements()?;
@@ -197,7 +197,7 @@ impl Reader<'_> {
         let line = self.tokens[self.at].line;
         let name = self.words_before_colon().unwrap_or_default();
         if is_keyword(&name) {
-            let message = format!("{name} is no name of a block");
+            let message = format!("{name} is not a valid name of a block");
             return Err(refuse_form(FaultKind::Declaration, message));
         }
         let same_line = self.tokens[self.at].line == line;

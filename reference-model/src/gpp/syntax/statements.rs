@@ -226,7 +226,8 @@ impl Reader<'_> {
 
 /// Rule gpp.tested. A variable is a number or a text, and no condition.
 pub(super) fn lone_variable() -> StepError {
-    let message = "a variable is no condition: VAR_SET and VAR_NOTSET ask for its flag";
+    let message =
+        "a variable is not a condition; expected VAR_SET or VAR_NOTSET, which test its flag";
     refuse(rule::gpp::TESTED, FaultKind::Statement, message)
 }
 

@@ -3,8 +3,8 @@
 choices! {
     super::first::ACTIVE_COMMENTS;
 
-    /// What a message shows for a named parameter that does not exist. The manual prints one number sign; its
-    /// typesetting may have swallowed more.
+    /// What a message prints for a named parameter that does not exist. The manual prints one number sign;
+    /// its typesetting may have swallowed more.
     AbsentName = "active-comments.absent-name" {
         /// one number sign
         NumberSign = "number-sign",
@@ -21,17 +21,17 @@ choices! {
         FourDecimals = "four-decimals",
     }
 
-    /// Whether blanks around the name of a log belong to it. The manual writes none, and takes comments as
-    /// they stand elsewhere.
+    /// Whether blanks around the name of a log belong to it. The manual writes none, and elsewhere takes
+    /// comments unchanged.
     FileNameBlanks = "active-comments.file-name-blanks" {
-        /// the name is what stands between them
+        /// the name is the text between them
         LeftOut = "left-out",
         /// the name is all that follows the comma
         PartOfIt = "part-of-it",
     }
 
-    /// Whether MSG without a comma is a message. The form has a comma; the sentence asks only that MSG comes
-    /// first.
+    /// Whether MSG without a comma is a message. The form has a comma; the sentence requires only that MSG
+    /// comes first.
     MsgWithoutComma = "active-comments.msg-without-comma" {
         /// it is a plain comment
         Plain = "plain",
@@ -47,7 +47,7 @@ choices! {
         SixDecimals = "six-decimals",
     }
 
-    /// Which value a message shows of a parameter that is set in its own block: settings wait for all
+    /// Which value a message prints of a parameter that is set in its own block: settings wait for all
     /// parameter values of the line, and the message comes before the words.
     SameBlockSetting = "active-comments.same-block-setting" {
         /// the value that the block sets

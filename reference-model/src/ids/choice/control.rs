@@ -3,7 +3,7 @@
 choices! {
     super::first::CONTROL;
 
-    /// Whether a comment may stand on the line of an o-word: 11.4.23 allows it, 11.7.3 calls the behaviour
+    /// Whether a comment is allowed on the line of an o-word: 11.4.23 allows it, 11.7.3 calls the behaviour
     /// undefined.
     CommentAfterOWord = "control.comment-after-o-word" {
         /// the comment changes nothing
@@ -15,7 +15,7 @@ choices! {
     /// Whether several do loops may carry the same label: 11.7.3 calls the use of one number for two blocks
     /// undefined, and the list of errors names repeat, while and if, but not do.
     DoLabel = "control.do-label" {
-        /// what the list does not name is no error: each while ends the do before it
+        /// what the list does not name is not an error: each while ends the do before it
         Each = "each",
         /// a label is defined once
         Refused = "refused",
@@ -23,8 +23,8 @@ choices! {
         First = "first",
     }
 
-    /// Whether a label still points to a condition or loop that has ended: the list of errors asks for a
-    /// matching if, the description for a group that starts with if and ends with endif.
+    /// Whether a label still points to a condition or loop that has ended: the list of errors requires a
+    /// matching if, the description requires a group that starts with if and ends with endif.
     EndedLabel = "control.ended-label" {
         /// the group has ended, so that nothing matches
         Refused = "refused",

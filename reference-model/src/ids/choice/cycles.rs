@@ -24,7 +24,7 @@ choices! {
     /// Whether G84 needs a spindle that turns clockwise, and G74 one that turns counterclockwise. The manual
     /// names no such error, and each cycle starts the other direction for the way out.
     TapDirection = "cycles.tap-direction" {
-        /// however it turns, or stands
+        /// whether and in whichever direction it turns
         Any = "any",
         /// it must turn as the thread is cut
         AsCut = "as-cut",

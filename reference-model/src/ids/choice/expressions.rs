@@ -3,7 +3,7 @@
 choices! {
     super::first::EXPRESSIONS;
 
-    /// The turn in which ATAN gives its angle. The document says that it tells four quadrants apart.
+    /// The turn in which ATAN gives its angle. The document says that it distinguishes four quadrants.
     ArctangentRange = "expressions.arctangent-range" {
         /// above -180 up to 180 degrees
         HalfTurns = "half-turns",
@@ -19,8 +19,8 @@ choices! {
         Dividend = "dividend",
     }
 
-    /// Whether a zero has a sign, which ATAN tells a quadrant by. A number may have a sign, and which
-    /// quadrant a zero is in is not said.
+    /// Whether a zero has a sign, which decides the quadrant of ATAN. A number may have a sign, and no
+    /// sentence says in which quadrant a zero is.
     NegativeZero = "expressions.negative-zero" {
         /// there is one zero
         None = "none",
@@ -56,7 +56,7 @@ choices! {
         MinusOne = "minus-one",
     }
 
-    /// Whether a sign may stand before a parameter, an expression or a function. The document knows a sign
+    /// Whether a sign is allowed before a parameter, an expression or a function. The document knows a sign
     /// only as a part of a number.
     UnaryMinus = "expressions.unary-minus" {
         /// before a parameter, an expression or a function minus negates it; a number has one sign of its own

@@ -3,8 +3,8 @@
 choices! {
     super::first::FANUC_SUBS;
 
-    /// Whether a subprogram can call itself: it must follow the call, but its beginning stands before every
-    /// block inside it.
+    /// Whether a subprogram can call itself: it must follow the call, but its beginning is before every block
+    /// inside it.
     CallItself = "fanuc-subs.call-itself" {
         /// the subprogram precedes the call inside it
         Refused = "refused",
@@ -13,8 +13,7 @@ choices! {
     }
 
     /// Whether a numbered subprogram sees the local named parameters of its caller. No local of a calling
-    /// procedure is visible in a called one; how M98 differs from that is told in a list that names `#1` to
-    /// `#30` only.
+    /// procedure is visible in a called one; the list of differences of M98 names `#1` to `#30` only.
     NamedLocals = "fanuc-subs.named-locals" {
         /// local named parameters belong to the subprogram's own scope
         Hidden = "hidden",

@@ -47,7 +47,7 @@ choices! {
 
     /// Whether the words of the old GPP are understood.
     OldWords = "gpp.old-words" {
-        /// they are no statements of it
+        /// they are not statements of it
         Refused = "refused",
         /// RESET, `ALL_VAR`, `NON_MODAL`, and conditions in `IF_SET`
         Accepted = "accepted",

@@ -34,7 +34,7 @@ choices! {
     /// Whether M50 to M53 belong to the modal group of M48 and M49. The table lists these two only; the order
     /// of execution names all six together.
     OverrideMembers = "modal-groups.override-members" {
-        /// M48 and M49 only: M52 and M53 may stand in one block
+        /// M48 and M49 only: M52 and M53 may be in one block
         Listed = "listed",
         /// M48 to M53 are one group
         All = "all",

@@ -87,7 +87,7 @@ choices! {
     SetAdvance = "nct.set-advance" {
         /// its n-th one to the n-th set
         ByLetter = "by-letter",
-        /// to the set in progress; one that stands again opens the next
+        /// to the set in progress; a repeated letter opens the next
         BySet = "by-set",
     }
 

@@ -5,8 +5,8 @@ choices! {
 
     /// When the brake of a spindle is applied besides at the end of an orientation. The documents do not say.
     BrakeOtherwise = "orient.brake-otherwise" {
-        /// whenever the spindle is told neither to turn nor to go to an angle; one that M3 has started at a
-        /// speed of zero is told to turn
+        /// whenever the spindle is commanded neither to turn nor to go to an angle; one that M3 has started
+        /// at a speed of zero is commanded to turn
         WhileStanding = "while-standing",
         /// only while the spindle is locked
         WhileLocked = "while-locked",
@@ -24,7 +24,7 @@ choices! {
     ZeroTimeout = "orient.zero-timeout" {
         /// Q is greater than zero
         Refused = "refused",
-        /// a spindle that stands at its angle at once is in time
+        /// a spindle that is at its angle at once is in time
         Accepted = "accepted",
     }
 }

@@ -3,8 +3,8 @@
 choices! {
     super::first::OUTPUTS;
 
-    /// Whether M64, M65 and M68 take back what M62, M63 and M67 have asked of the same output. The sentence
-    /// on later commands stands between both.
+    /// Whether M64, M65 and M68 cancel what M62, M63 and M67 have queued for the same output. The sentence on
+    /// later commands is between both.
     AtOnceOverWaiting = "outputs.at-once-over-waiting" {
         /// the output still changes with the next motion
         Kept = "kept",
@@ -20,19 +20,19 @@ choices! {
         Refused = "refused",
     }
 
-    /// Whether an abort takes back what M62, M63 and M67 have asked for. What they queue is done by the next
-    /// motion command, and nothing says whether that of another program is one.
+    /// Whether an abort cancels what M62, M63 and M67 have queued. The next motion command executes the
+    /// queue, and no sentence says whether that may belong to another program.
     WaitingAfterAbort = "outputs.waiting-after-abort" {
         /// it is gone with what else was queued
         Forgotten = "forgotten",
-        /// it waits for the next motion, whoever asks for that
+        /// it waits for the next motion of any program
         Kept = "kept",
     }
 
-    /// Whether what M62, M63 and M67 have asked for outlives the program. What they queue is done by the next
-    /// motion command, and nothing says whether that of the next program is one.
+    /// Whether what M62, M63 and M67 have queued outlives the program. The next motion command executes the
+    /// queue, and no sentence says whether that may belong to the next program.
     WaitingAfterEnd = "outputs.waiting-after-end" {
-        /// it waits for the next motion, whoever asks for that
+        /// it waits for the next motion of any program
         Kept = "kept",
         /// it is gone with the program's end
         Forgotten = "forgotten",

@@ -12,21 +12,21 @@ choices! {
         Zero = "zero",
     }
 
-    /// Whether a function may stand behind a number sign, its value being the parameter's number. The
-    /// document names an integer, a further number sign and an expression in brackets.
+    /// Whether a function may follow a number sign, with its value as the parameter's number. The document
+    /// names an integer, a further number sign and an expression in brackets.
     FunctionNumber = "parameters.function-number" {
-        /// a number sign stands before an integer, a number sign or an expression
+        /// a number sign comes before an integer, a number sign or an expression
         Refused = "refused",
         /// a function is a value like any other
         Accepted = "accepted",
     }
 
-    /// Whether `_lathe_diameter_mode` and `_lathe_radius_mode` tell G7 and G8 on a machine that is not set up
-    /// as a lathe. The document says that they need a lathe configuration and not what that is.
+    /// Whether `_lathe_diameter_mode` and `_lathe_radius_mode` report G7 and G8 on a machine that is not set
+    /// up as a lathe. The document says that they need a lathe configuration and not what that is.
     LatheFlags = "parameters.lathe-flags" {
-        /// they tell the mode on every machine
+        /// they report the mode on every machine
         AnyMachine = "any-machine",
-        /// they are 0 where the machine is no lathe
+        /// they are 0 where the machine is not a lathe
         LatheOnly = "lathe-only",
     }
 
@@ -44,7 +44,7 @@ choices! {
     ReadOnlyNumbered = "parameters.read-only-numbered" {
         /// they are read-only
         Refused = "refused",
-        /// it is accepted, and they go on telling what the machine is
+        /// it is accepted, and they still report the machine
         Written = "written",
     }
 
@@ -66,12 +66,12 @@ choices! {
         BeforeWords = "before-words",
     }
 
-    /// What `_spindle_on` is after M3 or M4 with a speed of zero: it tells whether the spindle runs, with M3
-    /// and M4 in parentheses, and at zero the spindle does not start turning.
+    /// What `_spindle_on` is after M3 or M4 with a speed of zero: it reports whether the spindle runs, with
+    /// M3 and M4 in parentheses, and at zero the spindle does not start turning.
     SpindleOnAtZero = "parameters.spindle-on-at-zero" {
         /// 1: it was started
         Commanded = "commanded",
-        /// 0: it stands still
+        /// 0: it does not turn
         Turning = "turning",
     }
 }

@@ -12,9 +12,8 @@ choices! {
         GoesOn = "goes-on",
     }
 
-    /// What becomes of a dwell during which the operator pauses the program: it goes on to its end, after
-    /// which the program stands, or it stands still too. The section on G4 tells how long it lasts, and not
-    /// under a pause.
+    /// Whether a dwell during which the operator pauses the program continues to its end, after which the
+    /// program stops, or is paused too. The section on G4 says how long it lasts, and not under a pause.
     DuringDwell = "pause.during-dwell" {
         /// its seconds are counted all the same
         GoesOn = "goes-on",

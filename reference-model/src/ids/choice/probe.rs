@@ -4,7 +4,7 @@ choices! {
     super::first::PROBE;
 
     /// Whether a straight probe is a feed move, which G96 forbids while the spindle does not turn. It is made
-    /// at the feed rate, and a probe is no tool that turns.
+    /// at the feed rate, and a probe does not turn.
     StandingSpindle = "probe.standing-spindle" {
         /// it is none
         Accepted = "accepted",

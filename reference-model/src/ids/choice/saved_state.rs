@@ -7,7 +7,7 @@ choices! {
     /// or when the next one begins. There is one storage location at the level of the main program, and no
     /// sentence says how long it holds.
     AfterRun = "saved-state.after-run" {
-        /// whoever comes next at that level restores it: a block by hand, or the next program
+        /// the next restore at that level uses it: in a block by hand, or in the next program
         Kept = "kept",
         /// it is gone with the program's end, with an abort, and when a program begins
         Forgotten = "forgotten",

@@ -11,7 +11,7 @@ choices! {
         All = "all",
     }
 
-    /// Whether G97 needs an S word. Its form has one that is not marked optional; the list of errors asks for
+    /// Whether G97 needs an S word. Its form has one that is not marked optional; the list of errors requires
     /// S with G96 only.
     RpmModeSpeed = "spindle.rpm-mode-speed" {
         /// the speed stays

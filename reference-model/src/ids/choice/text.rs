@@ -32,7 +32,7 @@ choices! {
     }
 
     /// Whether a file that begins with a percent line needs the second one although an M2 ends it: one
-    /// sentence asks for it, another says that nothing after the end is read.
+    /// sentence requires it, another says that nothing after the end is read.
     PercentUnclosedEnded = "text.percent-unclosed-ended" {
         /// the program end is enough
         Accepted = "accepted",

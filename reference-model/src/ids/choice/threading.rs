@@ -6,7 +6,7 @@ choices! {
     /// Whether G76 is refused while the spindle does not turn. It is not among its errors; the cycle is based
     /// on G33, which is.
     CycleSpindle = "threading.cycle-spindle" {
-        /// however the spindle stands
+        /// whether or not the spindle turns
         Any = "any",
         /// the spindle must turn
         Turning = "turning",

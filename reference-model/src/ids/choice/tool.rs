@@ -4,7 +4,7 @@ choices! {
     super::first::TOOL;
 
     /// Whether a tool may be changed while cutter compensation is on. The chapter names no such error;
-    /// another place of the last manual tells of one.
+    /// another place of the last manual does.
     ChangeUnderCompensation = "tool.change-under-compensation" {
         /// it may
         Accepted = "accepted",
@@ -13,7 +13,7 @@ choices! {
     }
 
     /// Whether M6 needs a T since the last tool change. The chapter says only which T counts; another place
-    /// of the last manual tells of the error.
+    /// of the last manual names the error.
     ChangeWithoutSelection = "tool.change-without-selection" {
         /// it does
         Refused = "refused",
@@ -66,7 +66,7 @@ choices! {
         Slot = "slot",
     }
 
-    /// Whether M61 may stand in a program. The text speaks of MDI and manual mode.
+    /// Whether M61 is allowed in a program. The text speaks of MDI and manual mode.
     SetNumberInProgram = "tool.set-number-in-program" {
         /// it may
         Accepted = "accepted",

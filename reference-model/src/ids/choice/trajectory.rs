@@ -5,9 +5,10 @@ choices! {
 
     /// Where a motion starts at a corner that is rounded, for the outputs that wait for it.
     MotionStart = "trajectory.motion-start" {
-        /// in the sample that is nearest to the corner, or a cycle beside it
+        /// in the sample that is nearest to the corner, or a cycle before or after it
         Corner = "corner",
-        /// where the blend has ended, at the first sample on the motion's own path, or a cycle beside it
+        /// where the blend has ended, at the first sample on the motion's own path, or a cycle before or
+        /// after it
         BlendEnd = "blend-end",
     }
 

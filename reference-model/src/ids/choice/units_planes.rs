@@ -15,7 +15,7 @@ choices! {
     /// What a change of the length unit does to the feed rate: the documents say that feeds are read by the
     /// unit in use, not what becomes of one that is set.
     FeedOverUnitChange = "units-planes.feed-over-unit-change" {
-        /// the same feed, told in the new unit
+        /// the same feed, expressed in the new unit
         Rescaled = "rescaled",
         /// the same number
         Kept = "kept",

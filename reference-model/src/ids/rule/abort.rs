@@ -7,9 +7,8 @@ rules! {
     AUTORESTORE = "abort.autorestore",
     /// An abort ends the run: what follows is not executed, whatever block it breaks off.
     ENDS = "abort.ends",
-    /// After an abort modes and parameters are those of the block that was broken off, or what the
-    /// interpreter had made of the blocks that it had read ahead; where the machine stands and which tools it
-    /// has reading changes in neither case.
+    /// After an abort modes and parameters are those of the interrupted block, or those of the blocks that
+    /// the interpreter had read ahead; reading ahead changes neither the machine's position nor its tools.
     READ_AHEAD = "abort.read-ahead",
     /// After an abort cycle start starts the program at the beginning of the file.
     RESTART = "abort.restart",

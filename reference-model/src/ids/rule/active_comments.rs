@@ -3,15 +3,15 @@
 rules! {
     super::first::ACTIVE_COMMENTS;
 
-    /// ABORT ends the program with its text as an error; parameters may stand in the text.
+    /// ABORT ends the program with its text as an error; the text may contain parameters.
     ABORT = "active-comments.abort",
-    /// A named parameter that does not exist is shown by number signs, not refused.
+    /// A named parameter that does not exist is printed as number signs, not refused.
     ABSENT_NAMED = "active-comments.absent-named",
     /// DEBUG displays a message with the values of parameters in it.
     DEBUG = "active-comments.debug",
     /// After %.0f to %.9f values are rounded to that number of decimals.
     DECIMALS_FORMAT = "active-comments.decimals-format",
-    /// A format holds for the rest of the line until another one; it need not stand next to the parameter.
+    /// A format holds for the rest of the line until another one; it need not be next to the parameter.
     FORMAT_LASTS = "active-comments.format-lasts",
     /// A format does not outlast its line.
     FORMAT_PER_LINE = "active-comments.format-per-line",
@@ -35,7 +35,7 @@ rules! {
     MSG_FIRST = "active-comments.msg-first",
     /// MSG may have blanks within and before it and lower case letters.
     MSG_SPELLING = "active-comments.msg-spelling",
-    /// The text of MSG is displayed as it stands; parameters are not replaced.
+    /// The text of MSG is displayed unchanged; parameters are not replaced.
     MSG_VERBATIM = "active-comments.msg-verbatim",
     /// A number sign and a name in `<>` are replaced by the value of that parameter; blanks in the name do
     /// not count.
@@ -50,6 +50,6 @@ rules! {
     PROBE_LOG = "active-comments.probe-log",
     /// A semicolon comment is the last of its line and may be active.
     SEMICOLON = "active-comments.semicolon",
-    /// What is not a format is shown as it stands.
+    /// What is not a format is printed unchanged.
     WRONG_FORMAT = "active-comments.wrong-format",
 }

@@ -14,14 +14,13 @@ rules! {
     DIAMETER = "arcs.diameter",
     /// Whether the offset I of an arc is a diameter in diameter mode is a choice.
     DIAMETER_CENTRE = "arcs.diameter-centre",
-    /// G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis that stands on the
-    /// plane, at the feed rate.
+    /// G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis normal to the plane,
+    /// at the feed rate.
     DIRECTION = "arcs.direction",
     /// Without axis words, or with an end point that is the current point, an arc with a centre is a full
     /// circle.
     FULL_CIRCLE = "arcs.full-circle",
-    /// A word of the axis that stands on the plane makes the arc a helix: that axis goes to its value
-    /// meanwhile.
+    /// A word of the axis normal to the plane makes the arc a helix: that axis goes to its value meanwhile.
     HELIX = "arcs.helix",
     /// While G2 or G3 is in force, a block with axis words is an arc without the code.
     MODE_HOLDS = "arcs.mode-holds",
@@ -33,7 +32,7 @@ rules! {
     OFFSETS_ALONE = "arcs.offsets-alone",
     /// An arc with a radius and an offset of its centre is refused.
     ONE_FORMAT = "arcs.one-format",
-    /// An offset of the centre along the axis that stands on the plane is refused.
+    /// An offset of the centre along the axis normal to the plane is refused.
     OTHER_OFFSET = "arcs.other-offset",
     /// An arc lies in the selected plane: I and J are its offsets in XY, I and K in ZX, J and K in YZ.
     PLANE = "arcs.plane",

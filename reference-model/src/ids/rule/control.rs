@@ -5,7 +5,7 @@ rules! {
 
     /// Break leaves the loop at once.
     BREAK = "control.break",
-    /// A repeat is no target of break or continue.
+    /// A repeat is not a target of break or continue.
     BREAK_IN_REPEAT = "control.break-in-repeat",
     /// A comment may follow an o-word and changes nothing, unless 11.7.3 is read as forbidding it.
     COMMENT_AFTER = "control.comment-after",
@@ -37,7 +37,7 @@ rules! {
     MISSING_END = "control.missing-end",
     /// A label may be a name in angle brackets instead of a number.
     NAMED_LABELS = "control.named-labels",
-    /// Conditions and loops can stand inside each other, each with its own number.
+    /// Conditions and loops can be nested, each with its own number.
     NESTING = "control.nesting",
     /// A repeat loop runs the given number of times.
     REPEAT = "control.repeat",
@@ -53,7 +53,7 @@ rules! {
     UNMATCHED_ENDIF = "control.unmatched-endif",
     /// An endwhile or endrepeat whose label does not refer to a while or repeat of its kind is refused.
     UNMATCHED_ENDWHILE = "control.unmatched-endwhile",
-    /// Other words on the line of an o-word are refused; a line number is no word.
+    /// Other words on the line of an o-word are refused; a line number is not a word.
     UNRELATED_WORDS = "control.unrelated-words",
     /// A while loop tests first and runs while its condition is true.
     WHILE = "control.while",

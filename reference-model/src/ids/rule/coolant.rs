@@ -5,7 +5,8 @@ rules! {
 
     /// Mist and flood can be on together.
     BOTH = "coolant.both",
-    /// M7 and M8 are of one modal group and, unless its table is read otherwise, not allowed in one block.
+    /// M7 and M8 are of one modal group and, unless its table is read in another way, not allowed in one
+    /// block.
     BOTH_IN_ONE_BLOCK = "coolant.both-in-one-block",
     /// M8 turns flood coolant on and leaves mist alone.
     FLOOD = "coolant.flood",

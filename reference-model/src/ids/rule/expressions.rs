@@ -9,7 +9,7 @@ rules! {
     ADD_BEFORE_COMPARE = "expressions.add-before-compare",
     /// SIN, COS and TAN take degrees; ASIN, ACOS and ATAN give degrees.
     ANGLES = "expressions.angles",
-    /// ATAN takes two bracketed arguments with a slash between them and tells all four quadrants apart.
+    /// ATAN takes two bracketed arguments with a slash between them and distinguishes all four quadrants.
     ARCTANGENT = "expressions.arctangent",
     /// Plus, minus, asterisk and slash add, subtract, multiply and divide real numbers.
     ARITHMETIC = "expressions.arithmetic",
@@ -39,13 +39,13 @@ rules! {
     MODULUS_ZERO = "expressions.modulus-zero",
     /// Multiplication, division and modulus come before addition and subtraction.
     MULTIPLY_BEFORE_ADD = "expressions.multiply-before-add",
-    /// An expression may stand in an expression and gives its value there.
+    /// An expression may be part of another expression and gives its value there.
     NESTED = "expressions.nested",
-    /// Binary operators stand inside expressions only.
+    /// Binary operators are allowed inside expressions only.
     OPERATORS_IN_BRACKETS = "expressions.operators-in-brackets",
     /// Two asterisks raise the number on the left to the power on the right.
     POWER = "expressions.power",
-    /// A power that is no real number is refused.
+    /// A power that is not a real number is refused.
     POWER_DOMAIN = "expressions.power-domain",
     /// The power comes before multiplication, division and modulus.
     POWER_FIRST = "expressions.power-first",

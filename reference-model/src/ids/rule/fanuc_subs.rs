@@ -36,7 +36,7 @@ rules! {
     REPEAT_COUNT = "fanuc-subs.repeat-count",
     /// A subprogram shares `#1` to `#30` with its caller, and what it changes stays.
     SHARED_PARAMETERS = "fanuc-subs.shared-parameters",
-    /// The subprogram stands later in the file than its call; one that stands earlier is refused.
+    /// The subprogram is later in the file than its call; an earlier one is refused.
     SUB_FOLLOWS = "fanuc-subs.sub-follows",
     /// M98 to a number that the file does not define is refused.
     UNKNOWN_NUMBER = "fanuc-subs.unknown-number",

@@ -42,7 +42,7 @@ rules! {
     MODAL_MEMBERS = "gpp.modal-members",
     /// Every variable is modal or non-modal.
     MODALITY = "gpp.modality",
-    /// The symbol that `NEW_LINE_IS` names runs the statements behind it when OUTPUT comes to it.
+    /// The symbol that `NEW_LINE_IS` names runs the statements after it when OUTPUT reaches the symbol.
     NEWLINE_SYMBOL = "gpp.newline-symbol",
     /// A non-modal variable can be turned off, if not by OUTPUT.
     NON_MODAL_OFF = "gpp.non-modal-off",

@@ -10,8 +10,8 @@ rules! {
     /// A, B and C, and ten sets of I, J and K, are `#1` to `#33`; of two words for one variable the later one
     /// counts.
     ARGUMENT_SETS = "nct.argument-sets",
-    /// Each letter of a call but G, L, N, O and P stands for a local variable of its own, and the code stands
-    /// before them.
+    /// Each letter of a call except G, L, N, O and P stands for a local variable of its own, and the code
+    /// comes before them.
     ARGUMENTS = "nct.arguments",
     /// NOT, AND, OR and XOR take whole numbers of 32 bits: 3091 ERRONEOUS OPERATION WITH `#` where there is
     /// none.
@@ -24,8 +24,8 @@ rules! {
     /// The modal call by block before is then called in entering the blocks of that macro, with their words
     /// as arguments.
     BLOCK_THEN_EARLIER = "nct.block-then-earlier",
-    /// Brackets stand within each other up to five deep, those of functions, indices and conditions counted:
-    /// 3064 BAD MACRO STATEMENT.
+    /// Brackets are nested up to five deep, those of functions, indices and conditions counted: 3064 BAD
+    /// MACRO STATEMENT.
     BRACKETS = "nct.brackets",
     /// G65 calls the program P at once, as a macro with its arguments.
     CALL = "nct.call",
@@ -37,8 +37,8 @@ rules! {
     CANCEL_NOTHING = "nct.cancel-nothing",
     /// `#100` to `#199` and `#500` to `#599` are common to all levels: no call stores them.
     COMMON = "nct.common",
-    /// EQ, NE, GT, LT, GE and LE compare two values; IF goes on at the block behind its GOTO where they say
-    /// so.
+    /// EQ, NE, GT, LT, GE and LE compare two values; if the comparison is true, IF continues at the block
+    /// that its GOTO names.
     CONDITIONS = "nct.conditions",
     /// G4 waits for P.
     DWELL = "nct.dwell",
@@ -75,7 +75,7 @@ rules! {
     /// macro reach those that were commanded before it.
     MODAL_ORDER = "nct.modal-order",
     /// G17 to G19, G20, G21, G54 to G59, G90, G91, G94, G95, M3 to M9, F, S and T set what they set in other
-    /// languages; of a group one code stands in a block.
+    /// languages; a block has one code of a group.
     MODES = "nct.modes",
     /// G0 and G1 move to where words of axes say, in absolute distance mode, or by as much, in incremental
     /// mode; the code holds until another one comes.
@@ -94,7 +94,8 @@ rules! {
     RETURN_TO = "nct.return-to",
     /// A sequence number opens its block.
     SEQUENCE_NUMBER = "nct.sequence-number",
-    /// A macro statement has one of the forms of this chapter, and stands alone: 3064 BAD MACRO STATEMENT.
+    /// A macro statement has one of the forms of this chapter, and its block has nothing else: 3064 BAD MACRO
+    /// STATEMENT.
     STATEMENT_FORM = "nct.statement-form",
     /// A call from a level stores its local variables, and the next level takes the arguments: from level 1
     /// and from each level above.

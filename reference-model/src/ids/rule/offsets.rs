@@ -18,7 +18,7 @@ rules! {
     LOCAL_NEEDS_AXES = "offsets.local-needs-axes",
     /// G52 leaves the local offset of axes alone for which it has no word.
     LOCAL_OMITTED_AXES = "offsets.local-omitted-axes",
-    /// `#5210` tells whether a local offset is applied, `#5211` to `#5219` hold it.
+    /// `#5210` is 1 while a local offset is applied, `#5211` to `#5219` hold it.
     LOCAL_PARAMETERS = "offsets.local-parameters",
     /// The end of the program leaves the local offset as it is.
     LOCAL_PERSISTS = "offsets.local-persists",

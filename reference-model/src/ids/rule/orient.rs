@@ -7,12 +7,12 @@ rules! {
     ANGLE = "orient.angle",
     /// R of M19 is 0 to 360 degrees.
     ANGLE_RANGE = "orient.angle-range",
-    /// The brake is applied whenever the spindle stands and is not on its way to an angle, or only while it
-    /// is locked.
+    /// The brake is applied whenever the spindle is stopped and is not on its way to an angle, or only while
+    /// it is locked.
     BRAKE_OTHERWISE = "orient.brake-otherwise",
     /// M3, M4 and M5 clear the request of M19 and unlock the spindle.
     CLEARED = "orient.cleared",
-    /// When the encoder says that the spindle stands at its angle, the request is cleared, and the spindle is
+    /// When the encoder reports that the spindle is at its angle, the request is cleared, and the spindle is
     /// locked and braked.
     COMPLETE = "orient.complete",
     /// P of M19 says which way the spindle turns: 0 the shortest, 1 clockwise, 2 counterclockwise; 0 when it
@@ -44,6 +44,6 @@ rules! {
     WAIT = "orient.wait",
     /// M19 without $ orients the first spindle, or every one.
     WITHOUT_DOLLAR = "orient.without-dollar",
-    /// Q0 of M19 is refused, or is enough where the spindle stands at its angle at once.
+    /// Q0 of M19 is refused, or is enough where the spindle is at its angle at once.
     ZERO_TIMEOUT = "orient.zero-timeout",
 }

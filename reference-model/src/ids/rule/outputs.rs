@@ -15,7 +15,7 @@ rules! {
     ANALOG_WITH_MOTION = "outputs.analog-with-motion",
     /// What M62, M63 and M67 set changes when the next motion begins, and not before.
     AT_NEXT_MOTION = "outputs.at-next-motion",
-    /// M64, M65 and M68 leave, or take back, what the same output is to become with the next motion.
+    /// M64, M65 and M68 keep, or cancel, what is queued for the same output until the next motion.
     AT_ONCE_OVER_WAITING = "outputs.at-once-over-waiting",
     /// A machine can have another number of outputs than four.
     COUNT = "outputs.count",

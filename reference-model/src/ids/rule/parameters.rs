@@ -41,12 +41,12 @@ rules! {
     HAL_TIME = "parameters.hal-time",
     /// The number of a parameter must be close to an integer.
     INDEX_INTEGER = "parameters.index-integer",
-    /// The number sign may be repeated or stand before an expression: the value within is the parameter's
+    /// The number sign may be repeated or come before an expression: the value within is the parameter's
     /// number.
     INDIRECT = "parameters.indirect",
     /// `#<_ini[section]name>` is the value of that entry of the INI file.
     INI = "parameters.ini",
-    /// EXISTS tells whether an INI entry or HAL item is there; reading an absent one is refused.
+    /// EXISTS is 1 if an INI entry or HAL item exists; reading an absent one is refused.
     INI_ABSENT = "parameters.ini-absent",
     /// Where the INI file disables them, no INI entry and no HAL item can be read.
     INI_DISABLED = "parameters.ini-disabled",
@@ -62,7 +62,7 @@ rules! {
     LOCAL_NUMBERS = "parameters.local-numbers",
     /// `_motion_mode` is ten times the number of the active motion code; 800 for G80.
     MOTION_MODE = "parameters.motion-mode",
-    /// A name stands between `<` and `>`.
+    /// A name is written between `<` and `>`.
     NAME_MARKS = "parameters.name-marks",
     /// Case and blanks in a name do not count.
     NAME_SPELLING = "parameters.name-spelling",
@@ -91,9 +91,9 @@ rules! {
     REMAP_LEVEL = "parameters.remap-level",
     /// When a line sets one parameter more than once, only the last setting takes effect.
     REPEATED_SETTING = "parameters.repeated-setting",
-    /// `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode; one of them is 1.
+    /// `_retract_r_plane` and `_retract_old_z` report the canned cycle return mode; one of them is 1.
     RETRACT = "parameters.retract",
-    /// `_value` and `_value_returned` tell what the last return or endsub gave; `_value` is 0 again when a
+    /// `_value` and `_value_returned` report what the last return or endsub gave; `_value` is 0 again when a
     /// program starts.
     RETURNED_VALUE = "parameters.returned-value",
     /// A persistent parameter that a program has set is there to be stored when the run is over, and the next
@@ -101,8 +101,7 @@ rules! {
     SAVED = "parameters.saved",
     /// A setting takes effect after all parameter values on its line have been found.
     SETTING_LAST = "parameters.setting-last",
-    /// Where a block sets a parameter and moves, words in the same line see the old value wherever they
-    /// stand.
+    /// Where a block sets a parameter and moves, words anywhere in the same line see the old value.
     SETTING_ORDER = "parameters.setting-order",
     /// The number sign binds closer than any operator.
     SIGN_FIRST = "parameters.sign-first",

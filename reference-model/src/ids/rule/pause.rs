@@ -10,8 +10,8 @@ rules! {
     /// Cycle start lets the program go on after M0 and M1, or resume alone does: the documents name different
     /// buttons.
     CYCLE_START = "pause.cycle-start",
-    /// A dwell during which the operator pauses the program goes on to its end, after which the program
-    /// stands, or stands still with it.
+    /// A dwell during which the operator pauses the program continues to its end, after which the program
+    /// stops, or is paused with it.
     DURING_DWELL = "pause.during-dwell",
     /// A pause comes last in its block, after motion and everything else.
     LAST_IN_BLOCK = "pause.last-in-block",

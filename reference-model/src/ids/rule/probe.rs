@@ -15,7 +15,7 @@ rules! {
     AXIS_WORDS_MISSING = "probe.axis-words-missing",
     /// G38.2 and G38.4 that find no change are an error: the program does not go on.
     FAILURE = "probe.failure",
-    /// Under inverse time F of a probing block tells the time of the whole way to the programmed point.
+    /// Under inverse time F of a probing block gives the time of the whole way to the programmed point.
     INVERSE_TIME = "probe.inverse-time",
     /// After probing that succeeded `#5061` to `#5069` are where the controlled point was when the probe
     /// changed, in the current coordinate system, and `#5070` is 1.

@@ -11,8 +11,8 @@ rules! {
     DISTANCE = "program-end.distance",
     /// M2 ends the program, and so does M30.
     ENDS = "program-end.ends",
-    /// The feed and the speed are not among the effects of the program end and stay; of a feed that counted
-    /// otherwise than per minute that is a choice.
+    /// The feed and the speed are not among the effects of the program end and stay; for a feed in another
+    /// mode than per minute that is a choice.
     FEED_KEPT = "program-end.feed-kept",
     /// The program end selects feed per minute.
     FEED_MODE = "program-end.feed-mode",
@@ -39,7 +39,7 @@ rules! {
     PALLET = "program-end.pallet",
     /// Parameters keep their values at the program end.
     PARAMETERS_KEPT = "program-end.parameters-kept",
-    /// A percent sign at the end of a file is no program end: the modes stay as the program left them.
+    /// A percent sign at the end of a file is not a program end: the modes stay as the program left them.
     PERCENT = "program-end.percent",
     /// The program end selects the XY plane.
     PLANE = "program-end.plane",

@@ -31,7 +31,7 @@ rules! {
     /// restores; where they share one, that is what M70 saved.
     AUTORESTORE_THEN_SAVE = "saved-state.autorestore-then-save",
     /// In a block the save follows feed, speed and spindle words and comes before coolant and the preparatory
-    /// codes; the restore stands at the same place.
+    /// codes; the restore has the same place.
     BLOCK_ORDER = "saved-state.block-order",
     /// Where M70 and M73 have a place each, an M70 after M73 and M71 does not revive the cancelled restore at
     /// the end of the sub; where they share one, it does.
@@ -78,8 +78,8 @@ rules! {
     NOT_LISTED = "saved-state.not-listed",
     /// Restoring where nothing was saved at this call level is refused.
     NOTHING_SAVED = "saved-state.nothing-saved",
-    /// An orientation is no part of the saved state, whose spindle status is M3, M4 or M5: a spindle that
-    /// stood at an angle when it was saved does not turn after the restore.
+    /// An orientation does not belong to the saved state, whose spindle status is M3, M4 or M5: a spindle
+    /// that was at an angle when it was saved does not turn after the restore.
     ORIENTATION_NOT_SAVED = "saved-state.orientation-not-saved",
     /// The path control mode is part of the saved state.
     PATH = "saved-state.path",

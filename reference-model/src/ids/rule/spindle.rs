@@ -11,11 +11,11 @@ rules! {
     OUT_OF_RANGE = "spindle.out-of-range",
     /// While the speed override is enabled and not at 100 % the speed is another one than S.
     OVERRIDE_COUNTS = "spindle.override-counts",
-    /// A spindle that stands for its override starts turning once that is turned up.
+    /// A spindle that is stopped by its override starts turning once that is turned up.
     OVERRIDE_TURNED_UP = "spindle.override-turned-up",
     /// A spindle does not turn while its speed override is enabled and zero.
     OVERRIDE_ZERO_STANDS = "spindle.override-zero-stands",
-    /// M3 and M4 are allowed while the spindle turns, M5 while it stands.
+    /// M3 and M4 are allowed while the spindle turns, M5 while it is stopped.
     REPEATED = "spindle.repeated",
     /// G97 selects revolutions per minute.
     RPM_MODE = "spindle.rpm-mode",

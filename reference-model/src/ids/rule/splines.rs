@@ -6,7 +6,7 @@ rules! {
     /// G5 moves along a cubic spline of four control points: I and J lead from the start to the second one, P
     /// and Q from the end to the third one.
     CUBIC = "splines.cubic",
-    /// A G5 behind another may leave out both I and J: it goes on in the direction in which that one ended.
+    /// A G5 after another may leave out both I and J: it continues in the direction in which that one ended.
     CUBIC_CONTINUED = "splines.cubic-continued",
     /// Each G5 needs P and Q.
     CUBIC_END_DIRECTION = "splines.cubic-end-direction",

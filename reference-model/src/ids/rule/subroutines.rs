@@ -7,13 +7,13 @@ rules! {
     ARGUMENT_LIMIT = "subroutines.argument-limit",
     /// A call passes up to 30 arguments, which the sub finds in `#1`, `#2` and so on.
     ARGUMENTS = "subroutines.arguments",
-    /// Arguments stand in square brackets.
+    /// Arguments are written in square brackets.
     ARGUMENTS_IN_BRACKETS = "subroutines.arguments-in-brackets",
     /// The blocks between sub and endsub are not executed until the sub is called.
     BODY_SKIPPED = "subroutines.body-skipped",
     /// A call executes the body of the sub and goes on with the block after the call.
     CALL = "subroutines.call",
-    /// The parameter `#<_call_level>` tells how deep calls are nested.
+    /// The parameter `#<_call_level>` is the number of nested calls.
     CALL_LEVEL = "subroutines.call-level",
     /// The local named parameters of a caller, the main program's too, are not visible in the sub.
     CALLER_LOCALS = "subroutines.caller-locals",

@@ -13,7 +13,7 @@ rules! {
     BLOCK_DELETE_OFF = "text.block-delete-off",
     /// While block delete is on, a line that begins with a slash is skipped; not even its errors count.
     BLOCK_DELETE_ON = "text.block-delete-on",
-    /// The slash stands first on its line, once, before the line number; elsewhere it is refused.
+    /// The slash is first on its line, once, before the line number; elsewhere it is refused.
     BLOCK_DELETE_PLACE = "text.block-delete-place",
     /// A letter outside a comment means the same in upper and in lower case.
     CASE = "text.case",
@@ -21,7 +21,7 @@ rules! {
     COMMENT_FORMAT_CHECKED = "text.comment-format-checked",
     /// A comment between a letter and its value is refused.
     COMMENT_INSIDE_WORD = "text.comment-inside-word",
-    /// A comment in parentheses may stand between words and has no influence.
+    /// A comment in parentheses is allowed between words and has no influence.
     COMMENT_PARENTHESES = "text.comment-parentheses",
     /// A semicolon begins a comment that takes the rest of the line, but not inside parentheses.
     COMMENT_SEMICOLON = "text.comment-semicolon",
@@ -33,8 +33,7 @@ rules! {
     ILLEGAL_INPUT = "text.illegal-input",
     /// What is neither a word, a parameter setting nor a comment is refused.
     ILLEGAL_ITEM = "text.illegal-item",
-    /// Words, settings and comments may stand in any order among each other without changing a line's
-    /// meaning.
+    /// Words, settings and comments may be in any order among each other without changing a line's meaning.
     ITEM_ORDER = "text.item-order",
     /// A line needs neither words nor settings: a line number, a slash or a comment alone is a line.
     ITEMS_OPTIONAL = "text.items-optional",
@@ -48,7 +47,7 @@ rules! {
     LINE_NUMBER_FORM = "text.line-number-form",
     /// Line numbers may be repeated, skipped and out of order, and mean nothing.
     LINE_NUMBER_ORDER = "text.line-number-order",
-    /// A line number stands first on its line or after the slash; elsewhere, or a second one, is refused.
+    /// A line number is first on its line or after the slash; elsewhere, or a second one, is refused.
     LINE_NUMBER_PLACE = "text.line-number-place",
     /// In a file that begins with a percent line, the second percent line ends the program; what follows is
     /// ignored.

@@ -15,10 +15,10 @@ rules! {
     CHANGE_AT_G30 = "tool.change-at-g30",
     /// The tool that was in the spindle goes back into the changer, and can be taken again.
     CHANGE_BACK = "tool.change-back",
-    /// Where tools are changed by hand, M6 stops the spindle and asks the operator for the tool of the last
-    /// T.
+    /// Where tools are changed by hand, M6 stops the spindle and requests the tool of the last T from the
+    /// operator.
     CHANGE_BY_HAND = "tool.change-by-hand",
-    /// M6 changes nothing but tool and spindle.
+    /// M6 changes only tool and spindle.
     CHANGE_KEEPS = "tool.change-keeps",
     /// M6 leaves the tool length offset alone.
     CHANGE_KEEPS_LENGTH = "tool.change-keeps-length",
@@ -28,7 +28,7 @@ rules! {
     CHANGE_SAME = "tool.change-same",
     /// Where the machine is set so, the spindle turns on during a tool change.
     CHANGE_SPINDLE_ON = "tool.change-spindle-on",
-    /// After M6 the spindle stands.
+    /// After M6 the spindle is stopped.
     CHANGE_STOPS_SPINDLE = "tool.change-stops-spindle",
     /// M6 is allowed, or refused, while cutter compensation is on.
     CHANGE_UNDER_COMPENSATION = "tool.change-under-compensation",
@@ -82,7 +82,7 @@ rules! {
     ENTRY_UNDER_COMPENSATION = "tool.entry-under-compensation",
     /// P of G10 L1, L10 and L11 must be the number of a tool in the tool table.
     ENTRY_UNKNOWN_TOOL = "tool.entry-unknown-tool",
-    /// Whether G10 L1 with nothing but a tool is refused is a choice.
+    /// Whether G10 L1 with only a tool is refused is a choice.
     ENTRY_WITHOUT_WORDS = "tool.entry-without-words",
     /// P0 of G10 L1, L10 and L11 is refused.
     ENTRY_ZERO = "tool.entry-zero",

@@ -10,7 +10,7 @@ rules! {
     /// The commanded point is nowhere farther from the programmed path than its tolerance; on it where the
     /// path is exact.
     DEVIATION = "trajectory.deviation",
-    /// The axes stand for the time of a dwell, to the cycle.
+    /// The axes rest for the time of a dwell, to the cycle.
     DWELL = "trajectory.dwell",
     /// The motion starts and ends at the programmed points, exactly, and at rest.
     ENDS = "trajectory.ends",
@@ -38,7 +38,7 @@ rules! {
     PROGRESS = "trajectory.progress",
     /// At each instant the movements that a planner was given suffice to stop on.
     RESERVE = "trajectory.reserve",
-    /// The motion rests at the end of each element that asks for it: under exact stop, before a dwell or a
+    /// The motion rests at the end of each element that requires it: under exact stop, before a dwell or a
     /// wait, and for an output at once.
     STOP = "trajectory.stop",
     /// No axis is ever faster than it can be.

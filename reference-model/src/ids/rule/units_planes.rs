@@ -23,7 +23,7 @@ rules! {
     INCREMENTAL = "units-planes.incremental",
     /// Linear axis words are read in the length unit that is active.
     MOTION_IN_ACTIVE_UNIT = "units-planes.motion-in-active-unit",
-    /// A change of the length unit leaves offsets where they are, told in the new unit.
+    /// A change of the length unit leaves offsets where they are, expressed in the new unit.
     OFFSETS_OVER_UNIT_CHANGE = "units-planes.offsets-over-unit-change",
     /// G17, G18 and G19 select the XY, ZX and YZ plane, until another is selected.
     PLANE = "units-planes.plane",
@@ -31,7 +31,7 @@ rules! {
     PLANE_MOVES_NOTHING = "units-planes.plane-moves-nothing",
     /// Whether another plane can be selected while cutter compensation is on is a choice.
     PLANE_UNDER_COMPENSATION = "units-planes.plane-under-compensation",
-    /// A change of the length unit moves nothing: the position is the same point, told in the new unit.
+    /// A change of the length unit moves nothing: the position is the same point, expressed in the new unit.
     POSITION_OVER_UNIT_CHANGE = "units-planes.position-over-unit-change",
     /// Under G8 an X word is the distance from the centre.
     RADIUS = "units-planes.radius",

@@ -9,13 +9,13 @@ rules! {
     AT_START = "user-codes.at-start",
     /// When the program of a user-defined code ends with a status other than zero, the run ends, or goes on.
     EXIT_STATUS = "user-codes.exit-status",
-    /// A file whose name has an extension is no program of a user-defined code.
+    /// A file whose name has an extension is not a program of a user-defined code.
     EXTENSION = "user-codes.extension",
-    /// A file whose name is not M and the three digits of the code is no program of it.
+    /// A file whose name is not M and the three digits of the code is not a program of it.
     FILE_NAME = "user-codes.file-name",
-    /// A file whose name begins with a small m is no program of a user-defined code.
+    /// A file whose name begins with a small m is not a program of a user-defined code.
     LOWER_CASE = "user-codes.lower-case",
-    /// P and Q are optional; what stands in their place is -1 or nothing.
+    /// P and Q are optional; a missing one is replaced by -1 or by nothing.
     MISSING_ARGUMENT = "user-codes.missing-argument",
     /// A user-defined code whose file is not executable is unknown.
     NOT_EXECUTABLE = "user-codes.not-executable",

@@ -67,7 +67,7 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
     }
     let unrecorded = expected.keys().find(|pin| !record.samples.has(Column::Output(**pin)));
     if let Some(pin) = unrecorded {
-        return Verdict::NotJudged(format!("{pin} is asked to switch and is not recorded"));
+        return Verdict::NotJudged(format!("{pin} is commanded to switch and is not recorded"));
     }
     let mut findings = Findings::of(Law::Outputs);
     let mut recorded = false;
@@ -242,7 +242,7 @@ fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings
         }
     }
     for (sample, value) in changes {
-        let words = format!("{pin} becomes {value}, which nothing asks for here");
+        let words = format!("{pin} becomes {value} without a command");
         findings.breaks(sample, None, (value, now), words);
     }
 }

@@ -85,7 +85,7 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
     let pairs = [(0, 1, "starts"), (last.saturating_sub(1), last, "ends")];
     for (one, other, what) in pairs {
         if other > last {
-            return Verdict::NotJudged("one sample tells of no rest".to_owned());
+            return Verdict::NotJudged("one sample is not enough to judge rest".to_owned());
         }
         for axis in Axis::ALL.iter().copied() {
             let place = axis.place();
@@ -96,7 +96,7 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
             }
             let words = || {
                 format!(
-                    "{axis} makes {step} in the sample with which the record {what}: it is no rest"
+                    "{axis} makes {step} in the sample with which the record {what}: it is not at rest"
                 )
             };
             findings.at_most(
@@ -159,13 +159,13 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         earliest = rest.at.map_or(earliest, |(first, _)| first);
         let Rest { at, least, most } = rest;
         let after = at.map_or(pass.after(record), |(_, end)| (end + 1).min(last));
-        let words = || format!("rest for less than {most} s where {seconds} s are asked for");
+        let words = || format!("rest for less than {most} s where {seconds} s are programmed");
         let open_ended = pass.is_aborted(record);
         if !open_ended && record.requests.aborted.is_none_or(|cycle| cycle > after) {
             findings.at_most(after, None, (shortest, most), (0.0, &words));
         }
         if !open(&rest) {
-            let words = || format!("rest for at least {least} s where {seconds} s are asked for");
+            let words = || format!("rest for at least {least} s where {seconds} s are programmed");
             findings.at_most(after, None, (least, longest), (0.0, &words));
         }
     }

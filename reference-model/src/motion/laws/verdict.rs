@@ -47,13 +47,13 @@ laws! {
     Vertex = rule::trajectory::VERTEX,
     /// Without a tolerance corners are rounded between the middles of their legs.
     Midpoints = rule::trajectory::MIDPOINTS,
-    /// The motion rests at each corner that asks for it.
+    /// The motion rests at each corner that requires it.
     Stop = rule::trajectory::STOP,
     /// The motion starts and ends at the programmed points, at rest.
     Ends = rule::trajectory::ENDS,
     /// Each element is passed, in the order of the program.
     Order = rule::trajectory::ORDER,
-    /// The path is not followed backwards unless that is asked for.
+    /// The path is not followed backwards without a command.
     Progress = rule::trajectory::PROGRESS,
     /// Outputs switch where the program says, in its order, and only those.
     Outputs = rule::trajectory::OUTPUTS,

@@ -150,7 +150,7 @@ impl Reader<'_> {
     fn unsigned_operand(&mut self) -> Result<Expression, StepError> {
         if let Some(function) = self.function()? {
             let operand = if matches!(self.peek(), Some('A'..='Z')) {
-                return Err(bad("a function has a bracket, a variable or a number behind it"));
+                return Err(bad("expected a bracket, a variable or a number after a function"));
             } else {
                 self.simple_operand()?
             };

@@ -87,7 +87,7 @@ impl<'a> Reader<'a> {
         let (text, rest) = self.rest.split_at(length);
         let has_digit = text.contains(|c: char| c.is_ascii_digit());
         let number = text.parse().ok().filter(|_| has_digit && length <= LONGEST_NUMBER);
-        let message = || format!("{text:?} is no number");
+        let message = || format!("{text:?} is not a number");
         let number = number.ok_or_else(|| refuse_form(FaultKind::BadNumber, message()))?;
         self.rest = rest;
         Ok(number)

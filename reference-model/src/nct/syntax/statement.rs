@@ -41,7 +41,11 @@ pub(super) fn content(text: &str, choices: &Choices) -> Result<Content, StepErro
     } else {
         return reader.words();
     };
-    if reader.is_at_end() { Ok(content) } else { Err(bad("a macro statement stands alone")) }
+    if reader.is_at_end() {
+        Ok(content)
+    } else {
+        Err(bad("a macro statement together with other text"))
+    }
 }
 
 impl Reader<'_> {
@@ -95,7 +99,7 @@ impl Reader<'_> {
         if (1..=3).contains(&number) {
             return Ok(number);
         }
-        let message = format!("{number} is no number of a loop");
+        let message = format!("{number} is not the number of a loop; expected 1, 2 or 3");
         Err(refuse(rule::nct::LOOP_NUMBER, FaultKind::Statement, message))
     }
 

@@ -140,7 +140,7 @@ impl Control {
             );
             return Err(StepError::Unspecified(why));
         }
-        let message = format!("{} is no open condition", o_word(label));
+        let message = format!("{} is not an open condition", o_word(label));
         Err(refuse(rule::control::UNMATCHED_ENDIF, FaultKind::UnknownLabel, message))
     }
 

@@ -315,7 +315,7 @@ impl Control {
             let why = format!("the loop {} is in the text, but was not entered", o_word(label));
             return StepError::Unspecified(why);
         }
-        let message = format!("{} is no open loop of this kind", o_word(label));
+        let message = format!("{} is not an open loop of this kind", o_word(label));
         refuse(rule::control::UNMATCHED_ENDWHILE, FaultKind::UnknownLabel, message)
     }
 
@@ -341,7 +341,7 @@ impl Control {
     ) -> Result<(), StepError> {
         let end = self.find(label, &[structure.end()], first, state);
         if end.is_some_and(|end| end < self.place.line) {
-            let why = format!("{} is named behind its end", o_word(label));
+            let why = format!("{} is named after its end", o_word(label));
             return Err(StepError::Unspecified(why));
         }
         Ok(())
@@ -352,7 +352,7 @@ impl Control {
         for Open { label, line, structure } in inner {
             let own = self.find(label, &[structure.end()], *line, state);
             if own.is_some_and(|own| own > end) {
-                let why = format!("{} ends behind the loop in which it began", o_word(label));
+                let why = format!("{} ends after the loop in which it began", o_word(label));
                 return Err(StepError::Unspecified(why));
             }
         }
@@ -369,7 +369,7 @@ impl Control {
             ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
         let open = state.frame().find_open(label, |_| true).is_some();
         if ended && !open && state.choices.is(choice::control::EndedLabel::Followed) {
-            let why = format!("{} is named behind its end", o_word(label));
+            let why = format!("{} is named after its end", o_word(label));
             return Err(StepError::Unspecified(why));
         }
         let (place, structure, first) = self.loop_of(label, state)?;
@@ -398,7 +398,7 @@ impl Control {
         Err(refuse(
             rule,
             FaultKind::UnknownLabel,
-            format!("{} is no open while or do", o_word(label)),
+            format!("{} is not an open while or do", o_word(label)),
         ))
     }
 }

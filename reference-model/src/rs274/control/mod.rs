@@ -191,7 +191,7 @@ impl Control {
         record: &mut Record,
     ) -> Result<Next, StepError> {
         if !block.words.is_empty() || !block.settings.is_empty() {
-            let message = "other words stand on the line of an o-word";
+            let message = "other words on the line of an o-word";
             return Err(refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message));
         }
         if block.line_number.is_some() {
@@ -199,7 +199,7 @@ impl Control {
         }
         if block.comment.is_some() && word.keyword != Keyword::ProgramNumber {
             if state.choices.is(choice::control::CommentAfterOWord::Refused) {
-                let message = "a comment stands on the line of an o-word";
+                let message = "a comment on the line of an o-word";
                 return Err(refuse(rule::control::COMMENT_AFTER, FaultKind::BadBlock, message));
             }
             state.coverage.accepted(rule::control::COMMENT_AFTER);
@@ -275,7 +275,7 @@ impl Control {
         let labels = self.files.labels(self.place.file);
         if end.is_none() && labels.ends_in_program(label, keywords, after, state) {
             let why =
-                format!("{} goes on behind the beginning of a numbered program", o_word(label));
+                format!("{} continues after the beginning of a numbered program", o_word(label));
             return Err(StepError::Unspecified(why));
         }
         if end.is_some_and(|end| labels.unended_between(after, end)) {

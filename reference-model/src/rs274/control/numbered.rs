@@ -63,7 +63,7 @@ pub(crate) trait NumberedRules {
             if known && state.choices.is(choice::fanuc_subs::CallItself::Allowed) {
                 return Ok(first);
             }
-            let message = format!("the subprogram {label} stands before its call");
+            let message = format!("the subprogram {label} is not after its call");
             return Err(refuse(rule::fanuc_subs::SUB_FOLLOWS, FaultKind::UnknownSub, message));
         }
         let message = format!("the file defines no subprogram {label}");
@@ -203,7 +203,7 @@ impl Control {
             return Err(StepError::Unspecified(why));
         }
         if begins.len() > 1 {
-            let why = format!("which one M98 calls where the number {label} stands several times");
+            let why = format!("which program M98 calls if the number {label} occurs several times");
             return Err(StepError::Unspecified(why));
         }
         state.dialect().number_of_call(self, label, state)

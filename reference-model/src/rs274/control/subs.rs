@@ -311,7 +311,8 @@ impl Control {
             if own == 0 {
                 self.body_of_file(label, sub, state)?;
             }
-            let message = format!("the file {name} defines other subs beside {}", o_word(label));
+            let message =
+                format!("the file {name} defines other subs in addition to {}", o_word(label));
             return Err(refuse(rule::subroutines::FILE_ONE_SUB, FaultKind::DuplicateSub, message));
         }
         self.subs.insert(label.to_owned(), sub);

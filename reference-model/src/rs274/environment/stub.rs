@@ -60,7 +60,7 @@ pub(crate) fn after_block(motion: BlockMotion, state: &mut State) -> Result<(), 
         BlockMotion::NoPoint => (here, true),
         BlockMotion::None => {
             if asked && state.environment.stub.lost {
-                let why = "where the stub of a machine stands behind a spline of three points";
+                let why = "the position of a machine's stub after a spline of three points";
                 return Err(StepError::Unspecified(why.to_owned()));
             }
             if asked {
@@ -107,7 +107,7 @@ pub(crate) fn after_probing(
     let mut end = programmed;
     // A spline led it to X0 Y0 but for numbers that nobody knows.
     if length == 0.0 && state.environment.stub.led {
-        let why = "which way the stub of a machine backs off that stands where a spline has led it";
+        let why = "in which direction a machine's stub retracts from where a spline has led it";
         return Err(StepError::Unspecified(why.to_owned()));
     }
     if length > 0.0 {

@@ -38,7 +38,7 @@ fn code(word: &Word, value: f64, range: Rule, state: &mut State) -> Result<u32, 
     };
     let Some(number) = near else {
         state.coverage.refused(rule::modal_groups::CODE_CLOSE_TO_INTEGER);
-        let message = format!("no integer is close enough to the number behind {letter}");
+        let message = format!("no integer is close enough to the number after {letter}");
         return Err(refuse_at(
             rule::numbers::NOT_NEAR_INTEGER,
             FaultKind::NotAnInteger,
@@ -47,7 +47,7 @@ fn code(word: &Word, value: f64, range: Rule, state: &mut State) -> Result<u32, 
         ));
     };
     if number < 0 {
-        let message = format!("the number behind {letter} is below zero");
+        let message = format!("the number after {letter} is below zero");
         return Err(refuse_at(range, FaultKind::UnknownCode, word.span, message));
     }
     state.coverage.accepted(rule::numbers::NEAR_INTEGER);

@@ -61,7 +61,7 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
             let dialect = state.dialect();
             let counts = |value| !dialect.letter_may_be_repeated(letter, value, &state.choices);
             if earlier.is_some_and(counts) {
-                let message = format!("the letter {} stands twice", letter.to_ascii_uppercase());
+                let message = format!("the letter {} occurs twice", letter.to_ascii_uppercase());
                 let kind = FaultKind::RepeatedWord;
                 return Err(refuse_at(
                     rule::modal_groups::REPEATED_LETTER,

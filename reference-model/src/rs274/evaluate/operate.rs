@@ -80,7 +80,7 @@ fn divide(left: f64, right: f64) -> Result<f64, StepError> {
 /// Choice expressions.modulus-sign: never negative, or with the sign of the number on the left.
 fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, StepError> {
     if is_zero(right) {
-        let message = format!("the remainder of {left} by zero is no number");
+        let message = format!("the remainder of {left} by zero is not defined");
         return Err(refuse(rule::expressions::MODULUS_ZERO, FaultKind::DivideByZero, message));
     }
     if choices.is(choice::expressions::ModulusSign::Dividend) {
@@ -94,7 +94,7 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, StepError> {
 fn power(base: f64, exponent: f64) -> Result<f64, StepError> {
     let value = math::power(base, exponent);
     if !value.is_finite() {
-        let message = format!("{base} to the power {exponent} is no real number");
+        let message = format!("{base} to the power {exponent} is not a real number");
         return Err(refuse(rule::expressions::POWER_DOMAIN, FaultKind::OutOfDomain, message));
     }
     Ok(value)

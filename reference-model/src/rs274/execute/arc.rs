@@ -91,7 +91,7 @@ fn axes(state: &mut State) -> Result<Axes, StepError> {
 fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let Some(number) = word(words, 'p') else { return Ok(1) };
     let rule = rule::arcs::TURNS_INTEGER;
-    let message = || format!("P{number} is no number of turns");
+    let message = || format!("P{number} is not a number of turns");
     let turns = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     if turns < 1 {
         let rule = rule::arcs::TURNS_BELOW_ONE;
@@ -124,7 +124,7 @@ fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
     }
     let other = offset_letter(axes.normal);
     if word(words, other).is_some() {
-        let message = format!("{} is no offset in the selected plane", other.to_uppercase());
+        let message = format!("{} is not an offset in the selected plane", other.to_uppercase());
         return Err(refuse(rule::arcs::OTHER_OFFSET, FaultKind::BadArc, message));
     }
     Ok(())

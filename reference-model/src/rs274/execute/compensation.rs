@@ -76,7 +76,7 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
     let rule = rule::tool::COMPENSATION_TOOL;
     let tool = match word(words, 'd') {
         Some(value) => {
-            let message = || format!("D{value} is no tool number");
+            let message = || format!("D{value} is not a tool number");
             let number =
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
             named(number, rule, state)?
@@ -107,7 +107,7 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
         let rule = rule::tool::DYNAMIC_COMPENSATION_ORIENTATION;
         let known = |number| state.dialect().is_orientation(number, state);
         if !whole(orientation).is_some_and(known) {
-            let message = format!("L{orientation} is no orientation from 0 to 9");
+            let message = format!("L{orientation} is not an orientation; expected 0 to 9");
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
         }
         if state.modes.plane != Plane::Zx {

@@ -99,7 +99,7 @@ pub(crate) trait InputRules {
             Some(3) => Ok(WaitMode::High),
             Some(4) => Ok(WaitMode::Low),
             _ => {
-                let message = format!("L{value} is no way of waiting: 0 to 4");
+                let message = format!("L{value} is not a wait mode; expected 0 to 4");
                 Err(refuse(rule::inputs::MODE_RANGE, FaultKind::WordOutOfRange, message))
             }
         }

@@ -183,7 +183,7 @@ pub(crate) trait MotionRules {
     fn check_spindle_of_feed(&self, _words: &Words, state: &mut State) -> Result<(), StepError> {
         let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
         if state.dialect().surface_speed_stands(state) {
-            let message = "a feed move under constant surface speed while the spindle stands";
+            let message = "a feed move under constant surface speed while the spindle is stopped";
             return Err(refuse(rule, FaultKind::ZeroSpeed, message));
         }
         state.coverage.accepted(rule);

@@ -209,7 +209,7 @@ fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
         let message = "G10 L2 and L20 need P, the coordinate system";
         return Err(refuse(rule::offsets::SET_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
-    let message = || format!("P{number} is no coordinate system from 0 to 9");
+    let message = || format!("P{number} is not a coordinate system; expected 0 to 9");
     let rule = rule::offsets::SET_NUMBER;
     let whole = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u32::try_from(whole) {

@@ -136,7 +136,7 @@ pub(crate) fn direction(words: &Words, state: &mut State) -> Result<OrientDirect
         Some(1) => OrientDirection::Clockwise,
         Some(2) => OrientDirection::Counterclockwise,
         _ => {
-            let message = format!("P{value} is no direction: 0, 1 or 2");
+            let message = format!("P{value} is not a direction; expected 0, 1 or 2");
             let rule = rule::orient::DIRECTION_RANGE;
             return Err(refuse(rule, FaultKind::WordOutOfRange, message));
         }

@@ -158,7 +158,7 @@ fn allowed(motion: Motion, words: &Words, state: &mut State) -> Result<Position,
     if state.choices.is(choice::probe::StandingSpindle::Refused)
         && state.dialect().surface_speed_stands(state)
     {
-        let message = "probing under constant surface speed while the spindle stands";
+        let message = "probing under constant surface speed while the spindle is stopped";
         let rule = rule::spindle::SURFACE_SPEED_WHILE_STOPPED;
         return Err(refuse(rule, FaultKind::ZeroSpeed, message));
     }

@@ -19,7 +19,7 @@ use crate::rs274::task::Record;
 pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some(value) = word(words, 't') else { return Ok(()) };
     let number = whole(value).ok_or_else(|| {
-        let message = format!("T{value} is no whole number");
+        let message = format!("T{value} is not a whole number");
         refuse(rule::tool::SELECT_INTEGER, FaultKind::NotAnInteger, message)
     })?;
     if number < 0 {

@@ -172,7 +172,7 @@ fn number(words: &Words, state: &mut State) -> Result<i32, StepError> {
     }
     state.coverage.accepted(rule);
     let rule = rule::tool::SET_NUMBER_INTEGER;
-    let message = || format!("Q{value} is no number of a tool");
+    let message = || format!("Q{value} is not a tool number");
     let number = number.ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     state.coverage.accepted(rule);
     Ok(number)

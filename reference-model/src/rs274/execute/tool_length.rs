@@ -73,7 +73,7 @@ pub(crate) trait ToolLengthRules {
             }
             (Some(value), false) => {
                 let rule = rule::tool::ADDITIONAL_LENGTH_UNKNOWN_TOOL;
-                let message = || format!("H{value} is no tool number");
+                let message = || format!("H{value} is not a tool number");
                 let tool =
                     whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
                 table_offset(tool, rule, state)?
@@ -112,7 +112,11 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     };
     let rule = rule::tool::LENGTH_NOT_AN_INTEGER;
     let Some(whole) = whole(number) else {
-        return Err(refuse(rule, FaultKind::NotAnInteger, format!("H{number} is no tool number")));
+        return Err(refuse(
+            rule,
+            FaultKind::NotAnInteger,
+            format!("H{number} is not a tool number"),
+        ));
     };
     if whole < 0 {
         let message = format!("H{number} is negative");

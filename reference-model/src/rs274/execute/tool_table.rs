@@ -130,7 +130,7 @@ fn number(words: &Words, state: &State) -> Result<i32, StepError> {
     let message = || format!("the tool table holds no tool {value}");
     let number = whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match number {
-        0 => Err(refuse(rule::tool::ENTRY_ZERO, FaultKind::WordOutOfRange, "P0 is no tool")),
+        0 => Err(refuse(rule::tool::ENTRY_ZERO, FaultKind::WordOutOfRange, "P0 is not a tool")),
         ..0 => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
         _ if state.table_tool(number).is_none() => {
             Err(refuse(rule, FaultKind::ToolNotFound, message()))
@@ -143,7 +143,7 @@ fn number(words: &Words, state: &State) -> Result<i32, StepError> {
 fn orientation(words: &Words) -> Result<Option<u8>, StepError> {
     let Some(value) = word(words, 'q') else { return Ok(None) };
     let rule = rule::tool::ENTRY_ORIENTATION;
-    let message = || format!("Q{value} is no orientation from 0 to 9");
+    let message = || format!("Q{value} is not an orientation; expected 0 to 9");
     let whole = whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u8::try_from(whole) {
         Ok(orientation @ 0..=9) => Ok(Some(orientation)),

@@ -104,7 +104,7 @@ impl Parser<'_> {
             Err(parser.refuse(
                 rule::text::LINE_NUMBER_FORM,
                 FaultKind::BadNumber,
-                "a line number is digits, no others stand",
+                "a line number has digits only; unexpected text",
             ))
         };
         let mut number = self.take_while(|character| character.is_ascii_digit());
@@ -197,17 +197,17 @@ impl Parser<'_> {
             '%' => (
                 rule::text::PERCENT_LINE,
                 FaultKind::BadCharacter,
-                "a percent sign stands alone on its line, not",
+                "a percent sign together with other text",
             ),
             'o' => (
                 rule::control::UNRELATED_WORDS,
                 FaultKind::BadBlock,
-                "other words stand before an O-word",
+                "other words before an O-word",
             ),
             'n' => (
                 rule::text::LINE_NUMBER_PLACE,
                 FaultKind::BadBlock,
-                "a line number stands first, not",
+                "a line number that is not first",
             ),
             '.' => (
                 rule::numbers::FORM,
@@ -215,7 +215,7 @@ impl Parser<'_> {
                 "a number has one decimal point, no other",
             ),
             '+' | '-' if follows && ends => {
-                (rule::numbers::FORM, FaultKind::BadNumber, "a sign stands before its number, not")
+                (rule::numbers::FORM, FaultKind::BadNumber, "a sign after its number")
             }
             '+' | '-' | '*' if follows => return self.operator_outside(),
             '/' if follows
@@ -224,7 +224,7 @@ impl Parser<'_> {
                 return self.operator_outside();
             }
             '/' => {
-                (rule::text::BLOCK_DELETE_PLACE, FaultKind::BadBlock, "a slash stands first, not")
+                (rule::text::BLOCK_DELETE_PLACE, FaultKind::BadBlock, "a slash that is not first")
             }
             ']' => {
                 (rule::expressions::UNBALANCED, FaultKind::BadExpression, "no bracket was opened")
@@ -252,7 +252,7 @@ impl Parser<'_> {
 
     /// Rule expressions.operators-in-brackets. Binary operators stand inside expressions only.
     fn operator_outside(&self) -> StepError {
-        let message = "an operator stands inside brackets only, not";
+        let message = "an operator outside of brackets";
         self.refuse(rule::expressions::OPERATORS_IN_BRACKETS, FaultKind::BadExpression, message)
     }
 

@@ -41,7 +41,7 @@ impl Parser<'_> {
             self.comments_of_call(&o_word);
         }
         if o_word.arguments.len() < fewest_arguments(o_word.keyword) {
-            let message = "a value in brackets is missing behind the keyword";
+            let message = "a value in brackets is missing after the keyword";
             return Err(self.refuse(
                 rule::expressions::INCOMPLETE,
                 FaultKind::BadExpression,
@@ -56,7 +56,7 @@ impl Parser<'_> {
         match self.peek() {
             None => Ok(o_word),
             Some('0'..='9' | '#' | '.' | '+' | '-') if o_word.keyword == Keyword::Call => {
-                let message = "arguments stand in brackets, not";
+                let message = "an argument without brackets";
                 Err(self.refuse(
                     rule::subroutines::ARGUMENTS_IN_BRACKETS,
                     FaultKind::BadBlock,
@@ -64,7 +64,7 @@ impl Parser<'_> {
                 ))
             }
             Some(_) => {
-                let message = "nothing else stands on the line of an O-word, not what begins";
+                let message = "other words on the line of an O-word";
                 Err(self.refuse(rule::control::UNRELATED_WORDS, FaultKind::BadBlock, message))
             }
         }

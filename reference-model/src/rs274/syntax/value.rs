@@ -47,7 +47,7 @@ impl Parser<'_> {
             Some('#') => self.parameter().map(Expression::Parameter),
             Some('[') => self.bracketed(),
             Some(Glyph::COMMENT) => {
-                let message = "a value stands";
+                let message = "a value is missing";
                 Err(self.refuse(rule::text::COMMENT_INSIDE_WORD, FaultKind::BadComment, message))
             }
             _ => self.function(wanted),
@@ -176,7 +176,7 @@ impl Parser<'_> {
             self.reach(rule::parameters::INDIRECT);
         }
         if self.sees_function() && self.choices.is(choice::parameters::FunctionNumber::Refused) {
-            let message = "a parameter's number is wanted, not a function, which stands";
+            let message = "a function in place of a parameter's number";
             return Err(self.refuse(rule::parameters::INDIRECT, FaultKind::BadExpression, message));
         }
         let number = self.value(Wanted::ParameterNumber)?;
@@ -192,7 +192,7 @@ impl Parser<'_> {
         let name = self.take_while(|character| !ends.contains(&character));
         let empty = name.is_empty() && !self.choices.dialect().empty_name_is_allowed(self.choices);
         if empty || !self.take(">") {
-            let message = "a name stands between < and >, which is missing";
+            let message = "a name without its closing >";
             return Err(self.refuse(rule::parameters::NAME_MARKS, FaultKind::BadBlock, message));
         }
         self.reach(rule::parameters::NAME_SPELLING);
@@ -225,7 +225,7 @@ impl Parser<'_> {
         Err(self.refuse(
             rule,
             FaultKind::BadExpression,
-            "the argument of a function stands in brackets, which do not begin",
+            "the argument of a function without brackets",
         ))
     }
 
@@ -237,7 +237,7 @@ impl Parser<'_> {
             return Err(self.refuse(
                 RULE,
                 FaultKind::BadExpression,
-                "ATAN has a slash behind its first argument, not",
+                "ATAN without a slash after its first argument",
             ));
         }
         let adjacent = self.argument(RULE)?;
@@ -247,7 +247,7 @@ impl Parser<'_> {
     /// Rule expressions.exists-argument. EXISTS of a numbered parameter or of an expression is refused.
     fn exists(&mut self) -> Result<Expression, StepError> {
         let wrong = |parser: &Self| {
-            let message = "EXISTS takes one named parameter in brackets, not what stands";
+            let message = "EXISTS without a named parameter in brackets";
             Err(parser.refuse(
                 rule::expressions::EXISTS_ARGUMENT,
                 FaultKind::BadExpression,
@@ -278,11 +278,9 @@ impl Parser<'_> {
             .count();
         let called = letters > 1 && self.peek_behind(letters) == Some('[');
         let (rule, kind, message) = match wanted {
-            Wanted::ParameterNumber if letter => (
-                rule::parameters::NAME_MARKS,
-                FaultKind::BadBlock,
-                "a name stands between < and >, not",
-            ),
+            Wanted::ParameterNumber if letter => {
+                (rule::parameters::NAME_MARKS, FaultKind::BadBlock, "a name without < and >")
+            }
             Wanted::ParameterNumber if self.peek() == Some('=') => (
                 rule::parameters::ASSIGNMENT_FORM,
                 FaultKind::BadBlock,

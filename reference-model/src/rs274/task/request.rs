@@ -215,6 +215,6 @@ impl ModelRun<'_> {
     /// What no document settles.
     fn open(&self, what: &str) -> StepError {
         let doing = if self.by_hand { "a block entered by hand" } else { "a program" };
-        StepError::Unspecified(format!("{what} is asked for while {doing} is executed"))
+        StepError::Unspecified(format!("{what} is requested while {doing} is executed"))
     }
 }

@@ -53,7 +53,7 @@ fn check_tapping(code: u16, turn: SpindleTurn) -> Result<(), Refusal> {
     match turn {
         turn if turn == cuts => Ok(()),
         SpindleTurn::Stopped | SpindleTurn::Oriented => {
-            refuse(FaultKind::ZeroSpeed, "tapping while the spindle stands")
+            refuse(FaultKind::ZeroSpeed, "tapping while the spindle is stopped")
         }
         SpindleTurn::Clockwise | SpindleTurn::Counterclockwise => {
             refuse(FaultKind::ModalConflict, "tapping while the spindle turns the other way")
@@ -92,7 +92,7 @@ impl Modal {
         let spindle = self.selected(block, FIRST)?;
         let turning = self.spindle_of(spindle);
         if code == 860 && !turning.turns() {
-            return refuse(FaultKind::ZeroSpeed, "G86 while the spindle stands");
+            return refuse(FaultKind::ZeroSpeed, "G86 while the spindle is stopped");
         }
         if self.choices.tap_as_cut {
             check_tapping(code, turning.turn)?;

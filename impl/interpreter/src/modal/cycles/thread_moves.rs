@@ -31,7 +31,7 @@ impl Modal {
         self.check_compensated_move(false)?;
         let spindles = self.selected(block, FIRST)?;
         if self.choices.thread_needs_spindle && !self.spindle_of(spindles).turns() {
-            return refuse(FaultKind::ZeroSpeed, "G76 while the spindle stands");
+            return refuse(FaultKind::ZeroSpeed, "G76 while the spindle is stopped");
         }
         let spindle = spindles.trailing_zeros();
         let threading = self.threading(words, spindle)?;

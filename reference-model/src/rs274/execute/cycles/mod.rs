@@ -165,7 +165,7 @@ fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
         return Ok(1);
     };
     let number = near_integer(value).ok_or_else(|| {
-        refuse(rule, FaultKind::NotAnInteger, format!("L{value} is no number of repeats"))
+        refuse(rule, FaultKind::NotAnInteger, format!("L{value} is not a number of repeats"))
     })?;
     let count = u64::try_from(number).ok().filter(|count| *count > 0).ok_or_else(|| {
         refuse(rule, FaultKind::WordOutOfRange, format!("{number} repeats of a cycle"))

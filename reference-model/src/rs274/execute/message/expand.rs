@@ -143,7 +143,7 @@ pub(super) fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> 
     match state.parameters.announced(name) {
         Some(value) if new => Ok(value),
         _ if matches!(name, Name::Named(_)) && !parameters::exists(name, state) => {
-            let message = "a message shows that the parameter does not exist";
+            let message = "the parameter of a message does not exist";
             let rule = rule::active_comments::ABSENT_NAMED;
             Err(refuse(rule, FaultKind::NoSuchParameter, message))
         }
