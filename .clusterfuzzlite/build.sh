@@ -1,5 +1,5 @@
 #!/bin/bash -eu
-# Builds each target of fuzz/targets, with its corpus, into $OUT: ClusterFuzzLite calls this in the image beside it.
+# Builds each target of fuzz/targets, with its corpus, into $OUT: ClusterFuzzLite calls this in the image of the Dockerfile.
 cd "$SRC/gaugeblock"
 built=$PWD/target/clusterfuzzlite
 cargo fuzz build -O --debug-assertions --fuzz-dir fuzz/targets --features libfuzzer --target-dir "$built"

@@ -166,7 +166,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// It records no samples, or none of such a run, or it fails.
     fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
         let _whatever_it_is = motion;
-        Err(NoSamples::Unsupported("it shows no servo samples".to_owned()))
+        Err(NoSamples::Unsupported("it reports no servo samples".to_owned()))
     }
 
     /// Runs the scenario in a fresh session. None if each run has one anyway.

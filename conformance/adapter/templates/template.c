@@ -1,4 +1,4 @@
-/* An adapter for Gaugeblock, protocol 1: put your controller behind `run`. `gaugeblock adapter protocol` tells the rest.
+/* An adapter for Gaugeblock, protocol 1: connect your controller in `run`. `gaugeblock adapter protocol` has the rest.
    cc -std=c99 -Wall -o adapter adapter.c */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""An adapter for Gaugeblock, protocol 1: put your controller behind `run`. `gaugeblock adapter protocol` tells the rest."""
+"""An adapter for Gaugeblock, protocol 1: connect your controller in `run`. `gaugeblock adapter protocol` has the rest."""
 import json
 import re
 import sys
 
 DECLARATION = {
     "protocol": 1, "name": "toy", "version": "0.1", "languages": ["rs274"], "units": ["mm", "inch"],
-    "features": [],  # what a scenario may need beside its program: `gaugeblock adapter vocabulary`
+    "features": [],  # what a scenario may need besides its program: `gaugeblock adapter vocabulary`
     "observables": {  # what is judged, and nothing else
         "fields": ["motion", "position"], "fields_at_effects": [], "effects": ["straight_traverse", "straight_feed"],
         "moves_in_place": True, "fault_kinds": False, "final_parameters": False, "pins": []},

@@ -65,7 +65,7 @@ impl Adapter for Restricted {
     fn notes(&self) -> Vec<String> {
         let like = self.like.capabilities();
         let mut notes = self.controller.notes();
-        notes.push(format!("held to no more than {} {} declares", like.name, like.version));
+        notes.push(format!("compared in no more than {} {} declares", like.name, like.version));
         notes
     }
 

@@ -32,7 +32,7 @@ pub fn scenario_and_path(
     axes.dedup();
     let (outcome, _) = gaugeblock_reference::run(&scenario);
     if outcome.end != End::ProgramEnd {
-        return Err(format!("the model does not come to its end: {}", outcome.end.name()));
+        return Err(format!("the model does not reach the program end: {}", outcome.end.name()));
     }
     let path = gaugeblock_reference::motion::path::programmed(&outcome, Position::default());
     Ok((scenario, path))
@@ -107,7 +107,7 @@ fn verdict_of<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, Str
 fn describe(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Satisfied { .. } => "it holds".to_owned(),
-        Verdict::NotApplicable => "it is not asked".to_owned(),
+        Verdict::NotApplicable => "it does not apply".to_owned(),
         Verdict::NotJudged(why) => format!("it is not judged: {why}"),
         Verdict::Violated(violations) => {
             violations.first().map_or_else(|| "it is broken".to_owned(), ToString::to_string)

@@ -146,7 +146,7 @@ impl Picture<'_> {
             Some(highest.fold(0.0, f64::max) * 1.05).filter(|it| *it > 0.0).unwrap_or(1.0);
         let mut chart = ChartBuilder::on(area)
             .caption(
-                "speed along the path, mm/s (red: the feed that is asked for, overrides counted)",
+                "speed along the path, mm/s (red: the requested feed with overrides)",
                 ("sans-serif", 14).into_font().color(&INK),
             )
             .margin(10)

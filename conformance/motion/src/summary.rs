@@ -84,7 +84,7 @@ impl fmt::Display for Summary {
                     writeln!(f, "  holds       {law} (at most {:.2} % of it)", share * 100.0)?;
                 }
                 Verdict::Satisfied { share: None } => writeln!(f, "  holds       {law}")?,
-                Verdict::NotApplicable => writeln!(f, "  not asked   {law}")?,
+                Verdict::NotApplicable => writeln!(f, "  n/a         {law}")?,
                 Verdict::NotJudged(why) => writeln!(f, "  not judged  {law}: {why}")?,
                 Verdict::Violated(violations) => {
                     let times = if violations.len() == 1 { "time" } else { "times" };

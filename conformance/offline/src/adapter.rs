@@ -70,7 +70,9 @@ impl Offline {
             return Err(format!("{name}: `name` is empty, so nothing says what was certified"));
         }
         if !(control.resolution >= 0.0 && control.resolution.is_finite()) {
-            return Err(format!("{name}: `resolution` is no error that a number can have"));
+            return Err(format!(
+                "{name}: invalid `resolution`: expected a finite number that is not negative"
+            ));
         }
         let mut capabilities = no_observables(&control);
         let mut entries = BTreeMap::new();
@@ -106,7 +108,7 @@ impl Offline {
             if plain(&found) != plain(text.as_bytes()) {
                 return Err(HarnessError::Unreadable {
                     what: place,
-                    line: "it is not the program that was asked for any more".to_owned(),
+                    line: "the program has changed since the export".to_owned(),
                 });
             }
         }
@@ -141,7 +143,7 @@ impl Adapter for Offline {
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         match self.entry(scenario).map(|entry| &entry.answer) {
-            None => Err("it was not asked".to_owned()),
+            None => Err("it is not among the exported programs".to_owned()),
             Some(Ok(SheetContent::NotPossible(why))) => Err(why.clone()),
             Some(Ok(SheetContent::Blank | SheetContent::Answered(..)) | Err(_)) => Ok(()),
         }
@@ -154,17 +156,17 @@ impl Adapter for Offline {
         };
         let is_told =
             |entry: &&Entry| !matches!(entry.answer, Ok(SheetContent::Blank)) || has_samples(entry);
-        let told = self.entries.values().filter(is_told).count();
+        let answered = self.entries.values().filter(is_told).count();
         let left_out: usize = self.manifest.left_out.values().sum();
         vec![format!(
-            "{told} of {} programs were answered; {left_out} cases could not be asked on paper",
+            "{answered} of {} programs have answers; {left_out} cases cannot be run from paper",
             self.entries.len()
         )]
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         let Some(entry) = self.entry(scenario) else {
-            return Err(HarnessError::NotRun("it was not asked".to_owned()));
+            return Err(HarnessError::NotRun("it is not among the exported programs".to_owned()));
         };
         match &entry.answer {
             Err((place, why)) => {
@@ -188,7 +190,7 @@ impl Adapter for Offline {
         let is_plain = motion.script.events.is_empty();
         let key = digest_of_motion(motion.scenario, motion.limits);
         let Some(entry) = self.entries.get(&key).filter(|_| is_plain) else {
-            return unsupported("it was not asked");
+            return unsupported("it is not among the exported programs");
         };
         match &entry.answer {
             Ok(SheetContent::NotPossible(why)) => return unsupported(why),

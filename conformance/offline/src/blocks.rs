@@ -37,16 +37,20 @@ pub fn read_blocks(text: &str, axes: &[Axis]) -> Result<Option<Blocks>, String> 
         let &[file, line, ref values @ ..] = fields.as_slice() else {
             return Err(wrong("it has no file and line".to_owned()));
         };
-        let line = line.parse().map_err(|_| wrong(format!("{line:?} is no number of a line")))?;
+        let line = line.parse().map_err(|_| wrong(format!("{line:?} is not a line number")))?;
         let mut position = Position::default();
         let is_told = values.iter().any(|value| !value.is_empty());
         if is_told && values.len() != axes.len() {
-            return Err(wrong(format!("{} axes are asked for, not {}", axes.len(), values.len())));
+            return Err(wrong(format!(
+                "expected the positions of {} axes, not of {}",
+                axes.len(),
+                values.len()
+            )));
         }
         for (axis, value) in axes.iter().zip(values).filter(|_| is_told) {
             let number = value.parse().ok().filter(|number: &f64| number.is_finite());
             *position.get_mut(*axis) =
-                number.ok_or_else(|| wrong(format!("{value:?} is no number")))?;
+                number.ok_or_else(|| wrong(format!("{value:?} is not a number")))?;
         }
         let file = if file.is_empty() { Program::MAIN } else { file };
         blocks.push((BlockLocation::new(file, line), is_told.then_some(position)));

@@ -15,7 +15,7 @@ pub(super) fn check_exportable(
     expected: &Outcome,
 ) -> Result<(), &'static str> {
     if !scenario.operator.is_empty() {
-        return Err("somebody has to act at an exact moment of the run");
+        return Err("a person has to act at an exact moment of the run");
     }
     check_environment(&scenario.environment)?;
     match &expected.end {
@@ -43,7 +43,7 @@ fn check_environment(environment: &Environment) -> Result<(), &'static str> {
         user_programs,
     } = environment;
     if name.as_deref().is_some_and(|name| name != USUAL) {
-        return Err("the outside has to answer as one certain program does");
+        return Err("the surroundings have to answer as one certain program does");
     }
     if inputs.iter().any(|change| change.time > 0.0) {
         return Err("inputs have to change at an exact moment of the run");

@@ -42,7 +42,7 @@ impl Field {
         let text = self.text();
         text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| {
             let hint = if text.contains(',') { " (write a point, not a comma)" } else { "" };
-            format!("{place}: {text:?} is no number{hint}")
+            format!("{place}: {text:?} is not a number{hint}")
         })
     }
 }
@@ -133,7 +133,7 @@ impl Form {
         }
         let text = self.alarm.line.text();
         let line = text.parse().ok().filter(|line: &u32| *line > 0);
-        let line = line.ok_or_else(|| format!("[alarm] line: {text:?} is no number of a line"))?;
+        let line = line.ok_or_else(|| format!("[alarm] line: {text:?} is not a line number"))?;
         let file = self.alarm.file.trim();
         Ok(Some(BlockLocation::new(if file.is_empty() { Program::MAIN } else { file }, line)))
     }
@@ -141,7 +141,7 @@ impl Form {
     fn position(&self, axes: &[Axis]) -> Result<Option<Position>, String> {
         let known = |name: &String| axes.iter().find(|axis| axis.word() == name.to_lowercase());
         if let Some(other) = self.position.keys().find(|name| known(name).is_none()) {
-            return Err(format!("[position] {other}: it is not asked for"));
+            return Err(format!("[position] {other}: this program has no such axis"));
         }
         if self.position.values().all(Field::is_empty) {
             return Ok(None);
@@ -163,7 +163,8 @@ impl Form {
         let read = |(name, field): (&String, &Field)| {
             let place = format!("[variables] {name:?}");
             let number = name.trim().trim_start_matches('#').parse().ok();
-            let number = number.ok_or_else(|| format!("{place} is no variable's number"))?;
+            let number =
+                number.ok_or_else(|| format!("{place} is not the number of a variable"))?;
             Ok((number, field.number(&place)?))
         };
         filled.map(read).collect()
@@ -252,9 +253,9 @@ mod tests {
         assert_eq!(read_blocks("", &axes), Ok(None));
         for (row, words) in [
             ("main.ngc", "line 2: it has no file and line"),
-            ("main.ngc,x", "\"x\" is no number of a line"),
-            ("main.ngc,1,5", "2 axes are asked for, not 1"),
-            ("main.ngc,1,5,", "\"\" is no number"),
+            ("main.ngc,x", "\"x\" is not a line number"),
+            ("main.ngc,1,5", "expected the positions of 2 axes, not of 1"),
+            ("main.ngc,1,5,", "\"\" is not a number"),
         ] {
             let error = read_blocks(&format!("file,line,x,b\n{row}\n"), &axes).unwrap_err();
             assert!(error.contains(words), "{error}");

@@ -14,23 +14,24 @@ pub fn readme(manifest: &Manifest) -> String {
     let mut text = format!(
         "# {count} programs for your control
 
-Each numbered folder holds one small program. Run it on your control, write down what you saw, and send the folder back. You need no
-computer beside the control: a memory stick and a pencil are enough. What was expected is not told here, on purpose: write down what
-you see, and not what you think should have been.
+Each numbered folder has one small program. Run it on your control, write down what you see, and send the folder back.
+A memory stick and a pencil are enough. The folders do not contain the expected results, on purpose. Write down what you
+see, and not what you think is right.
 
-**These programs know nothing of your machine.** They go far, turn the spindle and change tools without regard for travel, tool or work.
-Run them on a simulator of the control, or with the axes and the spindle locked, and with no tool and no work in the machine.
+**The programs are not made for your machine.** They move far, turn the spindle and change tools without regard for travel,
+tool or workpiece. Run them on a simulator of the control, or with axes and spindle locked and with neither tool nor
+workpiece in the machine.
 
 ## Once
 
 1. Fill in `{CONTROL}`: the name of the control, its version, and the last digit of its display.
-2. Set the machine up as follows. A program that needs something else says so on its own page; those that need the same stand one after
-   the other.
+2. Set the machine up as follows. The page of a program lists what it needs differently; programs with the same set-up
+   follow one another.
 
    * axes X Y Z A B C, without limits; homed, so that all machine positions are 0
    * lengths that are stored (tool table, offsets, stored variables) are millimetres
    * one spindle; four digital and four analog inputs and outputs
-   * an empty tool table; no tool in the spindle; a tool change needs nobody, and moves no axis
+   * an empty tool table; no tool in the spindle; a tool change needs no person, and moves no axis
    * no offsets: all of G54 to G59.3, G92 and the tool length are 0; G28 and G30 are at 0
    * all variables that the control keeps are 0
    * all inputs are off; overrides are at 100 %; optional stop and block delete are off
@@ -39,20 +40,20 @@ Run them on a simulator of the control, or with the axes and the spindle locked,
 ## For each folder, in any order
 
 1. Read `{OPERATOR}`.
-2. Bring the control into the state that it has after it was switched on: nothing of the program before may be left, neither modes nor
-   offsets nor variables. Where your control keeps them, set them back by hand.
-3. Load `main.ngc` and whatever else is in the folder under the same names, and press cycle start.
-4. Fill in `{SHEET}`, with any text editor, or on paper first. It tells what is asked. Only `ended` has to be filled in. **What you do not
-   know, leave empty**: it is then not judged, which is no fault of the control, but no proof either.
+2. Bring the control into its state after power-on: no modes, offsets or variables of the program before. If your control
+   keeps them, reset them by hand.
+3. Load `main.ngc` and the other programs in the folder under the same names, and press cycle start.
+4. Fill in `{SHEET}`, with any text editor, or on paper first. Only `ended` is required. **Leave empty what you do not
+   know**: it is then not judged, and counts neither for nor against the control.
 
-Whoever has more time can run a program block by block and write down, in `{BLOCKS}`, a line for each block that was executed: the file,
-the line in it (from 1), and what the display shows after it, such as `main.ngc,3,10.0,0,0,0,0,0`. For lines with O-words, M98 and M99
-only the file and the line: `main.ngc,4`. Leave out lines that only hold comments. All blocks or none: a list with gaps is taken as what
-was executed.
+If you have more time, run a program block by block. Write one line into `{BLOCKS}` for each executed block: the file, the
+line in it (from 1), and the position on the display after it, such as `main.ngc,3,10.0,0,0,0,0,0`. For lines with O-words,
+M98 and M99, write only the file and the line: `main.ngc,4`. Leave out lines that have only comments. Write all blocks or
+none: a list with gaps is judged as the list of what was executed.
 
-The last folders may ask for a record of the axes instead (`{SAMPLES}`); their pages say how.
+The last folders may need a record of the axes instead (`{SAMPLES}`); their pages say how.
 
-You need not do them all. What is not filled in counts as not run: neither for nor against the control.
+You need not run them all. A sheet that is not filled in counts as not run: neither for nor against the control.
 
 ## Then
 
@@ -60,9 +61,10 @@ You need not do them all. What is not filled in counts as not run: neither for n
 gaugeblock certify --controller offline:THIS-FOLDER --report report
 ```
 
-tells what was judged, rule by rule. Do not change the programs or `manifest.json`: an answer to another program is not judged.
+reports what was judged, rule by rule. Do not change the programs or `manifest.json`: an answer to a changed program is
+not judged.
 
-## What is asked, and by what
+## Source of the programs
 
 Suite {} of gaugeblock {}, edition {}, {}.
 ",
@@ -79,7 +81,7 @@ Suite {} of gaugeblock {}, edition {}, {}.
         // Writing to a string cannot fail.
         let _never = writeln!(
             text,
-            "\nCases of it that cannot be asked in this way: {left_out}.\n\n| cases | because |\n| --- | --- |"
+            "\nCases of it that cannot be run in this way: {left_out}.\n\n| cases | because |\n| --- | --- |"
         );
         for (why, count) in &manifest.left_out {
             let _never = writeln!(text, "| {count} | {why} |");
@@ -99,9 +101,9 @@ pub fn operator(question: &Question) -> String {
     }
     let mut text = format!("# Program {} ({})\n\n## Set up\n\n", exported.folder, exported.chapter);
     if set_up.is_empty() {
-        text.push_str("As the README says; nothing else.\n");
+        text.push_str("As the README says.\n");
     } else {
-        text.push_str("As the README says, but for this:\n\n");
+        text.push_str("As the README says, except:\n\n");
         for line in &set_up {
             let _never = writeln!(text, "* {line}");
         }
@@ -126,7 +128,7 @@ pub fn operator(question: &Question) -> String {
     }
     text.push_str(match start {
         Start::Program => {
-            "* Load `main.ngc`, press cycle start, and touch nothing more until it has ended, stands in an alarm, or waits for you.\n"
+            "* Load `main.ngc`, press cycle start, and touch nothing more until the program has ended, has raised an alarm, or waits for you.\n"
         }
         Start::Mdi => {
             "* Enter the lines of `main.ngc` by hand (MDI), one after the other, each when the one before is done. Stop at an alarm.\n"
@@ -146,7 +148,7 @@ pub fn operator(question: &Question) -> String {
     let axes: Vec<_> = exported.axes.iter().map(|axis| axis.word().to_uppercase()).collect();
     let _never = writeln!(
         text,
-        "* unless it ended in an alarm: where the tool stands, in program coordinates: {}",
+        "* unless it ended in an alarm: the position, in program coordinates: {}",
         axes.join(" ")
     );
     if !exported.variables.is_empty() {
@@ -155,7 +157,7 @@ pub fn operator(question: &Question) -> String {
         let _never = writeln!(text, "* what is in these variables: {}", variables.join(" "));
     }
     if exported.messages {
-        text.push_str("* what it showed, printed or logged, in order\n");
+        text.push_str("* its messages, on the display, printed or logged, in order\n");
     }
     text
 }
@@ -166,8 +168,8 @@ fn bring_back(period: f64) -> String {
         "
 ## Bring back
 
-Let the control record the position that it commands of each axis, from before the start until the axes rest, best in each cycle in which it
-commands them (every {period} s on the machine that the limits are of). Write the record as `{SAMPLES}`:
+Let the control record the commanded position of each axis, from before the start until the axes rest. Best is one row per
+cycle of its position control (every {period} s on the machine with these limits). Write the record as `{SAMPLES}`:
 
 ```
 # gaugeblock samples 0 period=0.001 resolution=0.0001
@@ -176,8 +178,9 @@ x,y,z
 0.0001,0,0
 ```
 
-`period` is the seconds from one row to the next, `resolution` how far a recorded position may be off; the second line names the axes. Positions
-are machine coordinates, in millimetres and degrees. If your control cannot record, say so in `{SHEET}`.\n"
+`period` is the time from one row to the next, in seconds; `resolution` is the error of a recorded position. The second line
+names the axes. Positions are machine coordinates, in millimetres and degrees. If your control cannot record, write so into
+`{SHEET}`.\n"
     )
 }
 

@@ -88,7 +88,7 @@ impl Manifest {
         match manifest.programs.iter().find(|exported| !plain(&exported.folder)) {
             None => Ok(manifest),
             Some(exported) => {
-                Err(format!("{name}: {:?} is no folder of a program", exported.folder))
+                Err(format!("{name}: {:?} is not a valid folder of a program", exported.folder))
             }
         }
     }

@@ -100,7 +100,7 @@ fn motion_question(
     edition: &Edition,
 ) -> Result<Question, &'static str> {
     if !case.script().events.is_empty() {
-        return Err("somebody has to act at an exact moment of the run");
+        return Err("a person has to act at an exact moment of the run");
     }
     let exported =
         gaugeblock_motion::scenario_and_path(case, options, edition.environment.as_ref());

@@ -12,8 +12,8 @@ pub(super) const ENDS: &[(&str, &str)] = &[
     ("program end", "M2 or M30"),
     ("percent sign", "the second % of the file was reached"),
     ("alarm", "the control refused something"),
-    ("waiting", "it waits for somebody to press cycle start"),
-    ("aborted", "somebody or something broke it off"),
+    ("waiting", "it waits for cycle start"),
+    ("aborted", "a person or the control stopped it early"),
     ("endless", "it began again from the top, by M99"),
     ("did not end", "you had to stop it"),
     ("crashed", "the control froze, or started again"),
@@ -115,10 +115,10 @@ pub(super) fn text(exported: &ExportedProgram, values: &Values) -> String {
     put(&format!("not_possible = {}\n", quoted(&values.not_possible)));
     if exported.messages {
         put(
-            "# What the program showed, in order: [\"first\", \"second\"], or [] for nothing. Put print: or log: in front of a text that",
+            "# Messages of the program, in order: [\"first\", \"second\"], or [] for none. Put print: or log: in front of a text that",
         );
         put("# was not on the display but printed or written into a log: [\"print: first\"].");
-        let shown = values.messages.as_ref().map_or_else(
+        let texts = values.messages.as_ref().map_or_else(
             || quoted(""),
             |messages| {
                 let texts =
@@ -126,10 +126,10 @@ pub(super) fn text(exported: &ExportedProgram, values: &Values) -> String {
                 format!("[{}]", texts.collect::<Vec<_>>().join(", "))
             },
         );
-        put(&format!("messages = {shown}\n"));
+        put(&format!("messages = {texts}\n"));
     }
     put(
-        "# After an alarm: what it says, and the line at which the control stopped, if it tells one: the first line of the file is 1.",
+        "# After an alarm: its text, and the line of the block if the control displays it. The first line of the file is 1.",
     );
     put("# The file is main.ngc where you write none.");
     put(&format!("[alarm]\ntext = {}", quoted(&values.alarm)));
@@ -138,10 +138,10 @@ pub(super) fn text(exported: &ExportedProgram, values: &Values) -> String {
     let line = values.block.as_ref().map_or_else(|| quoted(""), |block| block.line.to_string());
     put(&format!("line = {line}\n"));
     put(
-        "# Where the tool stands after the end, as the display shows it: program coordinates (not machine ones), in the unit",
+        "# The position on the display after the end: program coordinates (not machine coordinates), in the unit",
     );
     put(
-        "# that is then in force. All axes or none; 0 for an axis that your machine does not have. Leave it empty after an alarm.",
+        "# that is in force then. All axes or none; 0 for an axis that your machine does not have. Leave it empty after an alarm.",
     );
     put("[position]");
     for axis in &exported.axes {
@@ -159,7 +159,7 @@ pub(super) fn text(exported: &ExportedProgram, values: &Values) -> String {
         }
     }
     put(
-        "\n# If your control has a page of active codes: what it shows after the end. Leave it empty after an alarm.\n[modes]",
+        "\n# If your control has a page of active codes: its content after the end. Leave it empty after an alarm.\n[modes]",
     );
     for (mode, words) in MODES {
         let value = values.modes.get(*mode).map_or("", String::as_str);
@@ -188,7 +188,7 @@ pub fn control_text(name: &str, version: &str, resolution: f64) -> String {
     let _never = writeln!(text, "name = {}\nversion = {}\n", quoted(name), quoted(version));
     let _never = writeln!(
         text,
-        "# The last digit that the display shows, in the unit of the program: how much a number that you write down may be off.\nresolution = {}",
+        "# The last digit of the display, in the unit of the program: the error of the numbers that you write down.\nresolution = {}",
         number(resolution)
     );
     text

@@ -18,7 +18,7 @@ impl Stored {
         let Header { controller, version, edition, .. } = &self.header;
         if (controller, edition) != (&now.controller, &now.edition) {
             return Err(format!(
-                "this baseline is of {controller} held to {edition}, not of {} held to {}",
+                "this baseline is of {controller} against {edition}, not of {} against {}",
                 now.controller, now.edition
             ));
         }
@@ -54,7 +54,7 @@ impl Stored {
                     mismatches.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
                 (None, before) if result.verdict == Verdict::Pass => told.extend(
-                    before.map(|before| format!("mended: {rule} / {case}: was {}", before.found)),
+                    before.map(|before| format!("fixed: {rule} / {case}: was {}", before.found)),
                 ),
                 (None, _) if before.is_some_and(|before| before.is_pass()) => {
                     let (listed, found) = ("pass".to_owned(), result.verdict.to_string());

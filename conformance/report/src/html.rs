@@ -198,11 +198,11 @@ pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
             ("pass", "It does what is known of it, and nothing else.")
         }
         0 => ("pass", "It does what the documents say, in everything that was judged."),
-        1 => ("diverges", "It departs from what it is held to."),
+        1 => ("diverges", "It diverges from its documents."),
         _ if report.counts().judged() == 0 => {
             ("inconclusive", "Nothing was judged: nothing is certified.")
         }
-        _ => ("inconclusive", "Something could not be judged: this is no certificate."),
+        _ => ("inconclusive", "Something could not be judged: this is not a certificate."),
     }
 }
 
@@ -215,7 +215,7 @@ fn counts(report: &Report<'_>) -> Vec<Count> {
         count("diverge", counts.diverges, "diverges"),
     ];
     let more = [
-        ("pass but for a quirk of other rules", counts.charged_elsewhere, "charged elsewhere"),
+        ("pass except for a quirk of other rules", counts.charged_elsewhere, "charged elsewhere"),
         ("known", counts.known, "known"),
         ("waived", counts.waived, "waived"),
         ("unsupported", counts.unsupported, "unsupported"),

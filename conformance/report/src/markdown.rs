@@ -26,7 +26,7 @@ const ITEMS: usize = 20;
 const LINES: usize = 24;
 
 /// Notes that say what passes now.
-const MENDED: &str = "mended: ";
+const FIXED: &str = "fixed: ";
 
 /// The report in Markdown.
 pub fn markdown(report: &Report<'_>) -> String {
@@ -48,7 +48,7 @@ fn head(report: &Report<'_>) -> String {
         ("cases", counts.all(), true),
         ("pass", counts.pass, true),
         ("diverge", counts.diverges, true),
-        ("pass but for a quirk of other rules", counts.charged_elsewhere, true),
+        ("pass except for a quirk of other rules", counts.charged_elsewhere, true),
         ("known", counts.known, false),
         ("waived", counts.waived, false),
         ("unsupported", counts.unsupported, true),
@@ -62,7 +62,7 @@ fn head(report: &Report<'_>) -> String {
         numbers.push_str(&format!(" {count} |"));
     }
     format!(
-        "## {says}\n\n{} {} held to {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n",
+        "## {says}\n\n{} {} against {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n",
         code(&header.controller),
         code(&header.version),
         code(&header.edition),
@@ -84,8 +84,8 @@ fn changes(report: &Report<'_>) -> String {
             ExpectationMismatch::Stale { why, .. } => format!("**stale** {place}: {}", code(why)),
         }
     });
-    let fixed = report.notes.iter().filter_map(|note| note.strip_prefix(MENDED));
-    let items: Vec<_> = items.chain(fixed.map(|it| format!("**mended** {}", code(it)))).collect();
+    let fixed = report.notes.iter().filter_map(|note| note.strip_prefix(FIXED));
+    let items: Vec<_> = items.chain(fixed.map(|it| format!("**fixed** {}", code(it)))).collect();
     let count = |of: fn(&ExpectationMismatch) -> bool| {
         mismatches.iter().filter(|mismatch| of(mismatch)).count()
     };
@@ -95,7 +95,7 @@ fn changes(report: &Report<'_>) -> String {
     let fixed = items.len() - mismatches.len();
     let stale = if stale == 0 { String::new() } else { format!(", {stale} stale") };
     let title = "Against what is known";
-    section(&format!("{title}: {new} new, {changed} changed{stale}, {fixed} mended"), &items)
+    section(&format!("{title}: {new} new, {changed} changed{stale}, {fixed} fixed"), &items)
 }
 
 /// The profiles that are claimed.
@@ -213,7 +213,7 @@ fn not_judged(report: &Report<'_>) -> String {
     if items.is_empty() {
         return String::new();
     }
-    section(&format!("Not judged, which is no pass: {}", items.len()), &items)
+    section(&format!("Not judged, and not a pass: {}", items.len()), &items)
 }
 
 /// Why cases were not run, folded: the most frequent reason first.
@@ -226,11 +226,11 @@ fn unsupported(report: &Report<'_>) -> String {
     let items: Vec<_> =
         reasons.iter().map(|(why, cases)| format!("{cases} × {}", code(why))).collect();
     let list = list(&items);
-    format!("\n<details><summary>What it was not asked, and why</summary>\n\n{list}\n</details>\n")
+    format!("\n<details><summary>What was not run, and why</summary>\n\n{list}\n</details>\n")
 }
 
 fn notes(report: &Report<'_>) -> String {
-    let notes = report.notes.iter().filter(|note| !note.starts_with(MENDED));
+    let notes = report.notes.iter().filter(|note| !note.starts_with(FIXED));
     let items: Vec<_> = notes.map(|note| code(note)).collect();
     if items.is_empty() { String::new() } else { section("Notes", &items) }
 }
@@ -261,16 +261,16 @@ fn more(count: usize) -> String {
 
 /// A text in code: in one line, cut, and between more backticks than it has.
 fn code(text: &str) -> String {
-    let mut shown: String = visible(text).chars().take(SHOWN).collect();
+    let mut line: String = visible(text).chars().take(SHOWN).collect();
     if text.chars().count() > SHOWN {
-        shown.push('…');
+        line.push('…');
     }
-    if shown.trim().is_empty() {
+    if line.trim().is_empty() {
         return "(nothing)".to_owned();
     }
-    let fence = "`".repeat(longest_run(&shown) + 1);
+    let fence = "`".repeat(longest_run(&line) + 1);
     // One space on each side is taken away again; without it the text could join the fence.
-    format!("{fence} {shown} {fence}")
+    format!("{fence} {line} {fence}")
 }
 
 /// Words of the suite outside of code.

@@ -51,7 +51,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
 fn head(text: &mut String, report: &Report<'_>) {
     let controller = format!("{} {}", report.header.controller, report.header.version);
     let controller = escape_line(&controller);
-    line!(text, "{} held to {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
+    line!(text, "{} against {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     for note in &report.notes {
         line!(text, "{} {}", styled(YELLOW, "note"), escape_text(note));
@@ -151,7 +151,7 @@ fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
         }
     }
     if groups.len() > most {
-        line!(text, "  … and {} more kinds (-v tells them)", groups.len() - most);
+        line!(text, "  … and {} more kinds (-v lists them)", groups.len() - most);
     }
     line!(text);
 }
@@ -253,7 +253,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let masked = report.masked();
     if !masked.is_empty() {
         if verbose {
-            line!(text, "not shown by this controller, or not everywhere, by number of cases:");
+            line!(text, "not reported by this controller, or not everywhere, by number of cases:");
             for (field, cases) in masked {
                 line!(text, "  {cases:>5}  {field}");
             }
@@ -261,7 +261,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
             let names: Vec<_> = masked.keys().copied().collect();
             line!(
                 text,
-                "not shown by this controller, or not everywhere: {} (-v counts them)",
+                "not reported by this controller, or not everywhere: {} (-v counts them)",
                 names.join(", ")
             );
         }
@@ -272,7 +272,7 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     if !repeated.is_empty() {
         line!(
             text,
-            "judged on a new controller, since a used one departed (what an earlier program left there, or chance): {}",
+            "judged on a new controller, because a used one diverged (state that an earlier program left, or chance): {}",
             repeated.join(", ")
         );
     }
@@ -284,7 +284,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let compared: usize = report.run.cases.iter().map(|result| result.compared.total()).sum();
     let mut departing = vec![
         format!("{} pass", counts.pass),
-        format!("{} pass but for a quirk of other rules", counts.charged_elsewhere),
+        format!("{} pass except for a quirk of other rules", counts.charged_elsewhere),
         format!("{} diverge", counts.diverges),
     ];
     let excused = [(counts.known, "known"), (counts.waived, "waived")];
@@ -306,9 +306,9 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let (style, words) = match (report.exit_status(), &report.mismatches) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
-        (1, Some(mismatches)) if !mismatches.is_empty() => (RED, "departs otherwise than is known"),
+        (1, Some(mismatches)) if !mismatches.is_empty() => (RED, "diverges, and not only as known"),
         (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
-            (RED, "departs from its documents")
+            (RED, "diverges from its documents")
         }
         (1, _) => (RED, "does not pass what it claims"),
         _ if counts.judged() == 0 => (YELLOW, "nothing was judged: nothing is certified"),

@@ -9,9 +9,9 @@ const EXAMPLES: &str = "Examples:
   gaugeblock rs274 -g -t tools.tbl -v mill.var -i mill.ini part.ngc calls.txt
   printf 'g20\\ng0 x1\\nquit\\n' | gaugeblock rs274 -g
 
-The canonical calls are printed as LinuxCNC's `rs274` prints them, by the production interpreter. Subroutine files are found beside the
-program and in SUBROUTINE_PATH and PROGRAM_PREFIX of the INI file; nothing else of the host is reached, and user-defined M codes run nothing.
-The exit status is 0 where the program came to its end and 1 where a block was refused.";
+The production interpreter prints canonical calls in the form of LinuxCNC's `rs274`. It finds subroutine files in the
+program's folder and in SUBROUTINE_PATH and PROGRAM_PREFIX of the INI file. It reaches nothing else of the host, and
+user-defined M codes run nothing. The exit status is 0 after the program end and 1 after a refused block.";
 
 /// What the command is called with.
 #[derive(Clone, Debug, Default, Args)]

@@ -32,7 +32,7 @@ impl std::fmt::Display for ObservedOption {
         match self {
             Self::Option(option) => write!(f, "{option}"),
             Self::Nothing(why) => write!(f, "none of the options: {}", why.join("; ")),
-            Self::Several(options) => write!(f, "cannot be told: {}", options.join(" or ")),
+            Self::Several(options) => write!(f, "undecided: {}", options.join(" or ")),
             Self::NotRun(why) => write!(f, "not run: {why}"),
         }
     }

@@ -147,7 +147,7 @@ fn plan_program(
     let outcome = runs(program);
     if outcome.end != End::ProgramEnd {
         let why = if let End::Fault(fault) = &outcome.end { &fault.message } else { "" };
-        let why = format!("the program does not come to its end: {why}");
+        let why = format!("the program does not reach its end: {why}");
         return Err(Stopped { block: None, why, endless: false });
     }
     let circumstances = RunConditions {

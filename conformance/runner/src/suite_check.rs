@@ -72,10 +72,10 @@ pub fn faults(suite: &Suite) -> Vec<String> {
     }
     for choice in &suite.motion_choices {
         for option in &choice.options {
-            let shown = options_shown(suite, choice, &option.name);
-            if shown != [option.name.as_str()] {
+            let found = options_shown(suite, choice, &option.name);
+            if found != [option.name.as_str()] {
                 let id = &choice.id;
-                faults.push(format!("{id} = {}: its samples show {shown:?}", option.name));
+                faults.push(format!("{id} = {}: its samples match {found:?}", option.name));
             }
         }
     }

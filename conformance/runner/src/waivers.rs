@@ -55,7 +55,7 @@ impl FromStr for Day {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("`{text}` is no day: as in 2027-01-31");
+        let wrong = || format!("`{text}` is not a day; expected one such as 2027-01-31");
         let parts: Vec<u32> = text.split('-').filter_map(|part| part.parse().ok()).collect();
         let [year, month, day] = parts[..] else { return Err(wrong()) };
         let read = Self { year, month, day };

@@ -112,7 +112,8 @@ fn claim(text: &str) -> Result<Claim, String> {
         "accepted" if rest.is_empty() => Ok(Claim::Accepted),
         "refused" if rest.is_empty() => Ok(Claim::Refused(None)),
         "refused" => {
-            let place = rest.strip_prefix("at ").ok_or("refused stands alone or with `at LINE`")?;
+            let place =
+                rest.strip_prefix("at ").ok_or("expected `refused` alone or `refused at LINE`")?;
             Ok(Claim::Refused(Some(place_of(place)?)))
         }
         "kind" => Ok(Claim::Kind(FaultKind::from_text(rest).map_err(|error| error.message)?)),

@@ -171,12 +171,12 @@ impl FromStr for MotionAssertion {
         let law = law.to_owned();
         match rest {
             "breaks" => Ok(Self::Breaks { law, at: None }),
-            "is not asked" => Ok(Self::NotApplicable { law }),
+            "is not applicable" => Ok(Self::NotApplicable { law }),
             "is not judged" => Ok(Self::NotJudged { law }),
             _ => match rest.strip_prefix("breaks at ").and_then(|at| at.parse().ok()) {
                 Some(at) => Ok(Self::Breaks { law, at: Some(at) }),
                 None => Err(format!(
-                    "`{text}` is none of: holds, LAW breaks, LAW breaks at N, LAW is not asked, LAW is not judged"
+                    "invalid `{text}`: expected holds, LAW breaks, LAW breaks at N, LAW is not applicable, or LAW is not judged"
                 )),
             },
         }

@@ -38,7 +38,7 @@ impl ExchangeFolder {
         let mut file = File::from(file);
         let about = file.metadata().map_err(|error| error.to_string())?;
         if !about.is_file() || about.nlink() != 1 {
-            return Err("it is no file of its own".to_owned());
+            return Err("it is not a regular file with one link".to_owned());
         }
         let limit = u64::try_from(most).unwrap_or(u64::MAX);
         let mut bytes = Vec::new();

@@ -231,7 +231,7 @@ impl Adapter for Exec {
         match self.lost_sessions.load(Ordering::Relaxed) {
             0 => Vec::new(),
             spoilt => vec![format!(
-                "{spoilt} sessions spoke without being asked, died or could not be reset after a program had ended; new ones went on"
+                "{spoilt} sessions wrote a line without a request, ended or could not be reset after a program; new sessions replaced them"
             )],
         }
     }
@@ -258,7 +258,7 @@ impl Adapter for Exec {
 
     fn record_motion(&self, motion: &MotionRequest<'_>) -> Result<Samples, NoSamples> {
         if !self.declaration.offers.contains(&Extension::Motion) {
-            return Err(NoSamples::Unsupported("it shows no servo samples".to_owned()));
+            return Err(NoSamples::Unsupported("it reports no servo samples".to_owned()));
         }
         self.supports(motion.scenario).map_err(NoSamples::Unsupported)?;
         self.with_new_session(|session| session.record_motion(motion))

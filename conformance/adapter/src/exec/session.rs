@@ -207,7 +207,7 @@ impl Session {
     /// Fails if the controller has written without a request.
     fn check_silent(&mut self) -> Result<(), HarnessError> {
         let unasked = self.lines.unrequested();
-        unasked.map_or(Ok(()), |line| Err(unreadable("it speaks without being asked", line)))
+        unasked.map_or(Ok(()), |line| Err(unreadable("it wrote a line without a request", line)))
     }
 
     /// Writes a request, which may be empty, and reads the answer to the last one. `expected` is the outcome that a run
@@ -229,13 +229,13 @@ impl Session {
                 return Err(NoReply::Other(HarnessError::Flooded { bytes: self.limits.bytes }));
             }
         };
-        let asked = self.last;
+        let sent = self.last;
         if name == RUN && self.has_single_answer() {
             // The controller resets while its answer is parsed here.
             self.send_reset();
         }
         let read = if name == RUN {
-            self.answers.read(&answer, expected.map(|outcome| (asked, outcome)))
+            self.answers.read(&answer, expected.map(|outcome| (sent, outcome)))
         } else {
             serde_json::from_slice::<Answer>(&answer)
         };
@@ -243,8 +243,8 @@ impl Session {
             let error = with_suggestion(&error.to_string());
             NoReply::Other(unreadable(&format!("answer to `{name}`: {error}"), &answer))
         })?;
-        if answer.id != asked {
-            let what = format!("answer to request {}, not to {asked}", answer.id);
+        if answer.id != sent {
+            let what = format!("answer to request {}; expected one to {sent}", answer.id);
             return Err(NoReply::Other(unreadable(&what, answer.reply.name().as_bytes())));
         }
         Ok(answer.reply)
@@ -262,7 +262,7 @@ impl Session {
     fn ended_error(&mut self, name: &str) -> HarnessError {
         let status = self.peer.describe_end();
         let stderr = self.lines.stderr_tail();
-        HarnessError::Crashed { status: format!("{status}, asked to `{name}`"), stderr }
+        HarnessError::Crashed { status: format!("{status}, after the request `{name}`"), stderr }
     }
 
     /// The error for a reply that does not belong to the request.

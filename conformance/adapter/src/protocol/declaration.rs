@@ -147,7 +147,10 @@ impl Declaration {
             ));
         }
         if self.name.trim().is_empty() || self.name.chars().any(char::is_control) {
-            return Err("`name` is no name".to_owned());
+            return Err(
+                "invalid `name`: expected text that is not empty and has no control characters"
+                    .to_owned(),
+            );
         }
         if self.languages.is_empty() || self.units.is_empty() {
             return Err("it declares no language, or no length unit".to_owned());
@@ -196,7 +199,7 @@ impl Observables {
         let known = Capabilities::everything("", "");
         words("observables.fields", &self.fields, &known.fields)?;
         words("observables.fields_at_effects", &self.fields_at_effects, &self.fields)
-            .map_err(|error| format!("{error} (only what stands in `fields` can)"))?;
+            .map_err(|error| format!("{error} (expected names that are also in `fields`)"))?;
         words("observables.effects", &self.effects, &known.effects)?;
         words("observables.pins", &self.pins, &known.pins)?;
         let carried = self.carried.keys().cloned().collect();
@@ -245,7 +248,9 @@ fn words(place: &str, said: &BTreeSet<String>, known: &BTreeSet<String>) -> Resu
         Some(word) => {
             let meant = suggest(word, known.iter().map(String::as_str));
             let meant = meant.map(|meant| format!(": did you mean {meant:?}?")).unwrap_or_default();
-            Err(format!("`{place}` has {word:?}, which is no word of the vocabulary{meant}"))
+            Err(format!(
+                "invalid name {word:?} in `{place}`: the vocabulary does not have it{meant}"
+            ))
         }
         None => Ok(()),
     }

@@ -20,11 +20,11 @@ pub enum Extension {
     Fresh,
     /// the operator's events come one by one, when the controller is where they belong
     LiveOperator,
-    /// `move` tells servo samples
+    /// `move` reports servo samples
     Motion,
-    /// `shows` tells what is observed of one scenario, where that is less than what is declared
+    /// `shows` reports what is observable of one scenario, where that is less than what is declared
     Shows,
-    /// `state` tells what is in force between runs
+    /// `state` reports what is in force between runs
     State,
     /// the steps of a run can come in batches
     Stream,
@@ -49,13 +49,13 @@ pub const EXTENSIONS: &[(Extension, &str, &str)] = &[
         "live-operator",
         "the operator's events come one by one, when the controller is where they belong",
     ),
-    (Extension::Motion, "motion", "`move` tells servo samples"),
+    (Extension::Motion, "motion", "`move` reports servo samples"),
     (
         Extension::Shows,
         "shows",
-        "`shows` tells what is observed of one scenario, where that is less than what is declared",
+        "`shows` reports what is observable of one scenario, where that is less than what is declared",
     ),
-    (Extension::State, "state", "`state` tells what is in force between runs"),
+    (Extension::State, "state", "`state` reports what is in force between runs"),
     (Extension::Stream, "stream", "the steps of a run can come in batches"),
 ];
 

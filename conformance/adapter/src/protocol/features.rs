@@ -19,7 +19,7 @@ pub const FEATURES: &[(&str, &str)] = &[
     ("inputs", "inputs can be wired to outputs, and change while a program runs"),
     ("io-counts", "the number of inputs and outputs is not 4 of each kind"),
     ("limits", "axes have limits"),
-    ("manual-tool-change", "a person changes tools and is asked to"),
+    ("manual-tool-change", "a person changes tools when the controller requests it"),
     ("mdi", "blocks can be entered by hand"),
     ("operator", "a person can act while a program runs: pause, resume, abort, overrides"),
     ("orient", "a spindle's encoder can answer late, never, or with a fault"),

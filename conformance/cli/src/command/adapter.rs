@@ -17,7 +17,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock adapter check \"python3 adapter.py\"
       find errors of the adapter before you certify
   gaugeblock certify --controller \"exec:python3 adapter.py\" --only modal-groups
-      certify the controller behind it on one chapter
+      certify its controller on one chapter
   gaugeblock adapter protocol
       print the protocol description";
 

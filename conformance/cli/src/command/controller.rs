@@ -18,7 +18,7 @@ pub(crate) const NAMES: &str = "The controller:
   production     the production interpreter of this project
   rs274          LinuxCNC's stand-alone interpreter; rs274:PATH names its binary
   linuxcnc       the whole LinuxCNC controller with a simulated machine
-  exec:COMMAND   a controller behind an adapter (`gaugeblock adapter --help`)
+  exec:COMMAND   a controller with an adapter (`gaugeblock adapter --help`)
   tcp:HOST:PORT  a controller whose adapter listens there
   offline:DIR    answer sheets of a control (`gaugeblock offline --help`)";
 
@@ -201,11 +201,11 @@ pub(crate) fn check_exported_from(
     suite: &Suite,
     edition: &Edition,
 ) -> Result<(), CliError> {
-    let Some((digest, asked)) = controller.exported_from() else { return Ok(()) };
+    let Some((digest, answered)) = controller.exported_from() else { return Ok(()) };
     let name = &controller.capabilities().name;
-    if asked != edition.id {
+    if answered != edition.id {
         return Err(CliError::usage(
-            format!("{name}: the answers were collected for edition {asked}, not {}", edition.id),
+            format!("{name}: the answers are for edition {answered}, not {}", edition.id),
             "remove --edition, or export again for the other edition",
         ));
     }

@@ -288,7 +288,7 @@ impl<'a> Explanation<'a> {
                 self.used.join(", ")
             );
         }
-        text.push_str("\n`gaugeblock explain ID` shows one of them in full.\n");
+        text.push_str("\n`gaugeblock explain ID` prints one of them in full.\n");
         text
     }
 

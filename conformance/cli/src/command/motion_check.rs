@@ -85,13 +85,13 @@ fn read(file: &Path) -> Result<Samples, CliError> {
     let samples = samples.map_err(|error| {
         CliError::usage(
             format!("{name}: {error}"),
-            "`gaugeblock motion check --help` shows the form",
+            "`gaugeblock motion check --help` describes the form",
         )
     })?;
     if samples.is_empty() {
         return Err(CliError::usage(
             format!("{name}: no sample after the header"),
-            "record one sample per servo cycle; `gaugeblock motion check --help` shows the form",
+            "record one sample per servo cycle; `gaugeblock motion check --help` describes the form",
         ));
     }
     Ok(samples)

@@ -245,12 +245,15 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> MotionResult + Sync))
                         return;
                     }
                     let result = judge(number);
-                    tally.lock().expect("who holds it adds numbers only").add(number, result);
+                    tally
+                        .lock()
+                        .expect("a thread with the lock only adds numbers")
+                        .add(number, result);
                 }
             });
         }
     });
-    tally.into_inner().expect("who held it added numbers only")
+    tally.into_inner().expect("a thread with the lock only added numbers")
 }
 
 /// Writes a program as files, and says with which call it is planned again.

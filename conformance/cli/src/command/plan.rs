@@ -106,11 +106,11 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
     }
     if let Some(file) = &arguments.svg {
         let machine = arguments.machine.display();
-        let who = match arguments.controller.as_str() {
+        let by = match arguments.controller.as_str() {
             "production" => String::new(),
             other => format!(", {other}"),
         };
-        let title = [format!("{} on {machine}{who}", arguments.file.display()), summary.headline()];
+        let title = [format!("{} on {machine}{by}", arguments.file.display()), summary.headline()];
         let feeds =
             moved.feeds.as_ref().map(|(speed, requested)| (speed.as_slice(), requested.as_slice()));
         let script = &circumstances.script;
@@ -198,7 +198,7 @@ fn record_samples(
             CliError::usage(why, "`gaugeblock plan --help` describes the supported programs")
         }
         NoSamples::Failed(why) => {
-            CliError::failure(why.to_string(), "`gaugeblock run` shows what the program does")
+            CliError::failure(why.to_string(), "`gaugeblock run` prints what the program does")
         }
     };
     let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
@@ -207,14 +207,14 @@ fn record_samples(
 
 /// What a machine's axes can do.
 pub(crate) fn limits(file: &Path) -> Result<MotionLimits, CliError> {
-    let hint = "`gaugeblock plan --help` shows a machine file";
+    let hint = "`gaugeblock plan --help` has an example of a machine file";
     user_files::read_form(file, "machine file (--machine)", hint, MotionLimits::from_text)
 }
 
 /// What the operator does; nothing without a file.
 pub(crate) fn script(file: Option<&Path>) -> Result<MotionScript, CliError> {
     let Some(file) = file else { return Ok(MotionScript::default()) };
-    let hint = "`gaugeblock plan --help` shows a script";
+    let hint = "`gaugeblock plan --help` has an example of a script";
     user_files::read_form(file, "script (--script)", hint, MotionScript::from_text)
 }
 
@@ -224,7 +224,7 @@ fn check_program_end(
     scenario: &Scenario,
     file: &Path,
 ) -> Result<Outcome, CliError> {
-    let refused = |why: String| CliError::failure(why, "`gaugeblock run` shows what it does");
+    let refused = |why: String| CliError::failure(why, "`gaugeblock run` prints what it does");
     controller.supports(scenario).map_err(refused)?;
     let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
     match &outcome.end {

@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     controller: String,
-    /// Protocol extensions to offer [default: files,fresh,motion, and shows where the observables depend on the
+    /// Protocol extensions to offer [default: files,fresh,motion, and `shows` where the observables depend on the
     /// scenario]; files is never offered over TCP
     #[arg(long, value_enum, value_name = "OFFER", value_delimiter = ',')]
     offer: Option<Vec<Extension>>,

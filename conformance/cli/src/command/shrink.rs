@@ -92,7 +92,7 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
                 counts.iter().flat_map(|counts| counts.keys()).map(String::as_str).collect();
             return Err(CliError::failure(
                 format!("{name}: not compared: {}", why.join("; ")),
-                "`gaugeblock run` shows what each controller does with it",
+                "`gaugeblock run` prints what each controller does with it",
             ));
         }
     };

@@ -30,16 +30,13 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        CliError::usage(
-            format!("{name}: line {line}: this is no text (byte {at} is not UTF-8)"),
-            binary(),
-        )
+        CliError::usage(format!("{name}: line {line}: not text (byte {at} is not UTF-8)"), binary())
     })?;
     match text.find('\0') {
         Some(at) => {
             let line = text[..at].lines().count().max(1);
             Err(CliError::usage(
-                format!("{name}: line {line}: this is no text (byte {at} is zero)"),
+                format!("{name}: line {line}: not text (byte {at} is zero)"),
                 binary(),
             ))
         }

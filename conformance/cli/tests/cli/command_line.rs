@@ -244,10 +244,10 @@ fn ledger_with_unknown_page_is_reported_with_its_line() {
 #[test]
 fn a_day_that_is_none_is_a_wrong_call() {
     let call = ["certify", "--controller", "reference", "--only", "coolant"];
-    refused(&[&call[..], &["--today", "2026-02-30"]].concat(), 2, &["2026-02-30", "is no day"]);
+    refused(&[&call[..], &["--today", "2026-02-30"]].concat(), 2, &["2026-02-30", "is not a day"]);
     let waiver = b"[[waiver]]\nrule = \"coolant.off\"\nreason = \"a\"\nowner = \"b\"\nexpires = \"2027-02-31\"\n";
     let waivers = file(&folder("no-day"), "waivers.toml", waiver);
-    let words = ["waivers.toml", "2027-02-31", "is no day", "hint:"];
+    let words = ["waivers.toml", "2027-02-31", "is not a day", "hint:"];
     refused(&[&call[..], &["--waivers", &waivers]].concat(), 2, &words);
 }
 

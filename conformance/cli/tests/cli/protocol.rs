@@ -164,7 +164,7 @@ fn crash_is_not_a_pass() {
     ]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
     let said = text(&output.stdout);
-    assert!(said.contains("crashed (exit status 3, asked to `run`)"), "{said}");
+    assert!(said.contains("crashed (exit status 3, after the request `run`)"), "{said}");
     assert!(said.contains("crash modal-groups.g-code-out-of-range / g101"), "{said}");
 }
 
@@ -182,7 +182,7 @@ fn unusable_controller_is_refused_before_any_run() {
         (
             "slip.py",
             vec![("\"motion\", \"position\"", "\"motion\", \"positon\"")],
-            "\"positon\", which is no word of the vocabulary: did you mean \"position\"?",
+            "invalid name \"positon\" in `observables.fields`: the vocabulary does not have it: did you mean \"position\"?",
         ),
         (
             "options.py",
@@ -264,7 +264,7 @@ fn adapter_check_reports_each_fault() {
         (
             "accepts-all.py",
             vec![(ALARM, "\"end\": {\"end\": \"program_end\"}")],
-            "an alarm has to be told as a fault",
+            "an alarm is reported as a fault",
         ),
         (
             "refused-step.py",
@@ -272,7 +272,7 @@ fn adapter_check_reports_each_fault() {
                 fault,
                 "if letter == \"g\" and number > 99.9 and not steps.append({\"block\": block, \"events\": []}):",
             )],
-            "a refused block has done nothing",
+            "a refused block is not a step",
         ),
         (
             "unknown.py",

@@ -354,7 +354,7 @@ fn pass_that_is_not_judged_now_is_a_change() {
     let call = ["--baseline", path];
     let (status, said, [page, summary, _]) = certified(&template("gone", true), &now, &call);
     assert_eq!(status, Some(1), "{said}");
-    let count = format!("0 new, {} changed, 0 mended", passed.len());
+    let count = format!("0 new, {} changed, 0 fixed", passed.len());
     assert!(summary.contains(&count), "{summary}");
     for (rule, case, _) in &passed {
         let told = format!("**changed** ` {rule} / {case} `: was ` pass `, now ` unsupported: ");
@@ -407,7 +407,7 @@ fn unsuitable_expectations_are_a_usage_error() {
     let (status, _, why) = certify(&["--baseline", path, "--edition", "linuxcnc-2.9"]);
     assert_eq!(status, Some(2), "{why}");
     assert!(
-        why.contains("not of reference held to linuxcnc-2.9") && why.contains("hint:"),
+        why.contains("not of reference against linuxcnc-2.9") && why.contains("hint:"),
         "{why}"
     );
     let output = gaugeblock(&["report", "merge", path, "--baseline", path, "--report", now_path]);

@@ -68,7 +68,7 @@ fn before_last(
     let steps = u32::try_from(outcome.steps.len()).unwrap_or(u32::MAX);
     if steps >= scenario.budget.steps {
         return Err(HarnessError::NotRun(
-            "a block asks for too much, whatever is executed before it".to_owned(),
+            "a block exceeds a limit of the interpreter, whatever is executed before it".to_owned(),
         ));
     }
     let mut scenario = scenario.clone();

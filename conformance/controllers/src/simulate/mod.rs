@@ -276,7 +276,7 @@ impl<'a> Simulation<'a> {
             }
             MotionRequest::Nothing => Ok(()),
             MotionRequest::Unplanned => {
-                Err(Stopped::new(format!("{} is no motion that can be planned", effect.name())))
+                Err(Stopped::new(format!("{}: this motion cannot be planned", effect.name())))
             }
         }
     }
@@ -378,12 +378,12 @@ impl<'a> Simulation<'a> {
         let phase = self.planner.update(&self.input, &mut self.output);
         self.rests = if self.output.speed <= 0.0 { self.rests + 1.0 } else { 0.0 };
         if self.rests > MOST_REST + self.dwells / self.limits.period && self.events.is_empty() {
-            return Err(Stopped::endless("it rests, and nobody lets it go on"));
+            return Err(Stopped::endless("it rests, and no event resumes it"));
         }
         let dwells = self.rests <= self.dwells / self.limits.period + 2.0;
         let stands = turns <= 0.0 && self.events.is_empty();
         if phase == Phase::Waiting && stands && self.follows && !dwells {
-            return Err(Stopped::endless("it follows a spindle that stands"));
+            return Err(Stopped::endless("it waits for a spindle that does not turn"));
         }
         while let Some(switch) = self.planner.next_switched_output() {
             if let Some((_, value)) = self.outputs.iter_mut().nth(usize::from(switch.output)) {

@@ -61,7 +61,7 @@ class Making:
         if self.steps.next_form() is Form.RETURN:
             self.unsupported("M99 in the main program: it ends here, though it should begin again")
         elif self.observed.after_end is None:
-            self.unsupported("an end whose state cannot be asked for")
+            self.unsupported("an end whose state cannot be queried")
         else:
             self.canon.program_end(self.observed.after_end)
             self.steps.ended(self.observed.after_end, self.observed.parameters, self.canon.take_events(), self.canon.tool)

@@ -15,11 +15,11 @@ def why_not(scenario, source):
     environment = scenario.get("environment", {})
     for name, _ in source.files[1:]:
         if not re.fullmatch(r"(elsewhere/)?[^./][^/]*", name) or name in (MAIN, MACHINE, TOOLS, PARAMETERS, PRINTED):
-            return f"{name!r} is no file name for a sub"
+            return f"{name!r} is not a valid file name of a sub"
     if source.reaches_host():
         return "it would reach beyond the program's files, or run Python"
     if source.shows_open_name():
-        return "a message that ends within a name shows what lies in memory"
+        return "a message that ends within a name prints whatever is in memory"
     if scenario["program"].get("start") == "mdi":
         return "O-words do not work by hand"
     if environment.get("name") != OWN_ENVIRONMENT and source.pauses():
@@ -34,7 +34,7 @@ def of_machine(machine, source):
     if not all(1 <= number <= LAST_PARAMETER for number in stored):
         return "a parameter that cannot be stored"
     if not all(re.fullmatch(r"\[[^]]*\][^\x00-\x1f]*", name) for name in machine.get("ini", {})):
-        return "a name that is no [SECTION]NAME"
+        return "a name that is not of the form [SECTION]NAME"
     if machine.get("length_unit", "mm") != "inch":
         if machine.get("tools") or any(5161 <= number <= 5390 and number != 5220 for number in stored):
             return "it reads stored lengths in inches"

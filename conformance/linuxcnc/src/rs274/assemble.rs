@@ -105,7 +105,8 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 }
 
 /// Why a block is not judged that has a spline and a tool change or the program end.
-const HIDDEN_SPLINE: &str = "where a spline ends beside a tool change or the program end";
+const HIDDEN_SPLINE: &str =
+    "where a spline ends that has a tool change or the program end in its block";
 
 /// T0 selects no tool, since tools do not change places here; after a tool was selected, or the table written, it
 /// appears as tool 0.
@@ -163,7 +164,7 @@ impl Assembly<'_> {
             return Ok(());
         }
         let Some(probe) = captured.after_end else {
-            self.unsupported("an end whose state cannot be asked for".to_owned());
+            self.unsupported("an end whose state cannot be queried".to_owned());
             return Ok(());
         };
         if self.canon.hides_spline(true) {

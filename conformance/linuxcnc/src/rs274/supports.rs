@@ -74,7 +74,7 @@ fn program(program: &Program) -> Result<(), String> {
     let own = [Program::MAIN, INI, TOOLS, PARAMETERS];
     for name in program.files.keys() {
         if !is_sub_file(name) || own.contains(&name.as_str()) {
-            return Err(format!("{name:?} is no file name for a sub"));
+            return Err(format!("{name:?} is not a valid file name of a sub"));
         }
     }
     let source = Source::new(program);
@@ -84,7 +84,7 @@ fn program(program: &Program) -> Result<(), String> {
         ));
     }
     match source.shows_open_name() {
-        Some(_) => Err("a message that ends within a name shows what lies in memory".to_owned()),
+        Some(_) => Err("a message that ends within a name prints whatever is in memory".to_owned()),
         None => Ok(()),
     }
 }
@@ -113,7 +113,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
         return Err("it reads stored lengths in inches".to_owned());
     }
     if let Some(name) = machine.ini.keys().find(|name| !is_ini_name(name)) {
-        return Err(format!("{name:?} is no [SECTION]NAME"));
+        return Err(format!("{name:?} is not of the form [SECTION]NAME"));
     }
     Ok(())
 }

@@ -76,7 +76,7 @@ fn unit(machine: &Machine) -> f64 {
 fn nanoseconds(period: f64) -> Result<u64, NoSamples> {
     let nanoseconds = (period * 1e9).round();
     if (nanoseconds - period * 1e9).abs() > 1e-3 || nanoseconds < 1.0 {
-        let why = format!("a servo period of {period} s is no whole number of nanoseconds");
+        let why = format!("a servo period of {period} s is not a whole number of nanoseconds");
         return Err(NoSamples::Unsupported(why));
     }
     #[expect(

@@ -25,13 +25,15 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     machine(&scenario.machine)?;
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
-        return Err(format!("an operator who waits {} s", event.when.offset));
+        return Err(format!("an operator's event after a delay of {} s", event.when.offset));
     }
     let starts_something = |event: &OperatorEvent| {
         matches!(event.action, Action::CycleStart | Action::Mode(_) | Action::Mdi(_))
     };
     if scenario.program.start == Start::Mdi && scenario.operator.iter().any(starts_something) {
-        return Err("an operator besides the one who enters blocks".to_owned());
+        return Err(
+            "operator events that start a program while blocks are entered by hand".to_owned()
+        );
     }
     let reaches = |event: &OperatorEvent| matches!(&event.action, Action::Mdi(text) if text.lines().any(reaches_host));
     if scenario.operator.iter().any(reaches) {
@@ -62,7 +64,7 @@ fn mdi(scenario: &Scenario) -> Result<(), String> {
         .collect();
     let calls = |text: &str| text.trim_start().starts_with(['o', 'O']) && text.contains("call");
     if !program.files.is_empty() && entered.iter().copied().any(calls) {
-        return Err("it does not tell what a file does that is called by hand".to_owned());
+        return Err("it does not report what a file does that is called by hand".to_owned());
     }
     let mut from_end = entered.iter().skip_while(|text| !matches!(text.trim(), "m2" | "m30"));
     if program.start == Start::Mdi && from_end.next().is_some() && from_end.next().is_some() {
@@ -84,7 +86,7 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
         text.starts_with('o') && (text.contains(" else") || text.contains(" endif"))
     };
     if events.iter().any(does_nothing) {
-        return Err("it does not tell when a line begins that does nothing".to_owned());
+        return Err("it does not report the start of a line that does nothing".to_owned());
     }
     let ends = |event: &OperatorEvent| {
         let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
@@ -107,7 +109,7 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
         |event: &OperatorEvent| matches!(event.action, Action::Resume | Action::CycleStart);
     let stays = pauses.is_some_and(|place| !events.iter().skip(place).any(goes_on));
     if stays && Source::new(&scenario.program).has_g_code(&["g4"]) {
-        return Err("it does not tell that a dwell has ended before it goes on".to_owned());
+        return Err("it does not report the end of a dwell before it resumes".to_owned());
     }
     Ok(())
 }
@@ -118,7 +120,7 @@ fn program(program: &Program) -> Result<(), String> {
     }
     for name in program.files.keys() {
         if !is_sub_file(name) || name == Program::MAIN {
-            return Err(format!("{name:?} is no file name for a sub"));
+            return Err(format!("{name:?} is not a valid file name of a sub"));
         }
     }
     let source = Source::new(program);
@@ -129,7 +131,7 @@ fn program(program: &Program) -> Result<(), String> {
         return Err("its spindles have no encoder".to_owned());
     }
     if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
-        return Err("it shows a spline as the arcs that it makes of it".to_owned());
+        return Err("it reports a spline as the arcs that it is divided into".to_owned());
     }
     if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
         return Err("it does not show where U, V and W are".to_owned());
@@ -138,7 +140,9 @@ fn program(program: &Program) -> Result<(), String> {
         return Err("it would be on its way for longer than anybody waits".to_owned());
     }
     if source.names_line() {
-        return Err("probes would change the line numbers that it asks for".to_owned());
+        return Err(
+            "inserted lines would change the line numbers that the program reads".to_owned()
+        );
     }
     match source.reaches_host() {
         Some(block) => Err(format!(
@@ -169,7 +173,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
         return Err(format!("#{number} cannot be stored"));
     }
     match machine.ini.keys().find(|name| !is_ini_name(name)) {
-        Some(name) => Err(format!("{name:?} is no [SECTION]NAME")),
+        Some(name) => Err(format!("{name:?} is not of the form [SECTION]NAME")),
         None => Ok(()),
     }
 }
@@ -191,7 +195,9 @@ fn environment(environment: &Environment) -> Result<(), String> {
         digits.chars().all(|c| c.is_ascii_alphanumeric() || c == '.') && !digits.is_empty()
     };
     match environment.user_programs.iter().find(|program| !is_user_program(&program.file)) {
-        Some(program) => Err(format!("{:?} is no file name for a user program", program.file)),
+        Some(program) => {
+            Err(format!("{:?} is not a valid file name of a user program", program.file))
+        }
         None => Ok(()),
     }
 }

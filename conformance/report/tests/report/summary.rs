@@ -84,7 +84,7 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
     let mut header = Header::of(plan, &reference, Shard::WHOLE);
     header.controller = HOSTILE[0].to_owned();
     header.version = HOSTILE[2].to_owned();
-    let mended = HOSTILE.iter().map(|text| format!("mended: {text}"));
+    let mended = HOSTILE.iter().map(|text| format!("fixed: {text}"));
     let notes = mended.chain(HOSTILE.iter().map(|text| (*text).to_owned())).collect();
     markdown(&Report {
         run: &run,

@@ -181,7 +181,7 @@ impl CaseRunner<'_> {
                 result.verdict = case_judge.attribute(rule, case, divergence, &found);
             }
             Ok(None) if observes_nothing => {
-                let why = "nothing was shown of what its assertions are about";
+                let why = "nothing was reported that its assertions check";
                 result.verdict = Verdict::Unsupported(why.to_owned());
             }
             Ok(None) => {}

@@ -111,7 +111,7 @@ impl RunAttempts<'_> {
         let why = if is_alone_the_same {
             "on a new controller as at first: it keeps something across reset, or it is chance"
         } else {
-            "on a new controller otherwise, too"
+            "on a new controller differently, too"
         };
         Err(NotJudgedReason::new(
             Cause::Nondeterministic,

@@ -100,9 +100,9 @@ impl Looked<'_> {
         let (seen, all) = (words.len() - not_seen.len(), words.len());
         let but = match not_seen.as_slice() {
             [] => String::new(),
-            words => format!("; no program that it runs shows {}", words.join(", ")),
+            words => format!("; no program that it runs exposes {}", words.join(", ")),
         };
-        let says = format!("{seen} of {all} that it declares were told{but}");
+        let says = format!("{seen} of the {all} that it declares were reported{but}");
         if seen == 0 { CheckResult::Skipped(says) } else { CheckResult::Passed(says) }
     }
 
@@ -133,7 +133,7 @@ impl Looked<'_> {
         match lacking {
             None => CheckResult::Skipped(word.to_owned()),
             Some(program) => CheckResult::Failed(format!(
-                "`{word}` is declared, and {program:?}, which shows it by the documents, is answered without it"
+                "`{word}` is declared, but the answer to {program:?} does not have it; by the documents it should"
             )),
         }
     }

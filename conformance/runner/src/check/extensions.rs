@@ -48,7 +48,7 @@ fn failed(error: &HarnessError) -> CheckResult {
 fn same_with_extension(adapter: &Exec, extension: Extension, scenario: &Scenario) -> CheckResult {
     match adapter.run_with_extensions(&[], scenario) {
         Ok(plainly) => {
-            let otherwise = "told in this way it is another outcome";
+            let otherwise = "in this form it is another outcome";
             compare_outcomes(
                 &plainly,
                 &adapter.run_with_extensions(&[extension], scenario),
@@ -78,11 +78,11 @@ fn cancel(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
 fn digest_matches(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     match adapter.digest_of(plain) {
         Ok(None) => CheckResult::Skipped("it answers with the outcome".to_owned()),
-        Ok(Some(told)) if told == digest(first) => {
+        Ok(Some(answer)) if answer == digest(first) => {
             CheckResult::Passed("is that of the outcome".to_owned())
         }
-        Ok(Some(told)) => CheckResult::Failed(format!(
-            "{told:?} is not the SHA-256 of the outcome as canonical JSON: {}",
+        Ok(Some(answer)) => CheckResult::Failed(format!(
+            "{answer:?} is not the SHA-256 of the outcome as canonical JSON: {}",
             canonical(first)
         )),
         Err(error) => failed(&error),
@@ -90,7 +90,7 @@ fn digest_matches(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckRes
 }
 
 fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
-    let leaks = "behind another run, without a `reset`, there is another outcome";
+    let leaks = "after another run, without a `reset`, there is another outcome";
     compare_outcomes(first, &adapter.run_after(&changing(plain), plain), leaks)
 }
 
@@ -141,7 +141,7 @@ fn observables(adapter: &Exec, plain: &Scenario) -> CheckResult {
             CheckResult::Passed("is no more than what is declared".to_owned())
         }
         Ok(_) => CheckResult::Failed(
-            "it tells more, or more exactly, of a program than it declares: that is not judged"
+            "it reports more, or more exactly, of a program than it declares: that is not judged"
                 .to_owned(),
         ),
         Err(error) => failed(&error),

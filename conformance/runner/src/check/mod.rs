@@ -30,7 +30,7 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     add("unknown operation", unknown_operation(adapter));
     let program = PROGRAMS.iter().find(|(language, ..)| declared.languages.contains(language));
     let Some((language, accepted, refused)) = program else {
-        let why = "of its languages none has a program that needs nothing beside it";
+        let why = "none of its languages has a program that needs nothing else";
         add("accepts", CheckResult::Skipped(why.to_owned()));
         return found;
     };
@@ -107,7 +107,7 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
             && steps.iter().any(|step| step.block == *block)
         {
             return CheckResult::Failed(format!(
-                "{program:?} is refused at {block}, which stands among `steps`: a refused block has done nothing, and is no step"
+                "{program:?} is refused at {block}, but `steps` has this block; a refused block is not a step"
             ));
         }
         let without = if fault.block.is_some() { "" } else { ", without its block" };
@@ -117,7 +117,7 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
         return CheckResult::Skipped(format!("{program:?} is not supported: {what}"));
     }
     CheckResult::Failed(format!(
-        "{program:?} ends as {}: an alarm has to be told as a fault",
+        "{program:?} ends as {}; expected a fault: an alarm is reported as a fault",
         end.name()
     ))
 }
@@ -128,7 +128,7 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckRe
     let observables =
         declared.features.contains("parameters") && declared.observables.final_parameters;
     if !observables || !declared.languages.contains(&Language::Rs274) {
-        let why = "it declares no feature `parameters`, or does not show parameters at the end";
+        let why = "it declares no feature `parameters`, or does not report parameters at the end";
         return CheckResult::Skipped(why.to_owned());
     }
     let mut stored = scenario("g0 x1\nm2\n");
@@ -140,7 +140,7 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckRe
                 CheckResult::Passed("a stored parameter comes back".to_owned())
             } else {
                 CheckResult::Failed(format!(
-                    "#31 = 7.5 was stored before the run; at the end it shows {found:?}"
+                    "#31 = 7.5 was stored before the run; at the end it reports {found:?}"
                 ))
             }
         }

@@ -141,7 +141,7 @@ impl Ledger {
             }
             for (item, expected) in section.items.iter().zip(1..) {
                 if item.n != expected {
-                    faults.push(format!("{name}: item {} stands at place {expected}", item.n));
+                    faults.push(format!("{name}: item {} is at place {expected}", item.n));
                 }
                 if let Some(fault) = item.fault() {
                     faults.push(format!("{name} {}: {fault}", item.n));

@@ -208,7 +208,7 @@ fn faults_of_a_ledger_are_named_with_their_places() {
             "A 1: classified in two ways that exclude each other",
             "A 2: the later issue has no such name",
             "A 3: the reason is empty",
-            "A: item 5 stands at place 4",
+            "A: item 5 is at place 4",
             "A 5: not classified",
         ]
     );

@@ -26,7 +26,7 @@ impl Assembly<'_> {
         }
         if self.issued.iter().any(is_end) {
             let Some(probe) = after_end else {
-                return Err(unreadable("an end whose state was not shown"));
+                return Err(unreadable("an end without its state"));
             };
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
