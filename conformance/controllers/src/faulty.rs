@@ -50,15 +50,15 @@ impl Adapter for Faulty {
         &self.capabilities
     }
 
-    fn honours(&self, options: &Options) -> Result<(), String> {
-        self.production.honours(options)
+    fn accepts_options(&self, options: &Options) -> Result<(), String> {
+        self.production.accepts_options(options)
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         self.production.supports(scenario)
     }
 
-    fn is_within(&self) -> bool {
+    fn is_in_process(&self) -> bool {
         true
     }
 
