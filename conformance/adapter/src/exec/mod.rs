@@ -81,7 +81,7 @@ impl Exec {
         let (assumed, shown, spoilt) =
             (Options::default(), ObservablesCache::default(), AtomicUsize::new(0));
         Ok(Self {
-            endpoint: endpoint,
+            endpoint,
             limits,
             assumed_options: assumed,
             declaration,

@@ -55,7 +55,7 @@ fn write(value: &Value, text: &mut String) {
             text.push(']');
         }
         Value::Number(number) => {
-            text.push_str(&ecmascript_number(number.as_f64().unwrap_or_default()))
+            text.push_str(&ecmascript_number(number.as_f64().unwrap_or_default()));
         }
         Value::Null | Value::Bool(_) | Value::String(_) => text.push_str(&value.to_string()),
     }
