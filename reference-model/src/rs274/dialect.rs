@@ -1,4 +1,4 @@
-//! The operations that a dialect may replace, and the place where one is installed.
+//! The operations that a dialect may replace; the module `dialects` of the crate installs one.
 //!
 //! A chapter states its rules as functions. The rules that a real controller is known to follow otherwise are methods
 //! of a trait of that chapter, such as [`RestoreRules`](super::execute::restore::RestoreRules): the default body of a

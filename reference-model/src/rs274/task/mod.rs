@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | [`program`] | block after block: parsed, evaluated, checked, executed, recorded |
 //! | [`operator`] | what the operator does, and when |
-//! | [`run`] | the state of a run |
+//! | [`mod@run`] | the state of a run |
 //! | [`moves`] | moves of a block that are held where they begin |
 //! | [`wait`] | what the operator does while the program waits, pauses or stands |
 //! | [`request`] | what the controller does with a request, or refuses, by its mode |
