@@ -117,6 +117,6 @@ fn samples_of(
         scenario,
         limits: &limits,
         script: &script,
-        feed_interval: feed_interval,
+        feed_interval,
     })
 }

@@ -35,7 +35,7 @@ pub(super) fn checks(adapter: &Exec, plain: &Scenario, first: &Outcome) -> Vec<C
                 ("offer stream", same_with_extension(adapter, Extension::Stream, plain))
             }
         };
-        Check { name: what, result: result }
+        Check { name: what, result }
     };
     EXTENSIONS.iter().filter(offered).map(check).collect()
 }
