@@ -26,7 +26,7 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     let declared = adapter.declaration();
     let told = format!("{} {}, protocol {}", declared.name, declared.version, declared.protocol);
     let mut found = vec![Check { name: "declaration", result: CheckResult::Passed(told) }];
-    let mut add = |what, result| found.push(Check { name: what, result: result });
+    let mut add = |what, result| found.push(Check { name: what, result });
     add("unknown operation", unknown_operation(adapter));
     let program = PROGRAMS.iter().find(|(language, ..)| declared.languages.contains(language));
     let Some((language, accepted, refused)) = program else {
