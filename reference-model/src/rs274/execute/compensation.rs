@@ -10,7 +10,7 @@ use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
-/// What a controller may do otherwise with cutter compensation.
+/// The rules of cutter compensation that a controller may follow differently.
 pub(crate) trait CompensationRules {
     /// Rule tool.dynamic-compensation-orientation. Whether a number is one of a tool's orientations: 0 to 9.
     fn is_orientation(&self, number: i32, _state: &State) -> bool {

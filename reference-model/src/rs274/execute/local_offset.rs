@@ -10,10 +10,10 @@ use crate::rs274::modes::each;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
-/// The parameter that tells whether the offset applies; those of the axes follow, machine unit.
+/// The parameter that is 1 while the offset applies; those of the axes follow, machine unit.
 const APPLIES: u32 = 5210;
 
-/// What a controller may do otherwise with the local offset.
+/// The rules of the local offset that a controller may follow differently.
 pub(crate) trait LocalOffsetRules {
     /// Rule offsets.position-omitted-axes. The local offset of axes for which G92 has no word: they have none.
     fn offset_without_word(&self, _before: Position, _state: &State) -> Position {
@@ -46,7 +46,7 @@ pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> 
 /// Rule offsets.local. It shifts the coordinate system by its axis values, after the rotation, and moves nothing.
 /// Rule offsets.local-replaces. The values count from the coordinate system, not from an earlier G52.
 /// Rule offsets.local-omitted-axes. Axes without a word keep theirs.
-/// Rule offsets.local-parameters. #5211 to #5219 hold the offset, #5210 tells that it applies.
+/// Rule offsets.local-parameters. #5211 to #5219 hold the offset, #5210 is 1 while it applies.
 ///
 /// # Errors
 /// Rule offsets.change-under-compensation.

@@ -106,7 +106,7 @@ fn moves_by(words: &Words) -> bool {
     !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
 }
 
-/// What a controller may do otherwise when it moves.
+/// The rules of moves that a controller may follow differently.
 pub(crate) trait MotionRules {
     /// Moves straight to a point.
     fn move_straight(

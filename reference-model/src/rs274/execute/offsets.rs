@@ -1,4 +1,4 @@
-//! G54 to G59.3, G10 L2 and L20; the other data of offsets have rooms of their own.
+//! G54 to G59.3, G10 L2 and L20. The local offset, the tool table and stored positions have chapters of their own.
 
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 
@@ -14,7 +14,10 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
-/// What a controller may do otherwise with offsets.
+/// The parameter that holds the number of the selected coordinate system.
+const SELECTED_SYSTEM: u32 = 5220;
+
+/// The rules of coordinate systems that a controller may follow differently.
 pub(crate) trait OffsetRules {
     /// Rule offsets.select. A code selects its system, be it in force already.
     fn select_system(&self, system: u32, state: &mut State) {
@@ -78,7 +81,7 @@ pub(crate) fn use_system(system: u32, state: &mut State) {
         state.coverage.accepted(rule);
     }
     state.modes.work_offset = system;
-    state.parameters.store(5220, f64::from(system));
+    state.parameters.store(SELECTED_SYSTEM, f64::from(system));
     reload(state);
 }
 

@@ -17,7 +17,7 @@ use crate::rs274::task::Record;
 /// The parameters that hold where the probe changed, X to W.
 const POINT: u32 = 5061;
 
-/// The parameter that tells whether it did.
+/// The parameter that is 1 where it did, and 0 where it did not.
 const SUCCEEDED: u32 = 5070;
 
 /// Whether a motion mode is probing.
@@ -31,8 +31,8 @@ pub(crate) fn has_moved(rule: Rule) -> bool {
     rule == rule::probe::FAILURE
 }
 
-/// Whether a rule is one of those that a block breaks as the machine comes to it. That the point is the programmed
-/// one already (probe.same-point) the words tell, and it is found out as the block is read ahead.
+/// Whether a rule is one that a block breaks as the machine reaches it. Rule probe.same-point is not: the words of the
+/// block decide it, as it is read ahead.
 pub(crate) fn is_found_out_by_machine(rule: Rule) -> bool {
     [rule::probe::ALREADY_THERE, rule::probe::FAILURE].contains(&rule)
 }
@@ -85,11 +85,12 @@ pub(super) fn perform(
     state.parameters.store(SUCCEEDED, if succeeded { 1.0 } else { 0.0 });
     state.position = stub::after_probing(end, stops_at, state)?;
     state.environment.synchronise();
-    tell(motion, contact.is_some(), state)
+    check_outcome(motion, contact.is_some(), state)
 }
 
-/// The rules that a probing move has followed; without a change some are refused.
-fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepError> {
+/// Rule probe.failure. Under G38.2 and G38.4 the probe must change.
+/// Rule probe.without-failure. Under G38.3 and G38.5 the program goes on without a change, too.
+fn check_outcome(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepError> {
     let toward = matches!(motion, Motion::ProbeTowardError | Motion::ProbeToward);
     let must_change = matches!(motion, Motion::ProbeTowardError | Motion::ProbeAwayError);
     if !changed && must_change {
@@ -111,7 +112,7 @@ fn tell(motion: Motion, changed: bool, state: &mut State) -> Result<(), StepErro
     Ok(())
 }
 
-/// What a controller may do otherwise when it probes.
+/// The rules of probing that a controller may follow differently.
 pub(crate) trait ProbeRules {
     /// Rule probe.zero-feed. Probing needs a feed rate, under inverse time in its block.
     fn check_probe_feed(

@@ -99,7 +99,7 @@ fn cubic(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// What a controller may do otherwise with splines.
+/// The rules of splines that a controller may follow differently.
 pub(crate) trait SplineRules {
     /// Rule motion.mode-change. G5 and G5.1 are motion modes.
     fn set_spline_mode(&self, motion: Motion, state: &mut State) {
@@ -142,7 +142,7 @@ pub(crate) trait SplineRules {
 }
 
 /// Rule splines.quadratic-offset. One of I and J of G5.1 is not zero.
-/// Rule splines.quadratic-one-offset. The other one may be left out.
+/// Rule splines.quadratic-one-offset. The other one may be left out, and is zero then.
 fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
     state.dialect().check_quadratic_offset(words, state)?;
     state.coverage.accepted(rule::splines::QUADRATIC);
@@ -153,7 +153,7 @@ fn quadratic(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// G5.2, the blocks behind it, and G5.3.
+/// G5.2, the blocks after it, and G5.3.
 ///
 /// Rule splines.nurbs. G5.2 opens a data block; each X and Y is a control point, and G5.3 executes the curve through
 /// all of them, the current point first. Choice splines.nurbs-feed: where a missing feed rate is refused. Rule

@@ -72,7 +72,7 @@ pub(super) fn perform(
     let (series, cycle) = heights::find(motion, kind, words, state)?;
     let mut places = places(words, state, &cycle, repeats)?;
     super::feed::check_feed_rate(words, state)?;
-    strokes::possible(&cycle, state)?;
+    strokes::check_spindle(&cycle, state)?;
     state.modes.motion = motion;
     state.series = Some(series);
     accepted(words, rule, state);
@@ -81,7 +81,7 @@ pub(super) fn perform(
     state.dialect().perform_repeats(&cycle, &mut places, state, record)
 }
 
-/// What a controller may do otherwise in a canned cycle.
+/// The rules of canned cycles that a controller may follow differently.
 pub(crate) trait CycleRules {
     /// Rule cycles.spindle. $ names the spindle of G74, G84 and G86; without it that is spindle 0.
     fn spindle_of_cycle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {

@@ -76,13 +76,13 @@ pub(super) fn peck(
     Ok(Some(peck))
 }
 
-/// Whether the spindle is as the cycle needs it.
+/// Checks that the spindle turns as the cycle needs it.
 ///
 /// Rule cycles.bore-needs-spindle. The spindle turns before G86.
-pub(super) fn possible(cycle: &Cycle, state: &mut State) -> Result<(), StepError> {
+pub(super) fn check_spindle(cycle: &Cycle, state: &mut State) -> Result<(), StepError> {
     match cycle.kind {
-        Kind::TapLeft => tapping::possible(cycle, SpindleTurn::Counterclockwise, state),
-        Kind::TapRight => tapping::possible(cycle, SpindleTurn::Clockwise, state),
+        Kind::TapLeft => tapping::check_direction(cycle, SpindleTurn::Counterclockwise, state),
+        Kind::TapRight => tapping::check_direction(cycle, SpindleTurn::Clockwise, state),
         Kind::BoreSpindleStop => {
             let rule = rule::cycles::BORE_NEEDS_SPINDLE;
             let turn = state.dialect().known_turn(cycle.spindle, state);

@@ -9,7 +9,7 @@ use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
-pub(super) fn possible(
+pub(super) fn check_direction(
     cycle: &Cycle,
     cutting: SpindleTurn,
     state: &State,
