@@ -105,7 +105,7 @@ fn an_operator_is_played_from_a_script() {
     };
     says(&plan("held.toml"), 0, &["holds       trajectory.hold", "holds       trajectory.feed"]);
     says(&plan("aborted.toml"), 0, &["holds       trajectory.abort"]);
-    says(&plan("never.toml"), 3, &["nobody lets it go on"]);
+    says(&plan("never.toml"), 3, &["no event resumes it"]);
     says(&plan("mill.toml"), 2, &["mill.toml"]);
 }
 
