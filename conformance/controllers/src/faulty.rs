@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
-use gaugeblock_interpreter::faults::{Fault, plant};
+use gaugeblock_interpreter::faults::{PlantedFault, plant};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use super::production::Production;
@@ -21,7 +21,7 @@ pub struct Faulty {
 
 impl Faulty {
     /// Plants a fault; none while another one is planted.
-    pub fn new(fault: Fault) -> Option<Self> {
+    pub fn new(fault: PlantedFault) -> Option<Self> {
         if PLANTED.swap(true, Ordering::SeqCst) {
             return None;
         }
@@ -34,8 +34,8 @@ impl Faulty {
 }
 
 /// The fault of a name.
-pub fn named(name: &str) -> Option<Fault> {
-    Fault::ALL.iter().find(|fault| fault.name() == name).copied()
+pub fn named(name: &str) -> Option<PlantedFault> {
+    PlantedFault::ALL.iter().find(|fault| fault.name() == name).copied()
 }
 
 impl Drop for Faulty {

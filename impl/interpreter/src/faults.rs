@@ -7,12 +7,12 @@ macro_rules! faults {
     ($($(#[doc = $about:literal])* $name:literal $fault:ident,)*) => {
         /// A mistake that can be planted.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum Fault {
+        pub enum PlantedFault {
             $($(#[doc = $about])* $fault,)*
         }
 
         #[cfg(feature = "faults")]
-        impl Fault {
+        impl PlantedFault {
             /// Every fault.
             pub const ALL: &'static [Self] = &[$(Self::$fault),*];
 
@@ -330,20 +330,20 @@ faults! {
 mod planting {
     use core::sync::atomic::{AtomicUsize, Ordering};
 
-    use super::Fault;
+    use super::PlantedFault;
 
     /// The planted fault as its place among all, or none.
     static PLANTED: AtomicUsize = AtomicUsize::new(usize::MAX);
 
     /// Plants a fault in every interpreter of the process, or takes it out again.
-    pub fn plant(fault: Option<Fault>) {
-        let place = fault.and_then(|fault| Fault::ALL.iter().position(|one| *one == fault));
+    pub fn plant(fault: Option<PlantedFault>) {
+        let place = fault.and_then(|fault| PlantedFault::ALL.iter().position(|one| *one == fault));
         PLANTED.store(place.unwrap_or(usize::MAX), Ordering::SeqCst);
     }
 
     /// Whether this fault is planted.
-    pub(crate) fn planted(fault: Fault) -> bool {
-        Fault::ALL.get(PLANTED.load(Ordering::Relaxed)) == Some(&fault)
+    pub(crate) fn planted(fault: PlantedFault) -> bool {
+        PlantedFault::ALL.get(PLANTED.load(Ordering::Relaxed)) == Some(&fault)
     }
 }
 
@@ -355,6 +355,6 @@ pub(crate) use planting::planted;
 /// Whether this fault is planted: no.
 #[cfg(not(feature = "faults"))]
 #[inline(always)]
-pub(crate) const fn planted(_fault: Fault) -> bool {
+pub(crate) const fn planted(_fault: PlantedFault) -> bool {
     false
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use gaugeblock_controllers::faulty::Faulty;
-use gaugeblock_interpreter::faults::Fault;
+use gaugeblock_interpreter::faults::PlantedFault;
 use gaugeblock_runner::certify::{CaseResult, Plan, certify};
 use gaugeblock_suite::Suite;
 use serde_json::json;
@@ -19,7 +19,7 @@ const OWN: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];
 
 /// A planted fault, and the cases that notice it.
 struct Caught<'a> {
-    fault: Fault,
+    fault: PlantedFault,
     cases: usize,
     rules: BTreeSet<&'a str>,
 }
@@ -27,11 +27,11 @@ struct Caught<'a> {
 /// Certifies production once with each fault. Fails where one is not noticed.
 pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, edition)?;
-    let own = |fault: Fault| OWN.iter().find(|(names, _)| fault.name().starts_with(names));
+    let own = |fault: PlantedFault| OWN.iter().find(|(names, _)| fault.name().starts_with(names));
     let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);
     let plan = Plan { suite, edition, only: &[], jobs };
-    let bar = progress(Fault::ALL.len());
-    let caught: Vec<_> = Fault::ALL
+    let bar = progress(PlantedFault::ALL.len());
+    let caught: Vec<_> = PlantedFault::ALL
         .iter()
         .filter_map(|fault| {
             let edition = match own(*fault) {

@@ -7,7 +7,7 @@ use crate::canon::Sink;
 use crate::control::o_words::{ControlError, refuse};
 use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
 use crate::error::Error;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::math;
 use crate::modal::Refusal;
@@ -120,7 +120,7 @@ impl Interpreter {
         if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
-        let first = if planted(Fault::ArgumentsShifted) { 2 } else { 1_u32 };
+        let first = if planted(PlantedFault::ArgumentsShifted) { 2 } else { 1_u32 };
         for (number, value) in (first..).zip(self.evaluator.stack.iter()) {
             self.parameters.numbered.set(number, *value);
         }
@@ -157,13 +157,13 @@ impl Interpreter {
         label: NameId,
     ) -> Result<(), ControlError> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
-        let most = most.saturating_add(usize::from(planted(Fault::ElevenLevels)));
+        let most = most.saturating_add(usize::from(planted(PlantedFault::ElevenLevels)));
         if self.call_stack.frames.len() >= most {
             return refuse(FaultKind::TooManyLevels, "calls are nested too deep");
         }
         let shared = self.compiler.choices.locals_shared && kind != FrameKind::Sub;
         let named = &mut self.parameters.named;
-        let shared = shared || planted(Fault::LocalsInherited);
+        let shared = shared || planted(PlantedFault::LocalsInherited);
         let mark = if shared { named.share() } else { named.enter() };
         let frame = Frame {
             kind,
@@ -223,11 +223,11 @@ impl Interpreter {
         }
         self.evaluate_values(at, block, o_word)?;
         let value = self.evaluator.stack.first().copied();
-        let kept = if planted(Fault::ValueLost) { None } else { value };
+        let kept = if planted(PlantedFault::ValueLost) { None } else { value };
         self.parameters.value = kept.unwrap_or(0.0);
         self.parameters.value_returned = value.is_some();
         self.close_level(&frame, block.line, sink);
-        if !planted(Fault::ArgumentsKept) {
+        if !planted(PlantedFault::ArgumentsKept) {
             self.parameters.numbered.set_arguments(&frame.arguments);
         }
         self.cursor = frame.back;
@@ -262,7 +262,7 @@ impl Interpreter {
 
     /// Refuses a block that has other words than M98 or M99 and the letters that it takes.
     fn check_no_other_words(&self, letters: u32) -> Result<(), ControlError> {
-        if !self.machine.fanuc_subs && !planted(Fault::DisabledFanuc) {
+        if !self.machine.fanuc_subs && !planted(PlantedFault::DisabledFanuc) {
             return refuse(FaultKind::FanucDisabled, "M98 and M99 are disabled");
         }
         let words = &self.words;
@@ -298,8 +298,8 @@ impl Interpreter {
             return Ok(Progress::More);
         }
         let left = match turns {
-            _ if planted(Fault::NoRepeat) => 0,
-            turns if planted(Fault::OneTurnMore) => turns,
+            _ if planted(PlantedFault::NoRepeat) => 0,
+            turns if planted(PlantedFault::OneTurnMore) => turns,
             turns => turns.saturating_sub(1),
         };
         let kind = FrameKind::Numbered { left, entry };

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::{NameId, Parameters, Slot};
 use crate::quirks;
@@ -75,7 +75,7 @@ impl Evaluator {
         if self.settings.is_empty() {
             return;
         }
-        if planted(Fault::RightToLeft) {
+        if planted(PlantedFault::RightToLeft) {
             self.settings.reverse();
         }
         self.applied = true;
@@ -210,7 +210,7 @@ impl Evaluator {
                 },
                 Op::Global(id) => match parameters.named.global(id) {
                     Some(value) => self.stack.push(value),
-                    None if choices.absent_zero || planted(Fault::AbsentIsZero) => {
+                    None if choices.absent_zero || planted(PlantedFault::AbsentIsZero) => {
                         self.stack.push(0.0);
                     }
                     None => return Err(no_such(compiler.names.name(id))),

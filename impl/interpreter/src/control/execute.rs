@@ -6,7 +6,7 @@ use crate::block_end::{BlockEnd, BlockKind};
 use crate::canon::Sink;
 use crate::control::{Cursor, LOOP, STREAM, View};
 use crate::error::Error;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::{Flow, Refusal};
 use crate::source::Source;
@@ -259,7 +259,7 @@ impl Interpreter {
                 self.percent = Some(true);
                 Ok(None)
             }
-            (Some(true), _) if planted(Fault::PercentGoesOn) => Ok(None),
+            (Some(true), _) if planted(PlantedFault::PercentGoesOn) => Ok(None),
             (Some(true), _) | (Some(false), PercentAlone::Ends) => {
                 self.percent_closed = true;
                 Ok(Some(End::PercentEnd))

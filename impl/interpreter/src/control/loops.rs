@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::control::label_search::LabelTarget;
 use crate::control::o_words::{ControlError, refuse};
 use crate::control::{Cursor, Definition, LOOP};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::Interpreter;
 use crate::math;
 use crate::modal::Refusal;
@@ -109,7 +109,7 @@ impl Interpreter {
             }
             RepeatFraction::Refused => math::round_even(count),
         };
-        let more = if planted(Fault::RepeatOnceMore) { 1.0 } else { 0.0 };
+        let more = if planted(PlantedFault::RepeatOnceMore) { 1.0 } else { 0.0 };
         Ok(math::to_count(turns + more))
     }
 
@@ -144,7 +144,7 @@ impl Interpreter {
         let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
         let head = *self.find_structure(label, loops)?;
         if head.keyword == Keyword::While {
-            if planted(Fault::ContinueLeaves) {
+            if planted(PlantedFault::ContinueLeaves) {
                 let end = |keyword| keyword == Keyword::EndWhile;
                 return self.leave_loop(at, block, label, end, source);
             }

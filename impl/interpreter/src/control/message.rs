@@ -6,7 +6,7 @@ use core::fmt::Write as _;
 use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::modal::{Modal, Refusal};
 use crate::parameters::Parameters;
 use crate::syntax::bytecode::{Act, CodeSegment, Comment, Piece};
@@ -52,13 +52,13 @@ impl Logs {
             Act::Message => message(Channel::Display, view.text(comment)),
             Act::Debug
                 if view.parameters.numbered.get(DEBUG_SWITCH).to_bits() << 1 == 0
-                    && !planted(Fault::DebugUnsilenced) =>
+                    && !planted(PlantedFault::DebugUnsilenced) =>
             {
                 return Ok(false);
             }
             Act::Debug => message(Channel::Display, view.text(comment)),
             Act::Print => message(Channel::Print, view.text(comment)),
-            Act::Log if !self.log && !planted(Fault::LogWithoutFile) => return Ok(false),
+            Act::Log if !self.log && !planted(PlantedFault::LogWithoutFile) => return Ok(false),
             Act::Log => message(Channel::Log, view.text(comment)),
             Act::LogOpen | Act::LogAppend => {
                 self.log = true;

@@ -7,7 +7,7 @@ use crate::canon::Sink;
 use crate::control::label_search::LabelTarget;
 use crate::control::{Cursor, Definition, FrameKind, STREAM};
 use crate::error::Error;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::Refusal;
 use crate::parameters::NameId;
@@ -97,7 +97,7 @@ impl Interpreter {
                 }
                 self.next_branch(at, block, label, source)
             }
-            Keyword::Else if at_branch && planted(Fault::ElseSkipped) => {
+            Keyword::Else if at_branch && planted(PlantedFault::ElseSkipped) => {
                 self.next_branch(at, block, label, source)
             }
             Keyword::Else if at_branch => Ok(()),
@@ -185,7 +185,7 @@ impl Interpreter {
     ) -> Result<bool, Refusal> {
         self.evaluate_values(at, block, o_word)?;
         let value = self.evaluator.stack.first().copied().unwrap_or(0.0);
-        if planted(Fault::NegativeFalse) && value < 0.0 {
+        if planted(PlantedFault::NegativeFalse) && value < 0.0 {
             return Ok(false);
         }
         Ok(value.to_bits() << 1 != 0)
@@ -232,7 +232,7 @@ impl Interpreter {
     pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), ControlError> {
         let elsewhere =
             self.call_stack.find(label).is_some_and(|defined| defined.line != block.line);
-        if elsewhere && !planted(Fault::LabelTwice) {
+        if elsewhere && !planted(PlantedFault::LabelTwice) {
             return refuse(FaultKind::DuplicateLabel, "the label is defined elsewhere");
         }
         let own = self.call_stack.frames.last().is_some_and(|frame| frame.label == label);

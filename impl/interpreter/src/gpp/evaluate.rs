@@ -6,7 +6,7 @@ use super::formats::{Format, REAL};
 use super::program::{IndexRange, Operation, Program, Source, Sum, Test, VariableRef};
 use super::variables::Variables;
 use super::words::Compare;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 /// Why a statement is not executed: the kind, and a message.
@@ -76,8 +76,11 @@ impl<'a> Evaluator<'a> {
     fn member(&self, variable: usize, index: f64) -> Result<usize, StatementError> {
         const OUT: StatementError = (FaultKind::IndexOutOfRange, "the array has no such member");
         let array = self.variables.variables.get(variable).ok_or(OUT)?;
-        let rounded =
-            if planted(Fault::IndexCut) { math::floor(index) } else { math::round_away(index) };
+        let rounded = if planted(PlantedFault::IndexCut) {
+            math::floor(index)
+        } else {
+            math::round_away(index)
+        };
         if !(1.0..=1e6).contains(&rounded) {
             return Err(OUT);
         }
@@ -155,7 +158,7 @@ impl<'a> Evaluator<'a> {
             Test::Numbers { left, compare, right } => {
                 let (left, left_format) = self.source(left, stack)?;
                 let (right, right_format) = self.source(right, stack)?;
-                if planted(Fault::ComparedExactly) {
+                if planted(PlantedFault::ComparedExactly) {
                     return Ok(compare.holds(left, right));
                 }
                 let left = self.rounded(left, left_format.or(right_format))?;

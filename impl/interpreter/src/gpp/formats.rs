@@ -2,7 +2,7 @@
 
 use alloc::string::String;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 /// The names of the formats.
@@ -254,7 +254,7 @@ fn scaled(magnitude: f64, places: u32, tie_even: bool) -> Option<u128> {
     let Some(whole) = product.checked_shr(right) else { return Some(0) };
     let half = 1_u128.checked_shl(right.checked_sub(1)?)?;
     let rest = product & half.checked_mul(2).map_or(u128::MAX, |unit| unit.saturating_sub(1));
-    let tie_up = (!tie_even || whole & 1 == 1) && !planted(Fault::TieTowardZero);
+    let tie_up = (!tie_even || whole & 1 == 1) && !planted(PlantedFault::TieTowardZero);
     let up = rest > half || rest == half && tie_up;
     Some(whole.saturating_add(u128::from(up)))
 }

@@ -9,7 +9,7 @@ use super::program::{IndexRange, Item, VariableRef};
 use super::run::report_warning;
 use super::runner::{Printing, Runner};
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 impl Runner {
     /// An OUTPUT or PRINT up to its end or to the newline procedure; whether it is done. One within the procedure has
@@ -90,7 +90,7 @@ impl Runner {
                     self.newline_waits = true;
                     ""
                 }
-                Some(Item::Symbol) if planted(Fault::NewlineOnce) && printing.has_run => "",
+                Some(Item::Symbol) if planted(PlantedFault::NewlineOnce) && printing.has_run => "",
                 Some(Item::Symbol) => {
                     printing.has_run = true;
                     return Ok(false);
@@ -132,7 +132,7 @@ impl Runner {
         let slot = slot?;
         let Some(variable) = self.variables.variable_of(slot) else { return Ok(None) };
         let modal = variable.modal;
-        let left_out = self.choices.off_left_out || planted(Fault::OffLeftOut);
+        let left_out = self.choices.off_left_out || planted(PlantedFault::OffLeftOut);
         if left_out && modal && !self.variables.is_on(slot) {
             return Ok(None);
         }
@@ -141,10 +141,10 @@ impl Runner {
             report_warning(sink, printing.line, format!("warning: {name} has no value"));
             return Ok(None);
         }
-        let stays = self.choices.members_stay || planted(Fault::MemberStays);
+        let stays = self.choices.members_stay || planted(PlantedFault::MemberStays);
         let stays = stays && variable.size.is_some();
-        let stays = stays || planted(Fault::PrintKeeps) && !printing.is_output;
-        if (modal || planted(Fault::NonModalOff)) && !stays {
+        let stays = stays || planted(PlantedFault::PrintKeeps) && !printing.is_output;
+        if (modal || planted(PlantedFault::NonModalOff)) && !stays {
             printing.goes_off.push(slot);
         }
         Ok(Some(slot))

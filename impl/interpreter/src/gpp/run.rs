@@ -13,7 +13,7 @@ use super::runner::{Next, Runner};
 use super::statement_end::{File, StatementEnd};
 use super::toolpath::Value;
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 /// Where a statement was refused, and why.
 pub(super) type LocatedError = (File, u32, StatementError);
@@ -111,7 +111,7 @@ impl Runner {
     }
 
     fn set_systems(&mut self, sets: &[(usize, Value)]) -> Result<(), StatementError> {
-        if !planted(Fault::PresenceStays) {
+        if !planted(PlantedFault::PresenceStays) {
             // Both are in order: one pass over the variables is enough.
             let mut named: Vec<usize> = sets.iter().map(|(system, _)| *system).collect();
             named.sort_unstable();
@@ -226,7 +226,7 @@ impl Runner {
             self.put(slot, &Value::Number(number))?
         };
         let goes_on = match self.choices.assigned_again {
-            _ if !had_value => !planted(Fault::FirstStaysOff),
+            _ if !had_value => !planted(PlantedFault::FirstStaysOff),
             AssignedAgain::IfChanged => changed,
             AssignedAgain::Always => true,
             AssignedAgain::FirstOnly => false,
@@ -249,7 +249,7 @@ impl Runner {
                 Some(Target::Array(variable)) => {
                     let Some(array) = self.variables.variables.get(variable) else { continue };
                     let size = array.size.unwrap_or_default();
-                    let size = if planted(Fault::FirstMemberOnly) { 1 } else { size };
+                    let size = if planted(PlantedFault::FirstMemberOnly) { 1 } else { size };
                     let first = array.first;
                     for slot in first..first.saturating_add(size) {
                         self.variables.switch(slot, on);

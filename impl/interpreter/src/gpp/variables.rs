@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::formats::{CHARACTER, Format, TooLong};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 /// Most variables of a program, members of arrays counted.
 pub(super) const MOST: usize = 25_000;
@@ -94,7 +94,7 @@ impl Variables {
             return;
         };
         let (root, old_root) = (first.root, second.root);
-        if root == old_root || planted(Fault::IdenticalApart) {
+        if root == old_root || planted(PlantedFault::IdenticalApart) {
             return;
         }
         let (after_one, after_other) = (first.next, second.next);
@@ -194,13 +194,13 @@ impl Variables {
         let changed = self.print_into(slot, slot, number, formats, tie_even)?;
         let mut place = next;
         while place != slot {
-            let like = if planted(Fault::IdenticalFormat) { slot } else { place };
+            let like = if planted(PlantedFault::IdenticalFormat) { slot } else { place };
             self.print_into(place, like, number, formats, tie_even)?;
             place = self.slots.get(place).map_or(slot, |slot| slot.next);
         }
         self.put_value(slot, number);
         let other = old.is_none_or(|old| old.to_bits() != number.to_bits());
-        Ok(if planted(Fault::ChangedByValue) { other } else { changed })
+        Ok(if planted(PlantedFault::ChangedByValue) { other } else { changed })
     }
 
     /// Prints a number in a slot, in the format of the slot `like`; whether its text is another one now.

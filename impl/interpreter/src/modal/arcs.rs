@@ -5,7 +5,7 @@
 
 use gaugeblock_vocabulary::{Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::quirks;
 use crate::words::Words;
@@ -154,7 +154,7 @@ impl Modal {
         let least = if self.choices.arc_turns_one { i32::MIN } else { 1 };
         let turns = words
             .get(b'P')
-            .filter(|_| !planted(Fault::OneTurn))
+            .filter(|_| !planted(PlantedFault::OneTurn))
             .map_or(Ok(1), |p| integer_in(p, least, i32::MAX, "P of an arc"))?
             .max(1);
         Ok(Effect::ArcFeed {
@@ -214,7 +214,9 @@ impl Modal {
             Distance::Absolute if given != plane.offset_words => {
                 return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
             }
-            Distance::Absolute if !planted(Fault::AbsoluteFromStart) => InPlane { first, second },
+            Distance::Absolute if !planted(PlantedFault::AbsoluteFromStart) => {
+                InPlane { first, second }
+            }
             Distance::Absolute | Distance::Incremental => {
                 InPlane { first: plane.start.first + first, second: plane.start.second + second }
             }
@@ -225,7 +227,7 @@ impl Modal {
         if none || radius.min(to_end) < tolerances.least {
             return refuse(FaultKind::BadArc, "an arc without a radius");
         }
-        if !tolerances.agree(radius, to_end) && !planted(Fault::AnyEnd) {
+        if !tolerances.agree(radius, to_end) && !planted(PlantedFault::AnyEnd) {
             return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
         }
         Ok(centre)
@@ -250,7 +252,7 @@ fn radius_centre(
     let format = RadiusFormat {
         radius: signed.abs(),
         // The centre of a counterclockwise arc below half a circle is on the left of the chord.
-        left: counterclockwise == (signed > 0.0 || planted(Fault::NegativeRadius)),
+        left: counterclockwise == (signed > 0.0 || planted(PlantedFault::NegativeRadius)),
         slack,
         emulates_rs274,
     };

@@ -5,7 +5,7 @@ use alloc::format;
 
 use gaugeblock_vocabulary::{FaultKind, Motion};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::quirks;
 use crate::words::Words;
 
@@ -113,7 +113,7 @@ impl Modal {
                 return refuse(FaultKind::UnknownCode, format!("M{number} is not a known code"));
             };
             let group = self.group_of(*number, code.group);
-            if groups & group != 0 && !planted(Fault::MCodesTogether) {
+            if groups & group != 0 && !planted(PlantedFault::MCodesTogether) {
                 return refuse(
                     FaultKind::ModalConflict,
                     format!("M{number} and another code of its group"),
@@ -123,7 +123,7 @@ impl Modal {
             used.uses |= code.uses;
             used.needs |= code.needs;
             used.dollar |= code.dollar;
-            let by_number = planted(Fault::ByNumber) && code.rank < STOP_RANK;
+            let by_number = planted(PlantedFault::ByNumber) && code.rank < STOP_RANK;
             *slot = (if by_number { 0 } else { code.rank }, *number);
         }
         if codes.len() > 1 {
@@ -238,7 +238,7 @@ impl Modal {
 
     /// The motion mode as a code in tenths, where a later block repeats it.
     pub(super) fn motion_code(&self) -> Option<u16> {
-        if self.motion == Motion::None && planted(Fault::AfterCancel) {
+        if self.motion == Motion::None && planted(PlantedFault::AfterCancel) {
             return Some(0);
         }
         Some(code_of(self.motion)).filter(|code| *code != 800)
@@ -275,7 +275,7 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
             );
         };
         match block.g.get_mut(usize::from(code.group)) {
-            Some(slot) if *slot == NONE || planted(Fault::LastWins) => *slot = *tenths,
+            Some(slot) if *slot == NONE || planted(PlantedFault::LastWins) => *slot = *tenths,
             Some(_) | None => {
                 let text = code_text(*tenths);
                 return refuse(
@@ -298,7 +298,7 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
 /// Words that nothing uses, and words that are missing. F, S and T are codes of their own.
 fn check_words(words: &Words, used: &WordUse) -> Result<(), Refusal> {
     let unused = words.present & !(used.uses | AXES | F | S | T);
-    if unused != 0 && !planted(Fault::UnusedWord) {
+    if unused != 0 && !planted(PlantedFault::UnusedWord) {
         let letter = first_letter(unused);
         return refuse(FaultKind::UnusedWord, format!("nothing uses the {letter} word"));
     }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, Switch};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::Modal;
 use super::check::Block;
@@ -17,7 +17,7 @@ impl Modal {
         match code {
             7 => modes.mist = Switch::On,
             8 => modes.flood = Switch::On,
-            _ if planted(Fault::MistStays) => modes.flood = Switch::Off,
+            _ if planted(PlantedFault::MistStays) => modes.flood = Switch::Off,
             _ => (modes.mist, modes.flood) = (Switch::Off, Switch::Off),
         }
     }
@@ -34,13 +34,13 @@ impl Modal {
             if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
                 self.active.put(|modes| &mut modes.feed_override, switch);
             }
-            if code == 48 || !planted(Fault::SpeedUntouched) {
+            if code == 48 || !planted(PlantedFault::SpeedUntouched) {
                 self.set_speed_override(which, switch);
             }
             return Ok(());
         }
         // P1 is optional.
-        let default = if planted(Fault::DefaultOff) { 0 } else { 1 };
+        let default = if planted(PlantedFault::DefaultOff) { 0 } else { 1 };
         let switch = match block.words.get(b'P').map_or(Ok(default), |p| integer(p, "P"))? {
             0 => Switch::Off,
             1 => Switch::On,
@@ -52,7 +52,7 @@ impl Modal {
                 let which = self.selected(block, without)?;
                 self.set_speed_override(which, switch);
             }
-            52 if !planted(Fault::WrongSwitch) => {
+            52 if !planted(PlantedFault::WrongSwitch) => {
                 self.active.put(|modes| &mut modes.adaptive_feed, switch);
             }
             _ => self.active.put(|modes| &mut modes.feed_stop, switch),

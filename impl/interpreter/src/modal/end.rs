@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -32,11 +32,11 @@ impl Modal {
             self.active.report(line, sink);
             self.reset_at_end(numbered);
         }
-        if matches!(code, 30 | 60) && !(code == 60 && planted(Fault::NoPallets)) {
+        if matches!(code, 30 | 60) && !(code == 60 && planted(PlantedFault::NoPallets)) {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
-            let optional = code == 1 && !planted(Fault::NotOptional);
+            let optional = code == 1 && !planted(PlantedFault::NotOptional);
             self.perform(line, &Effect::Stop { optional }, sink)?;
             return Ok(false);
         }
@@ -52,7 +52,7 @@ impl Modal {
     /// The documented effects of a program end. Units, G90.1, G7, G61, G98, G96 and the offset of G92 stay.
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
-        if !planted(Fault::SystemStays) {
+        if !planted(PlantedFault::SystemStays) {
             self.use_work_offset(1, numbered);
         }
         let feed = self.active.now().feed_rate;
@@ -64,7 +64,7 @@ impl Modal {
         self.motion = Motion::Feed;
         let modes = self.active.set();
         modes.plane = Plane::Xy;
-        if !planted(Fault::IncrementalStays) {
+        if !planted(PlantedFault::IncrementalStays) {
             modes.distance = Distance::Absolute;
         }
         modes.compensation = Compensation::Off;
@@ -77,7 +77,7 @@ impl Modal {
     /// Like M5 and M9.
     fn stop_running(&mut self, which: u8) {
         self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Stopped);
-        if !planted(Fault::CoolantOn) {
+        if !planted(PlantedFault::CoolantOn) {
             self.coolant(9);
         }
     }

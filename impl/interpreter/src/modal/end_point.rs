@@ -3,7 +3,7 @@
 
 use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -63,7 +63,7 @@ impl Modal {
     pub(super) fn block_end_point(&self, block: &Block<'_>) -> Result<Coordinates, Refusal> {
         let radius;
         let diameter = self.active.now().lathe == Lathe::Diameter;
-        let words = if diameter && !planted(Fault::DiameterAsRadius) {
+        let words = if diameter && !planted(PlantedFault::DiameterAsRadius) {
             radius = with_radius(block.words);
             &radius
         } else {
@@ -81,7 +81,7 @@ impl Modal {
     /// the machine, also where the system of the program is turned.
     fn machine_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
         let machine = self.active.now().machine_of(self.position);
-        let adds = planted(Fault::MachineIncremental)
+        let adds = planted(PlantedFault::MachineIncremental)
             && self.active.now().distance == Distance::Incremental;
         let mut end = if adds { machine.moved_by(words) } else { machine.replaced(words) };
         if words.is_polar() {

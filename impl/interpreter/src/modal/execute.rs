@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind, FeedMode};
 
 use crate::block_start::BlockStart;
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -129,7 +129,7 @@ impl Modal {
         if block.words.g_count == 0 && !block.axes_move {
             return Ok(());
         }
-        let late = planted(Fault::DwellLate);
+        let late = planted(PlantedFault::DwellLate);
         if block.g(NON_MODAL) == Some(40) && !late {
             self.dwell(block.words, sink)?;
         }
@@ -205,7 +205,7 @@ impl Modal {
         let needs = self.active.now().feed_mode == FeedMode::InverseTime
             && takes_inverse_time(code)
             && moves;
-        if needs && block.words.get(b'F').is_none() && !planted(Fault::InverseTimeOld) {
+        if needs && block.words.get(b'F').is_none() && !planted(PlantedFault::InverseTimeOld) {
             return refuse(FaultKind::MissingWord, "inverse time without an F word");
         }
         Ok(())

@@ -5,7 +5,7 @@
 use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -75,7 +75,7 @@ impl Modal {
         let rate_before = self.active.now().feed_rate;
         let feed = if words.present & F != 0 { words.get(b'F') } else { None };
         let rate = feed.map_or(Ok(rate_before), checked_feed)?;
-        let feeds = motion == Motion::Feed || planted(Fault::TraverseNeedsFeed);
+        let feeds = motion == Motion::Feed || planted(PlantedFault::TraverseNeedsFeed);
         if feeds && rate <= 0.0 {
             return refuse(FaultKind::ZeroFeed, "a feed move without a feed rate");
         }

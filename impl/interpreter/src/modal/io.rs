@@ -7,7 +7,7 @@ use alloc::string::{String, ToString};
 use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, WaitMode};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -28,7 +28,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         self.check_output()?;
         let output = number(block.words.get(b'P'), self.digital_io)?;
-        let waits = code < 64 || code == 64 && planted(Fault::OnWaits);
+        let waits = code < 64 || code == 64 && planted(PlantedFault::OnWaits);
         let timing = if waits { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
         let on = matches!(code, 62 | 64);
         let effect = Effect::SetDigitalOutput { output, on, timing };
@@ -45,7 +45,7 @@ impl Modal {
         self.check_output()?;
         let output = number(block.words.get(b'E'), self.analog_io)?;
         let to = block.words.get(b'Q').unwrap_or(0.0);
-        let waits = code == 67 || planted(Fault::AnalogWaits);
+        let waits = code == 67 || planted(PlantedFault::AnalogWaits);
         let timing = if waits { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
         let effect = Effect::SetAnalogOutput { output, to, timing };
         self.perform(block.words.line, &effect, sink)
@@ -80,7 +80,7 @@ impl Modal {
         let mode = match words.get(b'L').map_or(Ok(0), |l| integer_in(l, 0, 4, "L"))? {
             0 => WaitMode::Immediate,
             1 => WaitMode::Rise,
-            2 if planted(Fault::FallAsLow) => WaitMode::Low,
+            2 if planted(PlantedFault::FallAsLow) => WaitMode::Low,
             2 => WaitMode::Fall,
             3 => WaitMode::High,
             _ => WaitMode::Low,
@@ -92,7 +92,7 @@ impl Modal {
         let effect = Effect::WaitInput { digital, analog, mode, timeout, read: 0.0 };
         let reply = self.perform_with_reply(words.line, &effect, sink)?;
         let read = if let Reply::Input(read) = reply { read } else { 0.0 };
-        if !planted(Fault::NoInputResult) {
+        if !planted(PlantedFault::NoInputResult) {
             numbered.set(INPUT_RESULT, read);
         }
         Ok(())
@@ -102,7 +102,9 @@ impl Modal {
     fn wait_timeout(&self, mode: WaitMode, q: Option<f64>) -> Result<Option<f64>, Refusal> {
         match q {
             _ if mode == WaitMode::Immediate => Ok(None),
-            Some(timeout) if not_negative(timeout, "Q")? > 0.0 || planted(Fault::ZeroTimeout) => {
+            Some(timeout)
+                if not_negative(timeout, "Q")? > 0.0 || planted(PlantedFault::ZeroTimeout) =>
+            {
                 Ok(Some(timeout))
             }
             Some(_) => refuse(FaultKind::WordOutOfRange, "M66 waits for zero seconds"),
@@ -124,7 +126,7 @@ impl Modal {
             None => "-1".to_owned(),
         };
         let (p, q) = (argument(block.words.get(b'P')), argument(block.words.get(b'Q')));
-        let (p, q) = if planted(Fault::SwappedArguments) { (q, p) } else { (p, q) };
+        let (p, q) = if planted(PlantedFault::SwappedArguments) { (q, p) } else { (p, q) };
         let effect = Effect::UserCode { code: u32::from(code), p, q };
         self.perform(block.words.line, &effect, sink)
     }
@@ -133,7 +135,7 @@ impl Modal {
 /// The number of an input or output, of which the machine has `count`.
 fn number(value: Option<f64>, count: i32) -> Result<i32, Refusal> {
     let number = integer(value.unwrap_or(0.0), "the number of an input or output")?;
-    let more = i32::from(planted(Fault::OneOutputMore));
+    let more = i32::from(planted(PlantedFault::OneOutputMore));
     if (0..count.saturating_add(more)).contains(&number) {
         Ok(number)
     } else {

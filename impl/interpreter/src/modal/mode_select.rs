@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{
     Distance, FaultKind, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
 };
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -32,7 +32,7 @@ impl Modal {
             let modes = self.active.set();
             modes.feed_mode = mode;
             // A switch to G94 or G95 requires a new rate, one to G93 requires a rate in each block (11.5.59).
-            if mode != FeedMode::InverseTime && !planted(Fault::FeedKeptOverMode) {
+            if mode != FeedMode::InverseTime && !planted(PlantedFault::FeedKeptOverMode) {
                 modes.feed_rate = 0.0;
             }
         }
@@ -43,7 +43,7 @@ impl Modal {
         let plane = match code {
             170 => Plane::Xy,
             180 => Plane::Zx,
-            190 if planted(Fault::WrongPlane) => Plane::Zx,
+            190 if planted(PlantedFault::WrongPlane) => Plane::Zx,
             190 => Plane::Yz,
             171 => Plane::Uv,
             181 => Plane::Wu,
@@ -71,7 +71,7 @@ impl Modal {
         self.position = self.position.converted(conversion);
         self.series.convert(conversion);
         self.compensation_radius = conversion.of(self.compensation_radius);
-        let keep_feed = self.choices.feed_number_kept || planted(Fault::FeedNumber);
+        let keep_feed = self.choices.feed_number_kept || planted(PlantedFault::FeedNumber);
         let modes = self.active.set();
         modes.units = units;
         modes.tool_offset = modes.tool_offset.converted(conversion);
@@ -128,12 +128,12 @@ impl Modal {
             return refuse(FaultKind::MissingWord, "Q of G64 without P");
         }
         let (blend, naive) = match (self.tolerance(words, b'P')?, self.tolerance(words, b'Q')?) {
-            (None, None) if planted(Fault::ToleranceKept) => {
+            (None, None) if planted(PlantedFault::ToleranceKept) => {
                 let now = self.active.now();
                 (now.blend_tolerance, now.naive_cam_tolerance)
             }
             (None, naive) => (0.0, naive.unwrap_or(0.0)),
-            (Some(blend), None) if planted(Fault::NoNaiveTolerance) => (blend, 0.0),
+            (Some(blend), None) if planted(PlantedFault::NoNaiveTolerance) => (blend, 0.0),
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
         let modes = self.active.set();
@@ -156,7 +156,7 @@ impl Modal {
 /// The value of an F word.
 #[inline]
 pub(super) fn checked_feed(feed: f64) -> Result<f64, Refusal> {
-    if feed < 0.0 && !planted(Fault::NegativeFeed) {
+    if feed < 0.0 && !planted(PlantedFault::NegativeFeed) {
         return refuse(FaultKind::WordOutOfRange, "F is negative");
     }
     Ok(feed)

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, Motion};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -18,7 +18,7 @@ impl Modal {
     /// G4.
     pub(super) fn dwell<K: Sink>(&mut self, words: &Words, sink: &mut K) -> Result<(), Refusal> {
         let seconds = words.get(b'P').unwrap_or(0.0);
-        if planted(Fault::NegativeDwell) && seconds < 0.0 {
+        if planted(PlantedFault::NegativeDwell) && seconds < 0.0 {
             return Ok(());
         }
         let seconds = not_negative(seconds, "P")?;
@@ -67,7 +67,7 @@ impl Modal {
             return Ok(());
         }
         self.check_compensated_move(block.g(NON_MODAL) == Some(530))?;
-        if self.motion != Motion::Traverse || planted(Fault::TraverseNeedsFeed) {
+        if self.motion != Motion::Traverse || planted(PlantedFault::TraverseNeedsFeed) {
             self.check_feed_move()?;
         }
         let start = self.position;

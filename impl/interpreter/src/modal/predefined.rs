@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
     SpindleTurn, Switch,
 };
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Predefined;
 
 use super::Modal;
@@ -26,7 +26,7 @@ impl Modal {
             Predefined::MotionMode => f64::from(code_of(self.motion)),
             Predefined::Plane => plane_value(now.plane),
             Predefined::Compensation => compensation_value(now.compensation),
-            Predefined::Metric if planted(Fault::MetricInverted) => {
+            Predefined::Metric if planted(PlantedFault::MetricInverted) => {
                 flag(now.units == LengthUnit::Inch)
             }
             Predefined::Metric => flag(now.units == LengthUnit::Millimetre),

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Compensation, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::probe_move::ProbeMove;
 use crate::words::Words;
@@ -39,7 +39,7 @@ impl Modal {
         let now = *self.active.now();
         let to_stored = self.active_to_stored();
         let probing = ProbeMove {
-            toward: matches!(code, 382 | 383) || planted(Fault::TowardOnly),
+            toward: matches!(code, 382 | 383) || planted(PlantedFault::TowardOnly),
             from: now.machine_of(self.position).converted(to_stored),
             to: now.machine_of(end).converted(to_stored),
             modes: now,
@@ -58,7 +58,7 @@ impl Modal {
         if contact.is_none()
             && matches!(code, 382 | 384)
             && reply != Reply::Stop
-            && !planted(Fault::MissAccepted)
+            && !planted(PlantedFault::MissAccepted)
         {
             // The parameters hold the same after an unsuccessful probe, whichever code it is.
             self.position = end;
@@ -66,7 +66,7 @@ impl Modal {
             return Err(Refusal::Missed);
         }
         self.position = contact.map_or(end, Into::into);
-        let changed = contact.is_some() && !planted(Fault::NoProbeResult);
+        let changed = contact.is_some() && !planted(PlantedFault::NoProbeResult);
         offsets::store_probe(numbered, self.position, changed);
         Ok(())
     }

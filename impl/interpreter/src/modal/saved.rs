@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{FaultKind, Motion, PathControlMode, SpindleTurn};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -29,7 +29,7 @@ impl Modal {
     /// Begins a call level.
     #[inline]
     pub(crate) fn enter_call(&mut self) {
-        let levels = u32::from(!planted(Fault::OneLevel));
+        let levels = u32::from(!planted(PlantedFault::OneLevel));
         self.saved.level = self.saved.level.saturating_add(levels);
     }
 
@@ -39,7 +39,7 @@ impl Modal {
         while let Some(place) = self.saved.places.last()
             && place.level >= self.saved.level
         {
-            if place.autorestore && place.valid && !planted(Fault::NoAutorestore) {
+            if place.autorestore && place.valid && !planted(PlantedFault::NoAutorestore) {
                 let state = place.state;
                 self.restore(&state, numbered);
                 self.active.report(line, sink);
@@ -83,7 +83,7 @@ impl Modal {
 
     /// M71: nothing at this call level can be restored from any more.
     fn invalidate(&mut self) -> Result<(), Refusal> {
-        if planted(Fault::NotInvalidated) {
+        if planted(PlantedFault::NotInvalidated) {
             return Ok(());
         }
         let mut any = false;
@@ -100,7 +100,7 @@ impl Modal {
     /// Units first, so that the saved feed and lengths are in their own unit; then everything else (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
         let modes = &saved.modes;
-        if !planted(Fault::UnitsForgotten) {
+        if !planted(PlantedFault::UnitsForgotten) {
             self.change_units(modes.units);
         }
         if self.active.now().work_offset != modes.work_offset {
@@ -111,7 +111,7 @@ impl Modal {
         });
         self.compensation_radius = saved.compensation_radius;
         self.feed_spindle = saved.feed_spindle;
-        let feed_rate = if planted(Fault::FeedNotRestored) {
+        let feed_rate = if planted(PlantedFault::FeedNotRestored) {
             self.active.now().feed_rate
         } else {
             modes.feed_rate

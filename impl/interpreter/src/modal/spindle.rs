@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::Modal;
@@ -52,15 +52,15 @@ impl Modal {
         if speed.is_none() && mode.is_none() {
             return Ok(());
         }
-        let without = if planted(Fault::SpeedForAll) { self.all_spindles() } else { FIRST };
+        let without = if planted(PlantedFault::SpeedForAll) { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
         if let Some(speed) = speed
-            && !planted(Fault::NegativeSpeed)
+            && !planted(PlantedFault::NegativeSpeed)
         {
             not_negative(speed, "S")?;
         }
         let limit = match words.get(b'D') {
-            Some(_) if planted(Fault::NoSpindleLimit) => SpindleLimit::None,
+            Some(_) if planted(PlantedFault::NoSpindleLimit) => SpindleLimit::None,
             Some(limit) if mode == Some(960) => SpindleLimit::Rpm(not_negative(limit, "D")?),
             Some(_) | None => SpindleLimit::None,
         };
@@ -90,7 +90,7 @@ impl Modal {
         let which = if all { self.all_spindles() } else { self.selected(block, without)? };
         let turn = match code {
             3 => SpindleTurn::Clockwise,
-            4 if planted(Fault::OneDirection) => SpindleTurn::Clockwise,
+            4 if planted(PlantedFault::OneDirection) => SpindleTurn::Clockwise,
             4 => SpindleTurn::Counterclockwise,
             _ => SpindleTurn::Stopped,
         };
@@ -108,7 +108,7 @@ impl Modal {
         let (angle, timeout) = (words.get(b'R').unwrap_or(0.0), words.get(b'Q').unwrap_or(0.0));
         let turns = !self.emulates_rs274 || words.get(b'R').is_some() || words.get(b'P').is_some();
         let waits = !self.emulates_rs274 || words.get(b'Q').is_some();
-        let refused = planted(Fault::FullTurnRefused) && angle >= 360.0;
+        let refused = planted(PlantedFault::FullTurnRefused) && angle >= 360.0;
         if refused || !(0.0..=360.0).contains(&angle) {
             return refuse(FaultKind::WordOutOfRange, "R of M19 is 0 to 360");
         }
@@ -125,9 +125,9 @@ impl Modal {
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
         // The sum is the value of the pin (11.6.8); it may be more than a turn.
-        let offset = if planted(Fault::NoOrientOffset) { 0.0 } else { self.orient_offset };
+        let offset = if planted(PlantedFault::NoOrientOffset) { 0.0 } else { self.orient_offset };
         let angle = angle + offset;
-        if turns && !planted(Fault::OrientTurnsOn) {
+        if turns && !planted(PlantedFault::OrientTurnsOn) {
             self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
         }
         for spindle in spindles_of(which).filter(|_| turns) {

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, Motion, Plane};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -32,14 +32,14 @@ impl Modal {
         self.series = MotionSeries::of_spline(code == 50);
         let end = self.end_point(words);
         let start = core::mem::replace(&mut self.position, end);
-        let points = if code == 50 && !planted(Fault::QuadraticOnly) { 4 } else { 3 };
+        let points = if code == 50 && !planted(PlantedFault::QuadraticOnly) { 4 } else { 3 };
         let effect = Effect::NurbsFeed { points, end: end.position() };
         self.perform_move(words.line, start, &effect, sink)
     }
 
     /// Refuses what no spline takes: another plane, another axis, compensation.
     fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
-        if self.active.now().plane != Plane::Xy && !planted(Fault::AnySplinePlane) {
+        if self.active.now().plane != Plane::Xy && !planted(PlantedFault::AnySplinePlane) {
             return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
         }
         if words.present & AXES & !(X | Y) != 0 {
@@ -121,7 +121,7 @@ fn check_quadratic(words: &Words) -> Result<(), Refusal> {
         return refuse(FaultKind::MissingWord, "G5.1 without I and without J");
     }
     let is_zero = |letter| words.get(letter).unwrap_or(0.0).abs() <= 0.0;
-    if is_zero(b'I') && is_zero(b'J') && !planted(Fault::ZeroOffsets) {
+    if is_zero(b'I') && is_zero(b'J') && !planted(PlantedFault::ZeroOffsets) {
         return refuse(FaultKind::WordOutOfRange, "I and J of G5.1 are zero");
     }
     Ok(())

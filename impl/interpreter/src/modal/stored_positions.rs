@@ -1,7 +1,7 @@
 //! Predefined positions: G28, G28.1, G30, G30.1 (11.5.20, 11.5.21).
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -19,7 +19,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         self.refuse_under_compensation("a predefined position")?;
-        let first = if matches!(code, 280 | 281) || planted(Fault::OnePosition) {
+        let first = if matches!(code, 280 | 281) || planted(PlantedFault::OnePosition) {
             G28_POSITION
         } else {
             G30_POSITION
@@ -35,10 +35,10 @@ impl Modal {
             letters = self.axes;
         } else {
             let intermediate = self.block_end_point(block)?;
-            if !planted(Fault::StraightToPosition) {
+            if !planted(PlantedFault::StraightToPosition) {
                 self.traverse_to(block.words.line, intermediate, sink)?;
             }
-            if planted(Fault::AllAxes) {
+            if planted(PlantedFault::AllAxes) {
                 letters = self.axes;
             }
         }

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, Motion, SpindleMode};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::Modal;
@@ -69,7 +69,7 @@ impl Modal {
     fn turning_spindle(&self, block: &Block<'_>) -> Result<u32, Refusal> {
         self.check_compensated_move(false)?;
         let spindle = self.selected(block, FIRST)?;
-        if !self.spindle_of(spindle).turns() && !planted(Fault::StandingSpindle) {
+        if !self.spindle_of(spindle).turns() && !planted(PlantedFault::StandingSpindle) {
             return refuse(
                 FaultKind::ZeroSpeed,
                 "a synchronised move while the spindle is stopped",

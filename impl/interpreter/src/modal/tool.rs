@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, SpindleTurn, Switch, Tool};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -83,7 +83,7 @@ impl Modal {
             None if self.choices.change_unselected => self.tool,
             None => return refuse(FaultKind::MissingWord, "M6 without a T since the last change"),
         };
-        if !self.tool_change.with_spindle_on && !planted(Fault::SpindleTurnsOn) {
+        if !self.tool_change.with_spindle_on && !planted(PlantedFault::SpindleTurnsOn) {
             let all = self.all_spindles();
             self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
@@ -91,7 +91,7 @@ impl Modal {
         let reply = self.perform_with_reply(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);
         self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
-        if !planted(Fault::StaysSelected) {
+        if !planted(PlantedFault::StaysSelected) {
             self.prepared = None;
         }
         self.publish_tool(numbered);
@@ -150,7 +150,7 @@ impl Modal {
         let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;
         // 9.6.17.13: zero unloads the tool, whatever the changer.
         let none = tool == 0;
-        let any = self.choices.set_any_tool || planted(Fault::SetUnknown);
+        let any = self.choices.set_any_tool || planted(PlantedFault::SetUnknown);
         if !none && !any && self.tool_numbered(tool).is_none() {
             return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of M61");
         }
@@ -191,7 +191,7 @@ impl Modal {
         let tool = self.named_tool(h, "H")?;
         Ok(tool.map_or(Coordinates::default(), |tool| {
             let offset = Coordinates::from(tool.offset);
-            if planted(Fault::OffsetUnit) {
+            if planted(PlantedFault::OffsetUnit) {
                 return offset;
             }
             offset.converted(self.stored_to_active())

@@ -3,7 +3,7 @@
 //! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1,
 //! 11.5.14).
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::coordinates::Coordinates;
@@ -13,7 +13,7 @@ use super::modes::Modes;
 impl Modes {
     fn turn(&self, degrees: f64) -> Option<(f64, f64)> {
         if self.rotation.abs() > 0.0 {
-            let degrees = if planted(Fault::RotationReversed) { -degrees } else { degrees };
+            let degrees = if planted(PlantedFault::RotationReversed) { -degrees } else { degrees };
             Some((math::sine(degrees), math::cosine(degrees)))
         } else {
             None

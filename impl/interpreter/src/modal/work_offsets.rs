@@ -6,7 +6,7 @@ use alloc::format;
 use gaugeblock_vocabulary::{FaultKind, Lathe};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -55,7 +55,7 @@ impl Modal {
             590 => 6,
             591 => 7,
             592 => 8,
-            _ if planted(Fault::LastSystem) => 8,
+            _ if planted(PlantedFault::LastSystem) => 8,
             _ => 9,
         };
         self.use_work_offset(system, numbered);
@@ -170,7 +170,7 @@ impl Modal {
         };
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
-        if system == active && !planted(Fault::ActiveWaits) {
+        if system == active && !planted(PlantedFault::ActiveWaits) {
             self.offset_by(|modes| (modes.g5x_offset, modes.rotation) = (origin, rotation));
         }
         Ok(())

@@ -6,7 +6,7 @@ use super::frames::{Call, Frame, ModalCall, Reach};
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};
 use super::variables::Locals;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 impl Runner {
@@ -70,7 +70,7 @@ impl Runner {
             return Err(Stop::Open("G67 with other words"));
         }
         self.may_command()?;
-        if planted(Fault::CancelsFirst) && !self.modal_calls.is_empty() {
+        if planted(PlantedFault::CancelsFirst) && !self.modal_calls.is_empty() {
             self.modal_calls.remove(0);
             self.report_modal_call(self.modal_calls.len(), 0);
         } else if self.modal_calls.pop().is_some() {
@@ -134,7 +134,8 @@ impl Runner {
     pub(super) fn call_modally(&mut self, call: usize) -> Result<(), Stop> {
         let Some(modal) = self.modal_calls.get(call).copied() else { return Ok(()) };
         let program = self.begins_macro(modal.call)?;
-        let reach = if planted(Fault::ReachesItself) { call.saturating_add(1) } else { call };
+        let reach =
+            if planted(PlantedFault::ReachesItself) { call.saturating_add(1) } else { call };
         self.begin(program, modal.call, (Reach::Below(reach), true));
         self.variables.enter(&modal.arguments, self.choices.reloaded);
         Ok(())
@@ -164,7 +165,7 @@ impl Runner {
         };
         let call = called(program, repeats)?;
         let program = self.program_of(call)?;
-        if planted(Fault::SubHasLocals) {
+        if planted(PlantedFault::SubHasLocals) {
             self.begin(program, call, (self.frame().reach, true));
             self.variables.enter(&Locals::VACANT, false);
         } else {
@@ -175,7 +176,7 @@ impl Runner {
 
     /// The program of a macro that may begin.
     fn begins_macro(&self, call: Call) -> Result<usize, Stop> {
-        let most = if self.choices.deeper || planted(Fault::FifthLevel) { 5 } else { 4 };
+        let most = if self.choices.deeper || planted(PlantedFault::FifthLevel) { 5 } else { 4 };
         if self.variables.level() >= most {
             return refuse(FaultKind::TooManyLevels, "too many macro levels");
         }
@@ -205,7 +206,7 @@ impl Runner {
         let commands_open =
             self.frame().commands_open || (is_macro && !matches!(self.reached(), Ok(None)));
         let first = self.code.programs.get(program).map_or(0, |program| program.blocks.from);
-        let left = if planted(Fault::OnceMore) && call.repeats > 1 {
+        let left = if planted(PlantedFault::OnceMore) && call.repeats > 1 {
             call.repeats.saturating_add(1)
         } else {
             call.repeats
@@ -237,7 +238,7 @@ impl Runner {
             self.repeat();
             return Ok(Flow::On);
         }
-        if let Some(number) = to.filter(|_| planted(Fault::ReturnWithin)) {
+        if let Some(number) = to.filter(|_| planted(PlantedFault::ReturnWithin)) {
             self.jump_to(number)?;
             return Ok(Flow::On);
         }

@@ -10,7 +10,7 @@ use super::program::{
     refuse, slot,
 };
 use super::variables::Variables;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::index_range::IndexRange;
 use crate::math;
 
@@ -57,7 +57,7 @@ impl Evaluator<'_> {
         let right = self.value(condition.right, stack)?;
         let (left, right) = match (left, right) {
             (Some(left), Some(right)) => (left, right),
-            (left, right) if planted(Fault::VacantIsZero) => {
+            (left, right) if planted(PlantedFault::VacantIsZero) => {
                 (left.unwrap_or(0.0), right.unwrap_or(0.0))
             }
             (left, right) => return vacant(left, condition.compare, right),

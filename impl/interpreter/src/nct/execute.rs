@@ -6,7 +6,7 @@ use super::calls::is_call;
 use super::codes::Codes;
 use super::program::{Stop, refuse};
 use super::run::{Flow, Runner};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::index_range::IndexRange;
 use crate::math;
 use crate::modal::Coordinates;
@@ -64,7 +64,7 @@ impl Runner {
             && !self.m.contains(&99)
             && let Some(call) = self.reached()?
         {
-            if planted(Fault::BlockExecutedToo) {
+            if planted(PlantedFault::BlockExecutedToo) {
                 self.execute()?;
             }
             self.take_as_arguments(call)?;
@@ -82,7 +82,7 @@ impl Runner {
             let (evaluator, stack) = self.evaluator();
             match evaluator.value(word.value, stack)? {
                 Some(value) => valued.push((word.letter, value + 0.0)),
-                None if planted(Fault::VacantWordZero) => valued.push((word.letter, 0.0)),
+                None if planted(PlantedFault::VacantWordZero) => valued.push((word.letter, 0.0)),
                 None => {}
             }
         }
@@ -103,7 +103,11 @@ impl Runner {
     fn tell_m(&mut self) -> Result<(), Stop> {
         self.m.clear();
         for (_, value) in self.words.iter().filter(|(letter, _)| *letter == b'M') {
-            self.m.push(code(if planted(Fault::CodeCut) { math::floor(*value) } else { *value })?);
+            self.m.push(code(if planted(PlantedFault::CodeCut) {
+                math::floor(*value)
+            } else {
+                *value
+            })?);
         }
         Ok(())
     }
@@ -134,7 +138,7 @@ impl Runner {
             return Err(Stop::Open(why));
         }
         self.follows = match follows {
-            Some(_) if planted(Fault::OldestFirst) => Some(0),
+            Some(_) if planted(PlantedFault::OldestFirst) => Some(0),
             follows => follows,
         };
         match codes.end {

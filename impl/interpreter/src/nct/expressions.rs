@@ -8,7 +8,7 @@ use super::program::{
     slot,
 };
 use super::text::Cursor;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::index_range::IndexRange;
 
 /// Most brackets within each other.
@@ -228,7 +228,7 @@ impl Reader<'_> {
 
     fn open(&mut self) -> Result<(), Stop> {
         self.depth = self.depth.saturating_add(1);
-        let deepest = if planted(Fault::SixBrackets) { 6 } else { DEEPEST };
+        let deepest = if planted(PlantedFault::SixBrackets) { 6 } else { DEEPEST };
         if self.depth > deepest { bad_statement() } else { self.expect(b"[") }
     }
 

@@ -10,7 +10,7 @@ use super::frames::{Frame, ModalCall, Reach};
 use super::modes::Modes;
 use super::program::{Code, Condition, Kind, Stop, Target, Value, refuse};
 use super::variables::Variables;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::modal::Coordinates;
 
@@ -217,8 +217,11 @@ impl Runner {
         let frame = self.frame();
         let (program, here) = (frame.program, frame.next.saturating_sub(1));
         let none = Stop::Refused(FaultKind::UnknownLabel, "3070 NOT EXISTING BLOCK NO. P");
-        let rounded =
-            if planted(Fault::LabelCut) { math::floor(number) } else { math::round_away(number) };
+        let rounded = if planted(PlantedFault::LabelCut) {
+            math::floor(number)
+        } else {
+            math::round_away(number)
+        };
         let number = math::whole(rounded).and_then(|number| u32::try_from(number).ok());
         let number = number.ok_or(none)?;
         let labels = &self.code.labels;

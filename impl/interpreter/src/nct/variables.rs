@@ -1,7 +1,7 @@
 //! Local and common variables, and which of them a step has changed.
 
 use super::program::Slot;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 /// How many levels of local variables there may be, that of the main program among them.
 pub(super) const LEVELS: usize = 6;
@@ -129,7 +129,7 @@ impl Variables {
     pub(super) fn enter(&mut self, arguments: &Locals, keeps: bool) {
         self.level = self.level.saturating_add(1);
         if let Some(level) = self.levels.get_mut(self.level) {
-            if planted(Fault::StaleLocals) {
+            if planted(PlantedFault::StaleLocals) {
                 level.changed = arguments.present;
                 let stale = level.locals;
                 level.locals = *arguments;
@@ -164,17 +164,17 @@ impl Variables {
         if let Some(level) = self.levels.get_mut(self.level) {
             left = level.locals;
             level.changed = level.locals.present;
-            if planted(Fault::StaleLocals) {
+            if planted(PlantedFault::StaleLocals) {
                 level.changed = 0;
             } else {
                 level.locals.present = 0;
             }
         }
         self.level = self.level.saturating_sub(1);
-        if planted(Fault::LocalsNotRestored) {
+        if planted(PlantedFault::LocalsNotRestored) {
             self.take_over(left);
         }
-        if planted(Fault::VacancyLost) {
+        if planted(PlantedFault::VacancyLost) {
             for place in 0..33 {
                 let value = self.get(Slot::Local(place)).unwrap_or(0.0);
                 self.put(Slot::Local(place), Some(value));

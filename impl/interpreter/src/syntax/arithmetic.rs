@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::syntax::bytecode::{Binary, Function, Op};
 use crate::syntax::{Choices, RoundHalf};
@@ -35,7 +35,7 @@ pub(crate) fn truth(value: bool, choices: &Choices) -> f64 {
 /// Whether two numbers count as equal.
 #[inline]
 fn equal(left: f64, right: f64) -> bool {
-    if planted(Fault::EqualExactly) {
+    if planted(PlantedFault::EqualExactly) {
         return !holds(left - right);
     }
     (left - right).abs() < math::CLOSE
@@ -77,14 +77,16 @@ pub(crate) fn binary_inline(
         Binary::Add => finite(left + right),
         Binary::Subtract => finite(left - right),
         Binary::Multiply => finite(left * right),
-        Binary::Divide if !holds(right) && planted(Fault::DivideByZero) => Ok(0.0),
+        Binary::Divide if !holds(right) && planted(PlantedFault::DivideByZero) => Ok(0.0),
         Binary::Divide if !holds(right) => Err(&(FaultKind::DivideByZero, "division by zero")),
         Binary::Divide => finite(left / right),
         Binary::Modulus => modulus(left, right, choices),
         Binary::Power => power(left, right),
         Binary::And => Ok(truth(holds(left) && holds(right), choices)),
         Binary::Or => Ok(truth(holds(left) || holds(right), choices)),
-        Binary::Xor if planted(Fault::XorAsOr) => Ok(truth(holds(left) || holds(right), choices)),
+        Binary::Xor if planted(PlantedFault::XorAsOr) => {
+            Ok(truth(holds(left) || holds(right), choices))
+        }
         Binary::Xor => Ok(truth(holds(left) != holds(right), choices)),
         Binary::Equal => Ok(truth(equal(left, right), choices)),
         Binary::NotEqual => Ok(truth(!equal(left, right), choices)),
@@ -101,7 +103,7 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, ArithmeticEr
         return Err(&(FaultKind::DivideByZero, "modulus by zero"));
     }
     let rest = math::remainder(left, right);
-    let dividend = choices.modulus_dividend || planted(Fault::ModulusSign);
+    let dividend = choices.modulus_dividend || planted(PlantedFault::ModulusSign);
     finite(if rest < 0.0 && !dividend { rest + right.abs() } else { rest })
 }
 
@@ -139,7 +141,9 @@ pub(crate) fn function(
         }
         Function::Cosine => math::cosine(value),
         Function::Exponential => math::exp(value),
-        Function::RoundDown if planted(Fault::FixTowardZero) && value < 0.0 => math::ceil(value),
+        Function::RoundDown if planted(PlantedFault::FixTowardZero) && value < 0.0 => {
+            math::ceil(value)
+        }
         Function::RoundDown => math::floor(value),
         Function::RoundUp => math::ceil(value),
         Function::Round => match choices.round_half {
@@ -198,7 +202,7 @@ pub(crate) fn constant(ops: &[Op], choices: &Choices) -> Option<Result<f64, Arit
 
 /// ATAN\[y\]/\[x\], degrees.
 pub(crate) fn arctangent(y: f64, x: f64, choices: &Choices) -> f64 {
-    let (y, x) = if planted(Fault::ArctangentSwapped) { (x, y) } else { (y, x) };
+    let (y, x) = if planted(PlantedFault::ArctangentSwapped) { (x, y) } else { (y, x) };
     // Adding zero takes the sign from a zero.
     let (y, x) = if choices.zero_signed { (y, x) } else { (y + 0.0, x + 0.0) };
     let angle = math::arctangent(y, x);

@@ -5,7 +5,7 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::syntax::bytecode::{Block, CodeSegment, Kind, NONE, Op, ParameterRef};
 use crate::syntax::compiler::LineCompiler;
@@ -59,7 +59,7 @@ impl LineCompiler {
             return LineKind::Percent;
         }
         let slash = cursor.take(b'/');
-        if slash && self.block_delete && !planted(Fault::NothingDeleted) {
+        if slash && self.block_delete && !planted(PlantedFault::NothingDeleted) {
             return LineKind::Nothing;
         }
         let alone = cursor.is_at_end();
@@ -79,7 +79,7 @@ impl LineCompiler {
         };
         let mut parsed = self.items(cursor, &mut block, into);
         let within = self.within_length(line);
-        if within.len() < line.len() && !planted(Fault::AnyLength) {
+        if within.len() < line.len() && !planted(PlantedFault::AnyLength) {
             self.truncate_o_word(within, &mut block, into);
             parsed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
         }
@@ -311,7 +311,7 @@ impl LineCompiler {
         if !self.choices.comment_nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
         }
-        if items.comment.is_none() || !planted(Fault::FirstComment) {
+        if items.comment.is_none() || !planted(PlantedFault::FirstComment) {
             items.comment = Some(text);
         }
         cursor.skip_raw(length.wrapping_add(1));

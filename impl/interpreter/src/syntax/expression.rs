@@ -5,7 +5,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::limits::Limit;
 use crate::syntax::bytecode::{Binary, CodeSegment, Function, Op, ParameterRef};
 use crate::syntax::compiler::LineCompiler;
@@ -47,7 +47,7 @@ const WORDS: [(&[u8], Binary); 10] = [
 #[inline]
 pub(crate) fn group(operator: Binary) -> u8 {
     match operator {
-        Binary::And if planted(Fault::AndFirst) => 3,
+        Binary::And if planted(PlantedFault::AndFirst) => 3,
         Binary::And | Binary::Or | Binary::Xor => 1,
         Binary::Equal
         | Binary::NotEqual

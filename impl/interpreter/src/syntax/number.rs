@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::syntax::Parsed;
 use crate::syntax::cursor::Cursor;
@@ -190,7 +190,7 @@ fn unusual(cursor: &mut Cursor<'_>) -> Parsed<f64> {
         }
         cursor.step();
     }
-    if digits == 0 && !planted(Fault::PointAlone) {
+    if digits == 0 && !planted(PlantedFault::PointAlone) {
         return start.refuse(FaultKind::BadNumber, "a number has a digit");
     }
     if mantissa <= EXACT

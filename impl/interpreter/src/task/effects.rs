@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 use crate::block_end::BlockEnd;
 use crate::block_start::BlockStart;
 use crate::canon::{Reply, Sink};
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::probe_move::ProbeMove;
 
 use super::machine::{ExternalOperation, Machine};
@@ -185,7 +185,7 @@ impl<M: Machine> TaskState<M> {
     pub(super) fn finish_input(&mut self, value: f64) -> Reply {
         self.machine.record_input(value);
         self.update_items();
-        self.items_changed = !planted(Fault::ItemsNeverNew);
+        self.items_changed = !planted(PlantedFault::ItemsNeverNew);
         Reply::Input(value)
     }
 }

@@ -41,7 +41,7 @@ use alloc::boxed::Box;
 use gaugeblock_vocabulary::{ControllerMode, End, FaultKind};
 
 use crate::error::Error;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::{Interpreter, Progress};
 use crate::limits::Limit;
 use crate::source::Source;
@@ -177,7 +177,7 @@ impl<M: Machine> Task<M> {
 
     /// Begins the program at its first block, in auto mode; [`Self::step`] executes it.
     pub fn start(&mut self) {
-        if !planted(Fault::StartsInMode) {
+        if !planted(PlantedFault::StartsInMode) {
             self.state.change_mode(ControllerMode::Auto);
         }
         self.interpreter.begin();

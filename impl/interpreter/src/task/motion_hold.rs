@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Effect;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::machine::{Input, Machine};
 use super::state::TaskState;
@@ -38,7 +38,7 @@ impl<M: Machine> TaskState<M> {
     /// Whether something holds such a motion now.
     pub(super) fn holds(&self, motion: Motion) -> bool {
         let stop = self.panel.feed_hold || self.machine.input(Input::FeedHold) != 0.0;
-        let stop = stop && (self.tracked.feed_stop || planted(Fault::StopNeverDisabled));
+        let stop = stop && (self.tracked.feed_stop || planted(PlantedFault::StopNeverDisabled));
         // "The commanded velocity is multiplied by this value" (5.6.1.2), of whatever motion.
         let adaptive = self.tracked.adaptive_feed && self.machine.input(Input::AdaptiveFeed) == 0.0;
         let factor = match motion {

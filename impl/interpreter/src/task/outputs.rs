@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::OutputTiming;
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 /// An output: what it is, and what it is to become with the next motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,7 +33,7 @@ impl Outputs {
         let place = usize::try_from(number).ok();
         let Some(output) = place.and_then(|place| self.outputs.get_mut(place)) else { return };
         match timing {
-            OutputTiming::WithMotion if planted(Fault::FirstWaitingCounts) => {
+            OutputTiming::WithMotion if planted(PlantedFault::FirstWaitingCounts) => {
                 output.waiting = output.waiting.or(Some(value));
                 self.some_wait = true;
             }

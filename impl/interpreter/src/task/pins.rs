@@ -3,7 +3,7 @@
 
 use gaugeblock_vocabulary::{OrientDirection, Pin, Settings, SpindleMode, SpindleTurn, Switch};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::panel::SPINDLES;
 
@@ -168,14 +168,14 @@ impl TrackedSettings {
 impl Spindle {
     /// The pins of this spindle.
     pub(super) fn pins(&self, number: u16, factor: f64, brake_while_locked: bool) -> SpindlePins {
-        let enabled = self.override_enabled || planted(Fault::OverrideAlwaysCounts);
+        let enabled = self.override_enabled || planted(PlantedFault::OverrideAlwaysCounts);
         let speed = if enabled { self.speed * factor } else { self.speed };
         let direction_sign = match self.turn {
             SpindleTurn::Clockwise => 1.0,
             SpindleTurn::Counterclockwise => -1.0,
             SpindleTurn::Stopped | SpindleTurn::Oriented => 0.0,
         };
-        let turns = direction_sign != 0.0 && (speed > 0.0 || planted(Fault::OnAtZero));
+        let turns = direction_sign != 0.0 && (speed > 0.0 || planted(PlantedFault::OnAtZero));
         let speed_out = match turns {
             true if self.surface_speed => SET_BY_MOTION,
             true => speed * direction_sign,
@@ -183,7 +183,7 @@ impl Spindle {
         };
         let locked = self.orientation == Orientation::Locked;
         let requested = self.orientation == Orientation::Requested
-            || locked && planted(Fault::OrientRequestStays);
+            || locked && planted(PlantedFault::OrientRequestStays);
         // M19 reports the orientation just before the angle. A spindle that was started at a speed of zero is not
         // braked: a speed may follow at any time.
         let turning_to_angle = self.turn == SpindleTurn::Oriented && !locked;

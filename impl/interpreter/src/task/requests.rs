@@ -14,7 +14,7 @@ use alloc::string::String;
 use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{ControllerMode, Effect, Request};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::IdleRequest;
 use super::machine::Machine;
@@ -35,12 +35,14 @@ impl<M: Machine> TaskState<M> {
             Action::CycleStart => self.cycle_start(),
             Action::Pause => self.pause = self.pause.or(Some(Pause::Requested)),
             Action::Resume => self.pause = None,
-            Action::Abort if planted(Fault::AbortResumes) && self.pause.is_some() => {
+            Action::Abort if planted(PlantedFault::AbortResumes) && self.pause.is_some() => {
                 self.pause = None;
             }
             Action::Abort => self.abort_cause = Some(AbortCause::Operator),
             Action::Mode(ControllerMode::Auto) => {}
-            Action::Mode(mode) if planted(Fault::ModeWhilePaused) && self.pause.is_some() => {
+            Action::Mode(mode)
+                if planted(PlantedFault::ModeWhilePaused) && self.pause.is_some() =>
+            {
                 self.change_mode(mode);
             }
             Action::Mode(_) => self.refuse(Request::Mode),
@@ -82,7 +84,7 @@ impl<M: Machine> TaskState<M> {
                     self.change_mode(ControllerMode::Mdi);
                     return mdi_request(text);
                 }
-                ControllerMode::Auto if planted(Fault::EnteredInAuto) => {
+                ControllerMode::Auto if planted(PlantedFault::EnteredInAuto) => {
                     return Some(IdleRequest::Mdi(text));
                 }
                 ControllerMode::Auto | ControllerMode::Manual => self.refuse(Request::Mdi),

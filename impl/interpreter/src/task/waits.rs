@@ -4,7 +4,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, WaitMode};
 
 use crate::canon::Reply;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::machine::{ExternalOperation, Input, Machine, OperationState, WaitEvent};
 use super::state::{AbortCause, Deadlock, TaskState};
@@ -185,7 +185,8 @@ impl<M: Machine> TaskState<M> {
             match self.wait_once(until, Deadlock::Waiting) {
                 Err(Aborted) => return self.abort_waiting_reply(),
                 Ok(WakeReason::TimeReached) => {
-                    let value = if planted(Fault::TimeoutReadsZero) { 0.0 } else { TIMED_OUT };
+                    let value =
+                        if planted(PlantedFault::TimeoutReadsZero) { 0.0 } else { TIMED_OUT };
                     return self.finish_input(value);
                 }
                 Ok(WakeReason::Changed) => {}

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 
 use super::super::Modal;
 use super::super::modes::Spindles;
@@ -57,7 +57,7 @@ impl Modal {
             CycleMove::FeedOut => self.feed_to(line, to(self, clear), sink)?,
             CycleMove::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
             CycleMove::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
-            CycleMove::TurnAgain if planted(Fault::SpindleStays) => {}
+            CycleMove::TurnAgain if planted(PlantedFault::SpindleStays) => {}
             CycleMove::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
             CycleMove::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{SpindleTurn, Switch};
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::super::modes::Spindles;
@@ -174,7 +174,7 @@ impl Drilling {
         let Levels { retract, bottom, .. } = self.cycle.levels;
         let depth = retract - math::from_u64(pecks) * self.cycle.increment;
         let rounding = self.cycle.increment * 1e-9;
-        if depth > bottom + rounding && !planted(Fault::NoPecks) { depth } else { bottom }
+        if depth > bottom + rounding && !planted(PlantedFault::NoPecks) { depth } else { bottom }
     }
 
     /// The level of a peck's next move and whether it is a feed move; whether the hole is done then.

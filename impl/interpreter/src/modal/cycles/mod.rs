@@ -26,7 +26,7 @@ use gaugeblock_vocabulary::{
     Axis, Compensation, FaultKind, FeedMode, Lathe, ReturnMode, SpindleTurn,
 };
 
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -78,7 +78,7 @@ impl Modal {
         };
         let axes = PlaneAxes::of(self.active.now().plane);
         let series = self.series.cycle_series(self.motion, self.position);
-        let sticky = series.sticky(code).filter(|_| !planted(Fault::NothingSticky));
+        let sticky = series.sticky(code).filter(|_| !planted(PlantedFault::NothingSticky));
         let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
         let numbers = Numbers::read(words, code, axes.normal, sticky, (&self.choices, tap))?;
         let mut levels = self.levels(&numbers, axes.normal, series.start());
@@ -118,7 +118,7 @@ impl Modal {
         let job = Job::Drilling(Drilling::new(
             code,
             cycle,
-            numbers.repeats.saturating_add(u64::from(planted(Fault::OneMoreHole))),
+            numbers.repeats.saturating_add(u64::from(planted(PlantedFault::OneMoreHole))),
         ));
         self.begin_job(block.words.line, job);
         Ok(())
@@ -149,14 +149,17 @@ impl Modal {
         let (retract, bottom) = if self.is_incremental() {
             let origin = if self.emulates_rs274 { start } else { self.position };
             let retract = origin.coordinate_of(normal) + numbers.retract;
-            let from =
-                if planted(Fault::BottomFromPoint) { retract - numbers.retract } else { retract };
+            let from = if planted(PlantedFault::BottomFromPoint) {
+                retract - numbers.retract
+            } else {
+                retract
+            };
             (retract, from + numbers.bottom)
         } else {
             (numbers.retract, numbers.bottom)
         };
         let initial = start.coordinate_of(normal);
-        let clear = if now.retract == ReturnMode::OldZ && !planted(Fault::BackToR) {
+        let clear = if now.retract == ReturnMode::OldZ && !planted(PlantedFault::BackToR) {
             initial.max(retract)
         } else {
             retract

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Lathe, Plane};
 
 use crate::canon::Sink;
-use crate::faults::{Fault, planted};
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -46,7 +46,7 @@ impl Modal {
         let word = |letter| words.get(letter).unwrap_or(0.0);
         // Under diameter programming I, J and K are diameters.
         let diameters =
-            self.active.now().lathe == Lathe::Diameter && !planted(Fault::DepthAsRadius);
+            self.active.now().lathe == Lathe::Diameter && !planted(PlantedFault::DepthAsRadius);
         let across = if diameters { 0.5 } else { 1.0 };
         let peak_offset = word(b'I') * across;
         let (first_depth, full_depth) = (word(b'J') * across, word(b'K') * across);
@@ -59,7 +59,7 @@ impl Modal {
             return refuse(FaultKind::WordOutOfRange, "R of G76 is less than 1");
         }
         let springs = integer(word(b'H'), "H")?;
-        let springs = if planted(Fault::NoSpringPasses) { springs.min(0) } else { springs };
+        let springs = if planted(PlantedFault::NoSpringPasses) { springs.min(0) } else { springs };
         let Ok(springs) = u32::try_from(springs) else {
             return refuse(FaultKind::WordOutOfRange, "H is negative");
         };
