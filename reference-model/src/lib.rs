@@ -1,8 +1,8 @@
 //! The specification: what a CNC program means, as a model that runs.
 //!
-//! Read it top to bottom: [`rs274`] has the pipeline `text → syntax → evaluate → modes → parameters → state → check →
-//! order → execute → control → task`. Each section carries the id of the rule that it states; the rule's page in the
-//! suite has its sentence, its sources and its cases. [`gpp`] has another language, in `text → formats → variables →
+//! Read it top to bottom. [`rs274`] runs each block through `text → syntax → evaluate → check → order → execute →
+//! record`; `control` names the next block. Each section carries the id of the rule that it states; the rule's page in
+//! the suite has its sentence, its sources and its cases. [`gpp`] has another language, in `text → formats → variables →
 //! toolpath → syntax → evaluate → status → print → record → run`; [`nct`] the third, in `text → syntax → programs →
 //! variables → evaluate → words → arguments → calls → modes → motion → record → run`.
 //!

@@ -44,7 +44,7 @@ fn is_test(path: &str) -> bool {
         || ["/tests/", "/benches/"].iter().any(|folder| path.contains(folder))
 }
 
-/// House words of the repository: kind of text, place and word of each.
+/// House words of the repository, as `laws/words.toml` defines them: kind of text, place and word of each.
 #[must_use]
 pub fn house_words(rules: &Rules) -> Vec<(Kind, String)> {
     let mut found = Vec::new();
