@@ -15,8 +15,8 @@ impl OrderRules for LinuxCnc {
         Documented.phases(words, state)
     }
 
-    /// Quirk rs274.rest-of-restore-block. Nothing of the block is executed after a restore that changed something. A
-    /// feed is not asked for; what else is asked before is not known.
+    /// Quirk rs274.rest-of-restore-block. The rest of a block is not executed after a restore that changed something.
+    /// A missing feed rate in the rest is not refused. Whether rs274 checks anything else of the rest first is unknown.
     fn goes_on_after(
         &self,
         phase: Phase,
@@ -32,15 +32,15 @@ impl OrderRules for LinuxCnc {
         }
         let later = fault_after(phase, phases, words, state);
         if later.is_some_and(|error| !is_of_feed(&error)) {
-            let why =
-                "a restore in a block whose rest is not executed, and would be refused or open";
+            let why = "the block restores the modal state; the rest of it would be refused, and it is not known whether \
+                       rs274 checks it";
             return Err(StepError::Unspecified(why.to_owned()));
         }
         Ok(false)
     }
 }
 
-/// Whether a rule of feeds refuses it.
+/// Whether a rule about feed rates refuses the block.
 fn is_of_feed(error: &StepError) -> bool {
     let StepError::Refused(refusal) = error else { return false };
     refusal.rule.chapter() == "feed"

@@ -1,4 +1,4 @@
-//! if, elseif, else, endif.
+//! Conditions: if, elseif, else, endif; and the labels of conditions and loops.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -10,7 +10,7 @@ use crate::rs274::syntax::{Expression, Keyword};
 
 const BRANCHES: &[Keyword] = &[Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
 
-/// What a controller may do otherwise with conditions.
+/// The rules of conditions that a controller's dialect may replace.
 pub(crate) trait ConditionRules {
     /// Rule control.first-true-only. After a true condition the others of the group are not evaluated.
     fn skip_elseif(
@@ -23,21 +23,22 @@ pub(crate) trait ConditionRules {
         control.at_end(label, state)
     }
 
-    /// Whether the labels of the text around a block are those of its call.
+    /// Whether the block in progress belongs to the sub, or the main program, that its frame is a call of. Then a label
+    /// in the text around the block is a label of this call.
     fn labels_are_of_call(&self, _state: &State) -> bool {
         true
     }
 }
 
 impl Control {
-    /// Rule control.if. Its blocks are executed when the condition is true; else the next branch is tried.
+    /// Rule control.if. The blocks after the if are executed when its condition is true; else the next branch is tried.
     pub(super) fn if_(
         &mut self,
         label: &str,
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        self.defined_once(label, rule::control::DUPLICATE_IF, state)?;
+        self.refuse_duplicate_label(label, rule::control::DUPLICATE_IF, state)?;
         let taken = condition(rule::control::IF, values, state)?;
         let next = if taken {
             Next::Following
@@ -72,7 +73,7 @@ impl Control {
         if is_true { Ok(Next::Following) } else { self.at_branch(label, state) }
     }
 
-    /// Rule control.else. Its blocks are executed when no condition before was true.
+    /// Rule control.else. The blocks after the else are executed when no condition of the group was true.
     pub(super) fn else_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         match self.branch(label, Keyword::Else, state)? {
             Some(taken) if !*taken => {
@@ -96,8 +97,9 @@ impl Control {
         Ok(Next::Following)
     }
 
-    /// The open condition with this label: whether a branch of it was taken. None when it has ended and its label is
-    /// followed all the same.
+    /// Of the open condition with this label: whether a branch of it was taken.
+    ///
+    /// Choice control.ended-label. None when the condition has ended, and a label may still point to it.
     ///
     /// Rule control.undefined-else. An else or elseif with an undefined label is refused.
     ///
@@ -109,11 +111,8 @@ impl Control {
         state: &'s mut State,
     ) -> Result<Option<&'s mut bool>, StepError> {
         let is_if = |structure| matches!(structure, Structure::If { .. });
-        if let Some(place) = state.frame().find_open(label, is_if) {
-            return match &mut state.frame_mut().open[place].structure {
-                Structure::If { taken } => Ok(Some(taken)),
-                Structure::While | Structure::Do | Structure::Repeat { .. } => Ok(None),
-            };
+        if state.frame().find_open(label, is_if).is_some() {
+            return Ok(state.frame_mut().open_condition(label));
         }
         if state.frame().ended_conditions.contains(label) {
             let followed = state.choices.is(choice::control::EndedLabel::Followed);
@@ -144,30 +143,31 @@ impl Control {
         Err(refuse(rule::control::UNMATCHED_ENDIF, FaultKind::UnknownLabel, message))
     }
 
-    /// Goes on at the endif.
+    /// The block after the skipped rest of a condition: its endif.
     pub(crate) fn at_end(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, &[Keyword::EndIf], self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
-    /// Goes on at the next branch.
+    /// The next elseif, else or endif of a condition.
     pub(crate) fn at_branch(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let line = self.end_of_skipped(label, BRANCHES, self.place.line, state)?;
         Ok(Next::At(self.line(line)))
     }
 
-    /// A label of a condition or loop is defined once in its sub, and does not meet the sub's own number.
+    /// Refuses the label of a condition or loop if another block of the sub defines it, or if it is the number of the
+    /// sub.
     ///
-    /// Choice control.skipped-definition: where only what is executed defines a label, nothing says whether what
-    /// another call of the sub has executed counts.
-    pub(super) fn defined_once(
+    /// Choice control.skipped-definition. Under one option only an executed block defines a label. The documents do not
+    /// say whether a block counts that was executed in an earlier call of the sub: the block is then unspecified.
+    pub(super) fn refuse_duplicate_label(
         &mut self,
         label: &str,
         rule: Rule,
         state: &mut State,
     ) -> Result<(), StepError> {
-        self.not_of_sub(label, rule, state)?;
-        if self.defined_elsewhere(label, state).is_none() {
+        self.refuse_number_of_sub(label, rule, state)?;
+        if self.find_other_definition(label, state).is_none() {
             return Ok(());
         }
         let executed = state.choices.is(choice::control::SkippedDefinition::DoesNotCount);
@@ -179,7 +179,7 @@ impl Control {
     }
 
     /// Choice control.sub-number-as-label: whether a condition or loop may carry the number of the sub around it.
-    pub(super) fn not_of_sub(
+    pub(super) fn refuse_number_of_sub(
         &self,
         label: &str,
         rule: Rule,
@@ -192,13 +192,13 @@ impl Control {
         Ok(())
     }
 
-    /// The line at which a label has been defined, when that is not this one.
+    /// The line of the first block that defines a label in this sub, if that is not the current block.
     ///
-    /// Rule control.labels-in-subs. In each of several subs, and in the main program, it may be defined again.
+    /// Rule control.labels-in-subs. Each sub, and the main program, may define the same label.
     ///
     /// Choice control.skipped-definition: whether the first definition is the first one in the text, or the first one
     /// that is executed.
-    pub(super) fn defined_elsewhere(&mut self, label: &str, state: &mut State) -> Option<u32> {
+    pub(super) fn find_other_definition(&mut self, label: &str, state: &mut State) -> Option<u32> {
         let Place { file, line: here } = self.place;
         let labels = self.files.labels(file);
         if labels.is_shared(label) {
@@ -212,19 +212,19 @@ impl Control {
         earlier.or((executed != here).then_some(executed))
     }
 
-    /// What defines a label in the sub of this block.
+    /// The blocks that define a label in the sub of the current block.
     pub(super) fn definitions(&self, label: &str) -> &[super::labels::Definition] {
         self.files.labels(self.place.file).definitions(label, self.place.line)
     }
 
-    /// A condition or loop begins here.
+    /// Begins a condition or loop whose first block is the current one.
     ///
-    /// Rule control.nesting. They can stand inside each other, each with its own label.
+    /// Rule control.nesting. Conditions and loops can be inside each other, each with its own label.
     pub(crate) fn enter(&self, label: &str, structure: Structure, state: &mut State) {
         self.enter_at(self.place.line, label, structure, state);
     }
 
-    /// A condition or loop whose first block is at a line begins.
+    /// Begins a condition or loop whose first block is at `line`.
     pub(super) fn enter_at(&self, line: u32, label: &str, structure: Structure, state: &mut State) {
         let frame = state.frame_mut();
         let nested = !frame.open.is_empty();
@@ -235,7 +235,7 @@ impl Control {
         }
     }
 
-    /// The innermost condition or loop ends here.
+    /// Ends a condition or loop. It must be the innermost one: the documents leave overlaps open.
     pub(crate) fn leave(
         &self,
         label: &str,
@@ -257,7 +257,7 @@ impl Control {
     }
 }
 
-/// The refusal of a label that is defined elsewhere.
+/// The refusal of a label that another block defines.
 pub(super) fn duplicate(label: &str, rule: Rule) -> StepError {
     let message = format!("the label {} is defined elsewhere", o_word(label));
     refuse(rule, FaultKind::DuplicateLabel, message)

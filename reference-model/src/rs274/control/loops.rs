@@ -163,8 +163,8 @@ impl Control {
             open.label == label && open.line == self.place.line && is_while(open.structure)
         });
         if !again {
-            self.not_of_skipped_do(label, state)?;
-            self.defined_once(label, rule::control::DUPLICATE_WHILE, state)?;
+            self.check_skipped_do(label, state)?;
+            self.refuse_duplicate_label(label, rule::control::DUPLICATE_WHILE, state)?;
         }
         if condition(rule::control::WHILE, values, state)? {
             if !again {
@@ -183,8 +183,9 @@ impl Control {
         Ok(state.dialect().leave_while(self, label, line, state))
     }
 
-    /// Nothing says whose end a while is, or whether it is one, whose do is in the text and was not entered.
-    fn not_of_skipped_do(&self, label: &str, state: &State) -> Result<(), StepError> {
+    /// A while is unspecified if a do with its label is in the text before it and was not entered. The documents do not
+    /// say whether such a while ends that do or begins a loop.
+    fn check_skipped_do(&self, label: &str, state: &State) -> Result<(), StepError> {
         let ended = state.frame().ended_loops.get(label);
         let is_do = |keyword: Keyword| keyword == Keyword::Do;
         let in_text = self
@@ -216,12 +217,13 @@ impl Control {
 
     /// The beginning of a do loop.
     ///
-    /// Choice control.do-label: whether several do loops may carry the same label, which the list of errors does not
-    /// name. What a do is whose label a condition or another loop defines, it does not tell at all; nor which while
-    /// ends which of two, where one stands in the other.
+    /// Choice control.do-label: whether several do loops may carry the same label. The list of errors does not name it.
+    ///
+    /// Two cases stay unspecified: a do with the label of a condition or of a loop of another kind, and a do inside a do
+    /// with the same label, where no sentence says which while ends which do.
     pub(super) fn do_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
-        self.not_of_sub(label, rule::control::DO_WHILE, state)?;
-        let first = self.defined_elsewhere(label, state);
+        self.refuse_number_of_sub(label, rule::control::DO_WHILE, state)?;
+        let first = self.find_other_definition(label, state);
         let of_do = |definition: &Definition| definition.keyword == Keyword::Do;
         if first.is_some() && !self.definitions(label).iter().all(of_do) {
             let why = format!(
@@ -264,7 +266,7 @@ impl Control {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        self.defined_once(label, rule::control::DUPLICATE_REPEAT, state)?;
+        self.refuse_duplicate_label(label, rule::control::DUPLICATE_REPEAT, state)?;
         state.dialect().begin_repeat(self, label, values, state)
     }
 
@@ -278,21 +280,24 @@ impl Control {
         state.dialect().end_turn_of_repeat(self, label, place, state)
     }
 
-    /// A loop that makes no turn has ended with its first block.
+    /// A loop that is not executed even once ends at its first block.
     fn never_entered(&self, label: &str, structure: Structure, state: &mut State) {
         let open = Open { label: label.to_owned(), line: self.place.line, structure };
         state.frame_mut().end(open);
     }
 
-    /// Choice control.ended-label: the first block of a loop that has ended, where its label is followed all the same.
+    /// The line of the first block of a loop that has ended, where an option lets its label still point to it.
     ///
-    /// Choice control.do-label: where every while goes back to the first do, so does one without a do of its own.
+    /// Choice control.ended-label: whether the label of a loop that has ended points to it.
+    ///
+    /// Choice control.do-label: under one option each while goes back to the first do with its label, even if that do
+    /// has ended.
     fn followed(&self, label: &str, head: Keyword, state: &State) -> Option<u32> {
         let last = state.frame().ended_loops.get(label).copied();
         let last = last.filter(|(keyword, _)| *keyword == head).map(|(_, line)| line);
         let to_first = head == Keyword::Do && state.choices.is(DoLabel::First);
         let followed = to_first || state.choices.is(choice::control::EndedLabel::Followed);
-        // The text tells nothing of a label that must be computed.
+        // A label that must be computed is not found in the text.
         let last = last.filter(|_| followed)?;
         let earlier = |definition: &&Definition| {
             definition.keyword == head && definition.line < self.place.line
@@ -303,8 +308,8 @@ impl Control {
 
     /// The refusal of an endwhile or endrepeat without its head.
     ///
-    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether it
-    /// points to one that is in the text and was not entered.
+    /// Choice control.ended-label. Under one option a label still points to a loop that has ended. The documents do not
+    /// say whether it then points to a loop, too, that is in the text and was not entered.
     fn unmatched(&self, label: &str, head: Keyword, state: &State) -> StepError {
         let in_text = self
             .definitions(label)

@@ -153,6 +153,14 @@ impl Frame {
         self.call.as_ref().is_some_and(|call| call.label == label)
     }
 
+    /// Whether a branch was taken of the innermost open condition with this label.
+    pub fn open_condition(&mut self, label: &str) -> Option<&mut bool> {
+        self.open.iter_mut().rev().find_map(|open| match &mut open.structure {
+            Structure::If { taken } => (open.label == label).then_some(taken),
+            Structure::While | Structure::Do | Structure::Repeat { .. } => None,
+        })
+    }
+
     /// Place in `open` of the innermost condition or loop with a label that satisfies `kind`.
     pub fn find_open(&self, label: &str, kind: impl Fn(Structure) -> bool) -> Option<usize> {
         self.open.iter().rposition(|open| open.label == label && kind(open.structure))
