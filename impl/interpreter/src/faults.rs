@@ -1,11 +1,14 @@
-//! Planted faults: mistakes that an interpreter could make, to see which of them a suite of tests notices.
+//! Planted faults: deliberate mistakes of the interpreter, to see which of them the suite notices.
 //!
-//! Without the feature `faults` none can be planted, and the checks for one are compiled away. With it one at a time
-//! is planted for the whole process.
+//! `if planted(PlantedFault::MistStays)` in the interpreter is a place where it can make that mistake. A build for
+//! users lacks the feature `faults`: there [`planted`] is constant `false`, and the compiler removes the mistake. With
+//! the feature, `plant` switches one mistake on for the whole process, and `gaugeblock suite faults` tries each.
+//!
+//! A planted fault is no reason to refuse a block: that is [`gaugeblock_vocabulary::FaultKind`].
 
 macro_rules! faults {
     ($($(#[doc = $about:literal])* $name:literal $fault:ident,)*) => {
-        /// A mistake that can be planted.
+        /// A deliberate mistake that can be planted in the interpreter.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
         pub enum PlantedFault {
             $($(#[doc = $about])* $fault,)*

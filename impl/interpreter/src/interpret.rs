@@ -67,7 +67,8 @@ pub struct Interpreter {
     pub(crate) cursor: Cursor,
     /// Whether the line in the first segment has been read but not executed.
     pub(crate) line_pending: bool,
-    /// Whether the next block is one that a search for a branch has led to.
+    /// Whether a search for the next branch of a condition led to the next block. There an elseif evaluates its
+    /// condition, and an else is taken; without it both end the branch before them.
     pub(crate) at_branch: bool,
     /// Whether the main program begins with a percent line; not known before its first line.
     pub(crate) percent: Option<bool>,

@@ -32,6 +32,10 @@
 //! documents describe it: it runs an interpreter on a machine that has a clock, inputs, pins and an operator. An
 //! interpreter without it pays nothing for it.
 //!
+//! A number such as `11.5.20` in a comment is the section of the manual of LinuxCNC 2.9.0~pre1, from the Debian package
+//! `linuxcnc-doc-en`. Comments name the other documents: EMC2 2.5, LinuxCNC 2.8, the draft of M70 to M73. G codes are
+//! kept in tenths (`281` is G28.1), since some have a digit after the point. M codes are kept as they are.
+//!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes,
 //! straight moves, arcs, canned cycles, probes, splines and threads, the task every request of an operator. Moves
 //! under cutter compensation end a run as [`gaugeblock_vocabulary::End::Unsupported`], and what the documents leave

@@ -1,9 +1,9 @@
-//! Loops (11.7.5, 11.7.7): where they begin, where they turn, and where they are left.
+//! Executes loops (11.7.5, 11.7.7): their beginning, their repetition, and leaving them.
 
 use gaugeblock_vocabulary::FaultKind;
 
 use crate::control::label_search::LabelTarget;
-use crate::control::o_words::{ControlError, refuse};
+use crate::control::o_words::{ControlError, NO_LOOP, refuse};
 use crate::control::{Cursor, Definition, LOOP};
 use crate::faults::{PlantedFault, planted};
 use crate::interpret::Interpreter;
@@ -119,7 +119,11 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), ControlError> {
-        let head = self.find_structure(label, |keyword| keyword == Keyword::Repeat)?;
+        let head = self.find_structure(
+            label,
+            |keyword| keyword == Keyword::Repeat,
+            "no open repeat has this label",
+        )?;
         if head.ended {
             let head = *head;
             return self.jump_to(head, false, source);
@@ -142,7 +146,7 @@ impl Interpreter {
         source: &mut S,
     ) -> Result<(), ControlError> {
         let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
-        let head = *self.find_structure(label, loops)?;
+        let head = *self.find_structure(label, loops, NO_LOOP)?;
         if head.keyword == Keyword::While {
             if planted(PlantedFault::ContinueLeaves) {
                 let end = |keyword| keyword == Keyword::EndWhile;
@@ -159,7 +163,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Goes back to the head of a loop, or to the block after it.
+    /// Goes back to the head of a loop; if `behind`, to the block after the head.
     pub(crate) fn jump_to<S: Source>(
         &mut self,
         head: Definition,

@@ -1,4 +1,4 @@
-//! O-words: labels and what they point to, conditions (11.7.6), and the errors of both (11.7.11).
+//! Executes o-words: labels and the blocks that they point to, conditions (11.7.6), and the errors of both (11.7.11).
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -14,6 +14,11 @@ use crate::parameters::NameId;
 use crate::source::Source;
 use crate::syntax::bytecode::{Block, Keyword, NONE, OWord};
 use crate::syntax::label_ops;
+
+/// Message where a label points to no condition in progress.
+const NO_IF: &str = "no open if has this label";
+/// Message where a label points to no loop that break and continue can refer to.
+pub(crate) const NO_LOOP: &str = "no open while or do has this label";
 
 /// Why a control block fails.
 pub(crate) enum ControlError {
@@ -35,7 +40,7 @@ impl From<Error> for ControlError {
     }
 }
 
-/// A refusal of a label.
+/// Refuses a block of control.
 #[cold]
 pub(crate) fn refuse<T>(kind: FaultKind, message: &'static str) -> Result<T, ControlError> {
     Err(ControlError::Refusal(Refusal::fault(kind, message)))
@@ -102,18 +107,22 @@ impl Interpreter {
             }
             Keyword::Else if at_branch => Ok(()),
             Keyword::ElseIf | Keyword::Else => {
-                self.find_structure(label, |keyword| keyword == Keyword::If)?;
+                self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF)?;
                 let end = LabelTarget { label, accept: |keyword| keyword == Keyword::EndIf };
                 self.search_label(at, block.line, end, source)?;
                 Ok(())
             }
             Keyword::EndIf => {
-                self.find_structure(label, |keyword| keyword == Keyword::If)?.ended = true;
+                self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF)?.ended = true;
                 Ok(())
             }
             Keyword::While => self.execute_while(at, block, o_word, label, source),
             Keyword::EndWhile => {
-                let head = *self.find_structure(label, |keyword| keyword == Keyword::While)?;
+                let head = *self.find_structure(
+                    label,
+                    |keyword| keyword == Keyword::While,
+                    "no open while has this label",
+                )?;
                 self.jump_to(head, false, source)
             }
             Keyword::Do => self.begin_do(at, block, label, source),
@@ -121,7 +130,7 @@ impl Interpreter {
             Keyword::EndRepeat => self.end_repeat(label, source),
             Keyword::Break => {
                 let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
-                let end = if self.find_structure(label, loops)?.keyword == Keyword::Do {
+                let end = if self.find_structure(label, loops, NO_LOOP)?.keyword == Keyword::Do {
                     |keyword| keyword == Keyword::While
                 } else {
                     |keyword| keyword == Keyword::EndWhile
@@ -138,7 +147,7 @@ impl Interpreter {
         }
     }
 
-    /// The label of a block; computed ones are evaluated.
+    /// The label of a block. A label that is an expression is evaluated.
     #[inline]
     pub(crate) fn evaluate_label(
         &mut self,
@@ -191,24 +200,24 @@ impl Interpreter {
         Ok(value.to_bits() << 1 != 0)
     }
 
-    /// The structure of a label, where it is of the right kind.
+    /// The condition or loop that a label points to. `is_kind` accepts the keyword that began it; `missing` is the
+    /// message where the label points to none of this kind.
     pub(crate) fn find_structure(
         &mut self,
         label: NameId,
-        right: fn(Keyword) -> bool,
+        is_kind: fn(Keyword) -> bool,
+        missing: &'static str,
     ) -> Result<&mut Definition, ControlError> {
         let followed = self.compiler.choices.ended_followed;
         match self.call_stack.find(label) {
-            Some(definition) if right(definition.keyword) && (followed || !definition.ended) => {
+            Some(definition) if is_kind(definition.keyword) && (followed || !definition.ended) => {
                 Ok(definition)
             }
-            Some(_) | None => {
-                refuse(FaultKind::UnknownLabel, "the label points to no such structure")
-            }
+            Some(_) | None => refuse(FaultKind::UnknownLabel, missing),
         }
     }
 
-    /// A definition of a label by the block that is being executed.
+    /// The definition that the block in progress gives to a label.
     pub(crate) fn definition(
         &self,
         at: Cursor,
@@ -228,7 +237,7 @@ impl Interpreter {
         }
     }
 
-    /// Refuses a label that is defined elsewhere.
+    /// Refuses a label that another block defines, or that is the number of the sub in progress.
     pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), ControlError> {
         let elsewhere =
             self.call_stack.find(label).is_some_and(|defined| defined.line != block.line);
@@ -242,7 +251,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// `if`: the first branch whose condition is true is the one that is executed.
+    /// `if`: its blocks are executed if its condition is true; else the search goes to the next branch.
     fn begin_if<S: Source>(
         &mut self,
         at: Cursor,
@@ -261,8 +270,8 @@ impl Interpreter {
         self.next_branch(at, block, label, source)
     }
 
-    /// Goes to the next branch of a condition, which is executed as one that was searched for: the condition of an
-    /// elseif is evaluated, an else is taken.
+    /// Goes to the next branch of a condition and sets `at_branch`. The branch is then executed as one that was
+    /// searched for: an elseif evaluates its condition, an else is taken.
     fn next_branch<S: Source>(
         &mut self,
         at: Cursor,

@@ -1,22 +1,23 @@
-//! Lines of a source: in place where the text holds them whole, joined from parts where it does not.
+//! Reads lines of a source: in place where the source's text holds the whole line, else joined from its parts.
 
 use alloc::vec::Vec;
 
 use crate::source::{Source, SourceError};
 use crate::syntax::LinePlace;
 
-/// Most bytes of a line that are kept: one character of up to four bytes more than the longest line of the documents
-/// is enough to refuse it.
-const LONGEST: usize = 4 * 257;
+/// Most bytes that are kept of a line. A line has at most 256 characters; 257 characters of up to four bytes are enough
+/// to refuse a longer one.
+const KEPT_BYTES_MAX: usize = 4 * 257;
 
 /// Reads lines and tracks its place in the file.
 #[derive(Clone, Debug)]
 pub(crate) struct Reader {
     /// Where the next line begins.
     place: LinePlace,
-    /// The last line ended in a carriage return at the end of the text: a line feed may belong to it.
-    after_return: bool,
-    /// A line that was not whole in the source's text.
+    /// The last line ended with a carriage return, at the end of the source's text. If the text continues with a line
+    /// feed, it belongs to the end of that line.
+    after_carriage_return: bool,
+    /// A line that is joined from parts of the source's text.
     line: Vec<u8>,
 }
 
@@ -25,8 +26,8 @@ impl Reader {
     pub(crate) fn new() -> Self {
         Self {
             place: LinePlace { line: 1, offset: 0 },
-            after_return: false,
-            line: Vec::with_capacity(LONGEST),
+            after_carriage_return: false,
+            line: Vec::with_capacity(KEPT_BYTES_MAX),
         }
     }
 
@@ -35,10 +36,12 @@ impl Reader {
         self.place.line = line;
     }
 
-    /// Where the next line begins. After a carriage return whose line feed may still follow, it is the carriage
-    /// return, as a blank line, so that going back there reads both.
+    /// Where the next line begins, for [`Self::rewind`].
+    ///
+    /// After a carriage return whose line feed may still follow, this is the place of the carriage return. Read from
+    /// there, carriage return and line feed are the end of one blank line, and the next line keeps its number.
     pub(crate) fn place(&self) -> LinePlace {
-        let before = u32::from(self.after_return);
+        let before = u32::from(self.after_carriage_return);
         LinePlace {
             line: self.place.line.saturating_sub(before),
             offset: self.place.offset.saturating_sub(u64::from(before)),
@@ -51,10 +54,10 @@ impl Reader {
         self.place.line
     }
 
-    /// Whether the next line begins at the beginning of the source's text.
+    /// Whether the source's text begins with the next line, and not perhaps with a line feed of the last one.
     #[inline]
     pub(crate) fn is_aligned(&self) -> bool {
-        !self.after_return
+        !self.after_carriage_return
     }
 
     /// Moves past a line that was read from the source's text, its end included.
@@ -73,19 +76,19 @@ impl Reader {
         let done = source.rewind(place.offset)?;
         if done {
             self.place = place;
-            self.after_return = false;
+            self.after_carriage_return = false;
         }
         Ok(done)
     }
 
-    /// Passes on the next line, without its end; `None` at the end of the file.
+    /// Passes the next line, without its end, to `take`; `None` at the end of the file.
     #[inline]
     pub(crate) fn next<S: Source, T>(
         &mut self,
         source: &mut S,
         take: impl FnOnce(&[u8], LinePlace) -> T,
     ) -> Result<Option<T>, SourceError> {
-        if self.after_return {
+        if self.after_carriage_return {
             self.finish_line_end(source)?;
         }
         let text = source.text()?;
@@ -94,7 +97,7 @@ impl Reader {
         let bytes = length.wrapping_add(match text.get(length..) {
             Some([b'\r', b'\n', ..]) => 2,
             Some([b'\r']) => {
-                self.after_return = true;
+                self.after_carriage_return = true;
                 1
             }
             _ => 1,
@@ -108,7 +111,7 @@ impl Reader {
     /// Steps over a line feed that belongs to the carriage return before it.
     #[cold]
     fn finish_line_end<S: Source>(&mut self, source: &mut S) -> Result<(), SourceError> {
-        self.after_return = false;
+        self.after_carriage_return = false;
         if source.text()?.first() == Some(&b'\n') {
             self.consume(source, 1);
         }
@@ -121,7 +124,7 @@ impl Reader {
         self.place.offset = self.place.offset.saturating_add(u64::try_from(bytes).unwrap_or(0));
     }
 
-    /// A line whose end is not in the text that is ready. A line that is too long for a block is cut.
+    /// Reads a line whose end is not in the source's text yet. Of a line it keeps [`KEPT_BYTES_MAX`] bytes.
     #[cold]
     fn read_split_line<S: Source, T>(
         &mut self,
@@ -139,12 +142,12 @@ impl Reader {
             any = true;
             let end = line_end(text);
             let length = end.unwrap_or(text.len());
-            let room = LONGEST.saturating_sub(self.line.len()).min(length);
+            let room = KEPT_BYTES_MAX.saturating_sub(self.line.len()).min(length);
             self.line.extend_from_slice(text.get(..room).unwrap_or(&[]));
             let returned = text.get(length) == Some(&b'\r');
             self.consume(source, length.saturating_add(usize::from(end.is_some())));
             if end.is_some() {
-                self.after_return = returned;
+                self.after_carriage_return = returned;
                 break;
             }
         }
@@ -163,7 +166,8 @@ fn line_end(text: &[u8]) -> Option<usize> {
     first_of([b'\n', b'\r'], text)
 }
 
-/// The place of the first of some bytes. It looks at eight bytes at a time: a match appears as a zero byte.
+/// The place in a text of the first byte that is one of `bytes`. It compares eight bytes at a time: XOR makes a match a
+/// zero byte, and `zero` sets the high bit of the first zero byte.
 #[inline]
 pub(super) fn first_of<const N: usize>(bytes: [u8; N], text: &[u8]) -> Option<usize> {
     const ONES: u64 = 0x0101_0101_0101_0101;

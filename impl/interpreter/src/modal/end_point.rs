@@ -1,4 +1,4 @@
-//! The end point of a move's axis words: absolute and incremental (11.5.54), diameters (11.5.10), polar words
+//! Where a move ends by its axis words: absolute and incremental (11.5.54), diameters (11.5.10), polar words
 //! (11.4.12), machine coordinates (11.5.33).
 
 use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};
@@ -14,6 +14,11 @@ use super::coordinates::Coordinates;
 use super::letters::{AXES, X, Y};
 use super::refusal::{Refusal, refuse};
 
+/// The code of G53, in tenths.
+const G53: u16 = 530;
+/// Place of the X word in [`Words::values`].
+const X_WORD: u8 = b'X' - b'A';
+
 impl Words {
     /// Whether the block has a polar word; both together stand for X and Y.
     #[inline]
@@ -21,7 +26,7 @@ impl Words {
         self.at.is_some() || self.caret.is_some()
     }
 
-    /// The letters of its axis words, those among them that polar words stand for.
+    /// The letters of its axis words, including X and Y if it has a polar word.
     pub(crate) fn axes(&self) -> u32 {
         let polar = if self.is_polar() { X | Y } else { 0 };
         self.present & AXES | polar
@@ -29,37 +34,37 @@ impl Words {
 }
 
 impl Modal {
-    /// The point after the axis words of a plain move: no diameters, no polar words, no machine coordinates.
+    /// Where a plain move ends: one without diameters, polar words and machine coordinates.
     #[inline]
-    pub(super) fn moved(&self, words: &Words) -> Coordinates {
+    pub(super) fn plain_end_point(&self, words: &Words) -> Coordinates {
         match self.active.now().distance {
             Distance::Absolute => self.position.replaced(words),
             Distance::Incremental => self.position.moved_by(words),
         }
     }
 
-    /// Moves the point, likewise, in place.
+    /// Makes a plain move: sets the controlled point to [`Self::plain_end_point`], without a copy of it.
     #[inline]
-    pub(super) fn move_by(&mut self, words: &Words) {
+    pub(super) fn apply_axis_words(&mut self, words: &Words) {
         match self.active.now().distance {
             Distance::Absolute => self.position.replace(words),
             Distance::Incremental => self.position.add(words),
         }
     }
 
-    /// Moves the point to the end of the block's move.
-    pub(super) fn move_point(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
-        let machine_coordinates = block.g(NON_MODAL) == Some(530);
+    /// Makes the move of a block, plain or not: sets the controlled point to [`Self::block_end_point`].
+    pub(super) fn move_to_end_point(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
+        let machine_coordinates = block.g(NON_MODAL) == Some(G53);
         let radius = self.active.now().lathe == Lathe::Radius;
         if radius && !block.words.is_polar() && !machine_coordinates {
-            self.move_by(block.words);
+            self.apply_axis_words(block.words);
         } else {
             self.position = self.block_end_point(block)?;
         }
         Ok(())
     }
 
-    /// The end of the block's move, in program coordinates.
+    /// Where the block's move ends, in program coordinates.
     pub(super) fn block_end_point(&self, block: &Block<'_>) -> Result<Coordinates, Refusal> {
         let radius;
         let diameter = self.active.now().lathe == Lathe::Diameter;
@@ -69,16 +74,16 @@ impl Modal {
         } else {
             block.words
         };
-        if block.g(NON_MODAL) == Some(530) {
+        if block.g(NON_MODAL) == Some(G53) {
             return self.machine_end_point(words);
         }
         let incremental = self.active.now().distance == Distance::Incremental;
-        let end = self.moved(words);
+        let end = self.plain_end_point(words);
         if words.is_polar() { end.at_polar(self.position, words, incremental) } else { Ok(end) }
     }
 
-    /// G53: absolute positions whatever the distance mode says (11.1.2.1). Axes without a word stay where they are on
-    /// the machine, also where the system of the program is turned.
+    /// Where a move with G53 ends. Its words are absolute in every distance mode (11.1.2.1). Axes without a word stay
+    /// where they are on the machine, even in a rotated coordinate system.
     fn machine_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
         let machine = self.active.now().machine_of(self.position);
         let adds = planted(PlantedFault::MachineIncremental)
@@ -90,7 +95,8 @@ impl Modal {
         Ok(self.with_machine(self.position, words.axes(), end))
     }
 
-    /// A point in program coordinates, of which some axes are put where a point in machine coordinates is.
+    /// `point`, with the axes of `letters` placed where `machine` is. `point` and the result are in program
+    /// coordinates, `machine` is in machine coordinates.
     pub(super) fn with_machine(
         &self,
         point: Coordinates,
@@ -99,14 +105,14 @@ impl Modal {
     ) -> Coordinates {
         let now = self.active.now();
         let machine = now.machine_of(point).taking(letters, machine);
-        // The others keep their coordinates to the last bit.
-        point.taking(now.turned_letters(letters), now.program_of(machine))
+        // The conversion there and back would change the last bits of the other axes.
+        point.taking(now.letters_moved_together(letters), now.program_of(machine))
     }
 }
 
 impl Coordinates {
-    /// With X and Y of the polar words (11.4.12). In incremental mode distance and angle are added to those of the
-    /// point.
+    /// The point with X and Y from the polar words (11.4.12). In incremental mode the words are added to the distance
+    /// and angle of `from`.
     pub(super) fn at_polar(
         mut self,
         from: Self,
@@ -118,12 +124,12 @@ impl Coordinates {
         if incremental && distance <= 0.0 {
             return refuse(FaultKind::OutOfDomain, "an incremental polar move from the origin");
         }
-        // A zero has no sign.
+        // `+ 0.0` makes a negative zero positive: the angle of (−0, −0) would be −180° and not 0.
         let angle = math::arctangent(from_y + 0.0, from_x + 0.0);
         let (distance, angle) = if incremental {
             (distance + words.at.unwrap_or(0.0), angle + words.caret.unwrap_or(0.0))
         } else {
-            // What has no word stays as it is (11.5.1).
+            // A distance or angle without a word stays as it is (11.5.1).
             (words.at.unwrap_or(distance), words.caret.unwrap_or(angle))
         };
         let (sine, cosine) = math::direction(angle);
@@ -133,11 +139,11 @@ impl Coordinates {
     }
 }
 
-/// The words with the X word as a radius: diameter mode (11.5.10).
+/// The words with the X word as a radius, where it is a diameter (11.5.10).
 pub(super) fn with_radius(words: &Words) -> Words {
     let mut radius = words.clone();
     if let Some(x) = words.get(b'X') {
-        radius.set(23, x / 2.0);
+        radius.set(X_WORD, x / 2.0);
     }
     radius
 }

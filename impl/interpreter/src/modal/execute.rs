@@ -166,7 +166,7 @@ impl Modal {
         if let Some(code) = block.g(NON_MODAL) {
             match code {
                 100 => self.set_data(block.words, numbered, sink)?,
-                280 | 281 | 300 | 301 => self.predefined_position(block, code, numbered, sink)?,
+                280 | 281 | 300 | 301 => self.stored_position(block, code, numbered, sink)?,
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }

@@ -84,7 +84,7 @@ impl Modal {
         }
         let before = (self.motion, self.position, rate_before);
         self.motion = motion;
-        self.move_by(words);
+        self.apply_axis_words(words);
         let end = self.position.position();
         let effect = if motion == Motion::Traverse {
             Effect::StraightTraverse { end }
@@ -113,7 +113,7 @@ impl Modal {
             return refuse(FaultKind::ZeroFeed, "an arc without a feed rate");
         }
         let before = (self.motion, self.position, rate_before);
-        self.move_by(words);
+        self.apply_axis_words(words);
         let effect = match self.arc(words, motion, &before.1) {
             Ok(effect) => effect,
             Err(refusal) => {

@@ -71,7 +71,7 @@ impl Modal {
             self.check_feed_move()?;
         }
         let start = self.position;
-        self.move_point(block)?;
+        self.move_to_end_point(block)?;
         let end = self.position.position();
         let effect = if self.motion == Motion::Traverse {
             Effect::StraightTraverse { end }

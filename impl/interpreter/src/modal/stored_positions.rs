@@ -1,4 +1,4 @@
-//! Predefined positions: G28, G28.1, G30, G30.1 (11.5.20, 11.5.21).
+//! Stored positions: G28 and G30 move there, G28.1 and G30.1 store one (11.5.20, 11.5.21). Codes are in tenths.
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, planted};
@@ -10,8 +10,8 @@ use super::offsets::{self, G28_POSITION, G30_POSITION};
 use super::refusal::Refusal;
 
 impl Modal {
-    /// G28 and G30 move, G28.1 and G30.1 store. The positions are those of the machine, in its unit.
-    pub(super) fn predefined_position<K: Sink>(
+    /// Executes G28, G28.1, G30 or G30.1. Positions are stored in machine coordinates and in the machine's unit.
+    pub(super) fn stored_position<K: Sink>(
         &mut self,
         block: &Block<'_>,
         code: u16,
@@ -26,7 +26,7 @@ impl Modal {
         };
         if matches!(code, 281 | 301) {
             let machine = self.active.now().machine_of(self.position);
-            // All nine (11.4.3.1), though 11.5.20 stops at 5166.
+            // All nine axes are stored (11.4.3.1), although 11.5.20 lists parameters only up to #5166.
             offsets::set_row(numbered, first, machine.converted(self.active_to_stored()));
             return Ok(());
         }

@@ -95,7 +95,7 @@ impl Modal {
             let target = frame.program_of(machine).replaced(&written);
             let untooled = Modes { tool_offset: Coordinates::default(), ..frame };
             let offset = machine.minus(untooled.machine_of(target)).converted(to_stored);
-            table.taking(frame.turned_letters(letters), offset)
+            table.taking(frame.letters_moved_together(letters), offset)
         };
         tool.offset = offset.position();
         if let Some(radius) = words.get(b'R') {

@@ -1,7 +1,7 @@
 //! Coordinate systems (11.1): from program coordinates to those of the machine and back.
 //!
-//! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the turned system (11.1.4.1,
-//! 11.5.14).
+//! machine = rotation(program + G92) + G5x + tool: the offset of G52 and G92 applies in the rotated coordinate system
+//! (11.1.4.1, 11.5.14).
 
 use crate::faults::{PlantedFault, planted};
 use crate::math;
@@ -41,9 +41,9 @@ impl Modes {
         machine.minus(self.tool_offset).minus(turned)
     }
 
-    /// The axes of which the coordinates change when those of `letters` do on the other side: where the system is
-    /// turned, X and Y go together.
-    pub(super) fn turned_letters(&self, letters: u32) -> u32 {
+    /// The axes whose program coordinates change when the machine's axes of `letters` move, and the reverse: in a
+    /// rotated coordinate system X and Y change together.
+    pub(super) fn letters_moved_together(&self, letters: u32) -> u32 {
         let together = self.rotation.abs() > 0.0 && letters & (X | Y) != 0;
         if together { letters | X | Y } else { letters }
     }

@@ -181,6 +181,7 @@ impl Modal {
         let machine = self.active.now().machine_of(self.position);
         let there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
         let target = there.program_of(machine).replaced(&self.offset_words(words));
-        origin.taking(there.turned_letters(words.present), there.origin_for(machine, target))
+        origin
+            .taking(there.letters_moved_together(words.present), there.origin_for(machine, target))
     }
 }

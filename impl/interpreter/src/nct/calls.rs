@@ -53,7 +53,7 @@ impl Runner {
         called(*program, repeat)
     }
 
-    /// G66 and G66.1.
+    /// G66 and G66.1: puts a modal call in force.
     fn command(&mut self, modal: ModalCall) -> Result<(), Stop> {
         self.may_command()?;
         if self.modal_calls.first().is_some_and(|first| first.by_block != modal.by_block) {
@@ -64,7 +64,7 @@ impl Runner {
         Ok(())
     }
 
-    /// G67.
+    /// G67: cancels the modal call that was commanded last.
     fn cancel(&mut self) -> Result<Flow, Stop> {
         if self.words.len() > 1 {
             return Err(Stop::Open("G67 with other words"));
@@ -82,7 +82,7 @@ impl Runner {
     }
 
     fn may_command(&self) -> Result<(), Stop> {
-        if self.frame().commands_open {
+        if self.frame().commands_unspecified {
             let why = "G66, G66.1 or G67 in a program that a modal call reached or called";
             return Err(Stop::Open(why));
         }
@@ -136,7 +136,7 @@ impl Runner {
         let program = self.begins_macro(modal.call)?;
         let reach =
             if planted(PlantedFault::ReachesItself) { call.saturating_add(1) } else { call };
-        self.begin(program, modal.call, (Reach::Below(reach), true));
+        self.begin(program, modal.call, (Reach::First(reach), true));
         self.variables.enter(&modal.arguments, self.choices.reloaded);
         Ok(())
     }
@@ -146,8 +146,8 @@ impl Runner {
         let program = self.begins_macro(call)?;
         let reach = match self.reached()? {
             _ if self.modal_calls.is_empty() => self.frame().reach,
-            None => Reach::Below(0),
-            Some(_) => Reach::Open,
+            None => Reach::First(0),
+            Some(_) => Reach::Unspecified,
         };
         self.begin(program, call, (reach, true));
         self.variables.enter(arguments, self.choices.reloaded);
@@ -202,9 +202,9 @@ impl Runner {
     }
 
     fn begin(&mut self, program: usize, call: Call, (reach, is_macro): (Reach, bool)) {
-        // A subprogram stands where its caller does.
-        let commands_open =
-            self.frame().commands_open || (is_macro && !matches!(self.reached(), Ok(None)));
+        // A subprogram of M98 is a part of its caller; a macro is not.
+        let commands_unspecified =
+            self.frame().commands_unspecified || (is_macro && !matches!(self.reached(), Ok(None)));
         let first = self.code.programs.get(program).map_or(0, |program| program.blocks.from);
         let left = if planted(PlantedFault::OnceMore) && call.repeats > 1 {
             call.repeats.saturating_add(1)
@@ -218,7 +218,7 @@ impl Runner {
             is_macro,
             left,
             modal_calls: self.modal_calls.len(),
-            commands_open,
+            commands_unspecified,
         });
     }
 

@@ -254,14 +254,14 @@ impl Runner {
         }
     }
 
-    /// The modal call that a block in progress reaches; open where it is open whether it reaches one.
+    /// The modal call that a block of the program in progress triggers, as its place among those in force.
     pub(super) fn reached(&self) -> Result<Option<usize>, Stop> {
         let in_force = self.modal_calls.len();
         match self.frame().reach {
             Reach::All => Ok(in_force.checked_sub(1)),
-            Reach::Below(calls) => Ok(calls.min(in_force).checked_sub(1)),
-            Reach::Open if in_force == 0 => Ok(None),
-            Reach::Open => Err(Stop::Open(
+            Reach::First(calls) => Ok(calls.min(in_force).checked_sub(1)),
+            Reach::Unspecified if in_force == 0 => Ok(None),
+            Reach::Unspecified => Err(Stop::Open(
                 "which modal calls reach a macro of G65 that is called while one is in force",
             )),
         }

@@ -102,7 +102,7 @@ impl<'a> Cursor<'a> {
     /// A number without a sign.
     pub(super) fn number(&mut self) -> Result<f64, Stop> {
         let run = self.run();
-        let value = match syntax::plain_number(run).filter(|short| short.length == run.len()) {
+        let value = match syntax::read_short_prefix(run).filter(|short| short.length == run.len()) {
             Some(short) => Some(short.value()),
             None => long(run),
         };

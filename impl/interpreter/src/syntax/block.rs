@@ -196,7 +196,7 @@ impl LineCompiler {
                 .refuse(FaultKind::BadBlock, "it is allowed only at the beginning of a line");
         }
         // The usual word is a letter and a number; it never touches the stack.
-        let short = number::short(cursor.rest().get(1..).unwrap_or(&[]));
+        let short = number::read_short(cursor.rest().get(1..).unwrap_or(&[]));
         let known = if let Some(short) = short {
             cursor.advance_to_next(short.length.wrapping_add(1));
             Some(short.value())
@@ -342,11 +342,11 @@ impl LineCompiler {
 fn line_number(cursor: &mut Cursor<'_>) -> Parsed<()> {
     let mut text = String::new();
     cursor.step();
-    number::digits(cursor, &mut text);
+    number::read_digits(cursor, &mut text);
     let mut complete = !text.is_empty();
     if cursor.take(b'.') {
         text.clear();
-        number::digits(cursor, &mut text);
+        number::read_digits(cursor, &mut text);
         complete &= !text.is_empty();
     }
     if complete {

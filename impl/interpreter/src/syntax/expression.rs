@@ -71,7 +71,7 @@ impl LineCompiler {
         depth: u32,
     ) -> Parsed<()> {
         if number::begins(cursor) {
-            let number = number::unsigned(cursor)?;
+            let number = number::read_unsigned(cursor)?;
             into.ops.push(Op::Number(number));
             return Ok(());
         }
@@ -87,7 +87,7 @@ impl LineCompiler {
         }
         cursor.step();
         if number::begins(cursor) {
-            let number = number::unsigned(cursor)?;
+            let number = number::read_unsigned(cursor)?;
             into.ops.push(Op::Number(if sign == b'-' { -number } else { number }));
             return Ok(());
         }

@@ -21,7 +21,7 @@ pub(crate) use bytecode::{CodeSegment, ParameterRef};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
 pub(crate) use compiler::LineCompiler;
 pub(crate) use expression::group;
-pub(crate) use number::plain as plain_number;
+pub(crate) use number::read_short_prefix;
 pub(crate) use o_word::label_ops;
 pub(crate) use parameter::{is_machine_state, is_position, parameter_number};
 

@@ -1,4 +1,16 @@
-//! Numbers as they are written (11.4.2.4): digits with one decimal point at most, blanks anywhere between them.
+//! Reads numbers (11.4.2.4): digits with one decimal point at most, blanks anywhere between them.
+//!
+//! Nearly every number is short: at most 15 adjacent digits. Each reader leaves what it cannot read to the next one:
+//!
+//! ```text
+//! read_unsigned                       any number without a sign
+//!   read_short                          a short number, where the text after it does not continue it
+//!     read_short_prefix                   a short number at the beginning of a text, whatever follows
+//!       read_few_digits                     up to seven digits, eight bytes at once
+//!       read_short_prefix_bytewise          eight digits or more, or fewer than eight bytes of text: byte by byte
+//!   read_spaced_or_long                 blanks between digits, or a mantissa of up to 2^53
+//!     read_long                           all other numbers, by the standard library
+//! ```
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -16,8 +28,8 @@ const POWERS: [f64; 23] = [
 ];
 /// Powers of ten by the number of digits after a point.
 const TENS: [u64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
-/// Most characters of a number that the standard library reads.
-const LONGEST: usize = 320;
+/// Most digits and points of a number that [`read_long`] reads.
+const SLOW_CHARACTERS_MAX: usize = 320;
 
 /// Whether a number without a sign begins here.
 #[inline]
@@ -25,12 +37,12 @@ pub(crate) fn begins(cursor: &Cursor<'_>) -> bool {
     matches!(cursor.peek(), b'0'..=b'9' | b'.')
 }
 
-/// Most digits of a short number: together they stay below 2^53.
-const SHORT: usize = 15;
+/// Most digits of a short number: its mantissa stays below 2^53.
+const SHORT_DIGITS_MAX: usize = 15;
 
-/// Adds the digits from a place on to a mantissa; where they end.
+/// Appends the digits of a text from a place on to a mantissa. Returns where they end.
 #[inline]
-fn run_of_digits(text: &[u8], from: usize, mantissa: &mut u64) -> usize {
+fn add_digits(text: &[u8], from: usize, mantissa: &mut u64) -> usize {
     let mut place = from;
     while let Some(byte) = text.get(place) {
         let digit = byte.wrapping_sub(b'0');
@@ -43,7 +55,7 @@ fn run_of_digits(text: &[u8], from: usize, mantissa: &mut u64) -> usize {
     place
 }
 
-/// A number of few adjacent digits.
+/// A number of at most [`SHORT_DIGITS_MAX`] adjacent digits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Short {
     /// All digits as an integer.
@@ -82,22 +94,27 @@ impl Short {
     }
 }
 
-/// Fast path of [`run_of_digits`]. Up to seven digits at the beginning of a text, read at once, and how many they
-/// are. None where there may be more of them.
+/// Fast path of [`add_digits`]. Returns the value of up to seven digits at the beginning of a text, and their count.
+/// None where there may be more digits, or where the text has fewer than eight bytes.
+///
+/// It works on eight bytes as one integer; the first byte of the text is the lowest.
 #[inline(always)]
-fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
+fn read_few_digits(text: &[u8]) -> Option<(u64, usize)> {
     const ZEROS: u64 = 0x3030_3030_3030_3030;
-    const SIXES: u64 = 0x7676_7676_7676_7676;
+    const CARRY_ABOVE_NINE: u64 = 0x7676_7676_7676_7676;
     const HIGHS: u64 = 0x8080_8080_8080_8080;
     const BYTES: u64 = 0x0000_00ff_0000_00ff;
+    // A digit becomes its value, 0 to 9; any other byte becomes more than 9.
     let digits = u64::from_le_bytes(*text.first_chunk::<8>()?) ^ ZEROS;
-    // The high bit of the first byte that is not a digit; those after it do not matter.
-    let others = (digits.wrapping_add(SIXES) | digits) & HIGHS;
+    // 0x76 + 0x0A is 0x80: the addition sets the high bit of a byte above 9. `| digits` keeps a high bit that the byte
+    // had. A carry can spoil only later bytes, and only the first byte that is not a digit matters.
+    let others = (digits.wrapping_add(CARRY_ABOVE_NINE) | digits) & HIGHS;
     let bits = others.trailing_zeros() & 0x78;
     if others == 0 {
         return None;
     }
-    // The digits go to the end of the eight bytes, zeros before them; then pairs, fours and all are joined.
+    // Right-align the digits, with zeros before them. Then join neighbours: each byte with the next one to a pair, and
+    // the pairs, weighted by 10^6, 10^4, 10^2 and 1, to the number in the upper 32 bits.
     let eight = (digits << 1).wrapping_shl(63_u32.wrapping_sub(bits));
     let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8);
     let even = (pairs & BYTES).wrapping_mul(100 + (1_000_000 << 32));
@@ -106,42 +123,46 @@ fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
     Some((even.wrapping_add(odd) >> 32, count))
 }
 
-/// Fast path of [`longer`]. The number at the beginning of a text, where it is a short one; the caller checks the
-/// text after it.
+/// Fast path of [`read_short_prefix_bytewise`]. Reads a short number at the beginning of a text; the caller checks the
+/// text after it. None where there is no short number.
 #[inline]
-pub(crate) fn plain(text: &[u8]) -> Option<Short> {
-    let Some((whole, length)) = few_digits(text) else { return longer(text) };
+pub(crate) fn read_short_prefix(text: &[u8]) -> Option<Short> {
+    let Some((whole, length)) = read_few_digits(text) else {
+        return read_short_prefix_bytewise(text);
+    };
     let rest = text.get(length..)?;
     let [b'.', behind @ ..] = rest else {
         return (length != 0).then_some(Short { mantissa: whole, decimals: 0, length });
     };
-    let Some((behind_point, decimals)) = few_digits(behind) else { return longer(text) };
+    let Some((behind_point, decimals)) = read_few_digits(behind) else {
+        return read_short_prefix_bytewise(text);
+    };
     let mantissa = whole.wrapping_mul(*TENS.get(decimals)?).wrapping_add(behind_point);
     let digits = length.wrapping_add(decimals);
     (digits != 0).then_some(Short { mantissa, decimals, length: digits.wrapping_add(1) })
 }
 
-/// A short number that may have more digits, or that may end the text.
+/// Reads a short number at the beginning of a text, byte by byte. None where there is no short number.
 #[inline(never)]
-fn longer(text: &[u8]) -> Option<Short> {
+fn read_short_prefix_bytewise(text: &[u8]) -> Option<Short> {
     let mut mantissa = 0_u64;
-    let whole = run_of_digits(text, 0, &mut mantissa);
+    let whole = add_digits(text, 0, &mut mantissa);
     let (length, decimals) = if text.get(whole) == Some(&b'.') {
         let begin = whole.wrapping_add(1);
-        let end = run_of_digits(text, begin, &mut mantissa);
+        let end = add_digits(text, begin, &mut mantissa);
         (end, end.wrapping_sub(begin))
     } else {
         (whole, 0)
     };
     let digits = whole.wrapping_add(decimals);
-    (digits.wrapping_sub(1) < SHORT).then_some(Short { mantissa, decimals, length })
+    (digits.wrapping_sub(1) < SHORT_DIGITS_MAX).then_some(Short { mantissa, decimals, length })
 }
 
-/// Fast path of [`unusual`]. The number at the beginning of a text, where it is a short one that ends there, as
-/// nearly every number does.
+/// Fast path of [`read_spaced_or_long`]. Reads a short number at the beginning of a text, where the text after it does
+/// not continue it. A blank after the number counts to its length.
 #[inline]
-pub(crate) fn short(text: &[u8]) -> Option<Short> {
-    let number = plain(text)?;
+pub(crate) fn read_short(text: &[u8]) -> Option<Short> {
+    let number = read_short_prefix(text)?;
     match text.get(number.length..)? {
         // Blanks may separate digits: the number continues if a digit or a point follows the blank.
         [b' ', b'0'..=b'9' | b'.' | b' ' | b'\t', ..] | [b'\t' | b'.', ..] => None,
@@ -152,19 +173,19 @@ pub(crate) fn short(text: &[u8]) -> Option<Short> {
 
 /// Reads a number without a sign, rounded correctly.
 #[inline]
-pub(crate) fn unsigned(cursor: &mut Cursor<'_>) -> Parsed<f64> {
-    match short(cursor.rest()) {
+pub(crate) fn read_unsigned(cursor: &mut Cursor<'_>) -> Parsed<f64> {
+    match read_short(cursor.rest()) {
         Some(short) => {
             cursor.advance_to_next(short.length);
             Ok(short.value())
         }
-        None => unusual(cursor),
+        None => read_spaced_or_long(cursor),
     }
 }
 
-/// Reads a number that is long or has blanks in it.
+/// Reads a number that has blanks in it or more digits than a short one.
 #[cold]
-fn unusual(cursor: &mut Cursor<'_>) -> Parsed<f64> {
+fn read_spaced_or_long(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     let start = *cursor;
     let mut mantissa = 0_u64;
     let mut digits = 0_usize;
@@ -199,13 +220,13 @@ fn unusual(cursor: &mut Cursor<'_>) -> Parsed<f64> {
         let number = math::from_u64(mantissa);
         return Ok(if decimals == 0 { number } else { number / power });
     }
-    slow(start)
+    read_long(start)
 }
 
-/// Reads a long number through the standard library.
+/// Reads a number whose mantissa or power of ten a double does not hold exactly, by the standard library.
 #[cold]
-fn slow(mut cursor: Cursor<'_>) -> Parsed<f64> {
-    let mut text = [0_u8; LONGEST];
+fn read_long(mut cursor: Cursor<'_>) -> Parsed<f64> {
+    let mut text = [0_u8; SLOW_CHARACTERS_MAX];
     let mut length = 0_usize;
     while begins(&cursor) {
         let Some(slot) = text.get_mut(length) else {
@@ -226,7 +247,7 @@ fn slow(mut cursor: Cursor<'_>) -> Parsed<f64> {
 }
 
 /// Reads an unsigned integer, such as the number of an o-word, as digits into a text.
-pub(crate) fn digits(cursor: &mut Cursor<'_>, into: &mut alloc::string::String) {
+pub(crate) fn read_digits(cursor: &mut Cursor<'_>, into: &mut alloc::string::String) {
     while cursor.peek().is_ascii_digit() {
         into.push(char::from(cursor.peek()));
         cursor.step();

@@ -78,7 +78,7 @@ impl LineCompiler {
         self.in_label = true;
         let result = match cursor.peek() {
             b'0'..=b'9' => {
-                number::digits(cursor, &mut text);
+                number::read_digits(cursor, &mut text);
                 // A number of more digits than a float distinguishes is the nearest one.
                 if cursor.peek() == b'.' || text.trim_start_matches('0').len() > 15 {
                     *cursor = start;

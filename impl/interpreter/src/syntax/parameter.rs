@@ -31,13 +31,13 @@ impl LineCompiler {
         match cursor.peek() {
             b'<' => return self.named(cursor),
             b'0'..=b'9' | b'.' => {
-                if let Some(short) = number::short(cursor.rest())
+                if let Some(short) = number::read_short(cursor.rest())
                     && let Some(number @ 1..=LAST_NUMBER) = short.integer()
                 {
                     cursor.advance_to_next(short.length);
                     return Ok(ParameterRef::Numbered(u16::try_from(number).unwrap_or(0)));
                 }
-                let number = number::unsigned(cursor)?;
+                let number = number::read_unsigned(cursor)?;
                 into.ops.push(Op::Number(number));
             }
             b'[' => self.expression(cursor, into, depth)?,
@@ -215,7 +215,7 @@ fn bracketed<'a>(name: &'a str, word: &str) -> Option<&'a str> {
 /// nothing is taken. Parameters of the position are excluded.
 #[inline]
 pub(crate) fn short_parameter(cursor: &mut Cursor<'_>) -> Option<u16> {
-    let short = number::short(cursor.rest().get(1..)?)?;
+    let short = number::read_short(cursor.rest().get(1..)?)?;
     let number @ 1..=LAST_NUMBER = short.integer()? else { return None };
     let number = u16::try_from(number).ok().filter(|number| !is_position(*number))?;
     cursor.advance_to_next(short.length.wrapping_add(1));

@@ -19,11 +19,11 @@ use crate::error::Error;
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
 use crate::source::Source;
-use crate::syntax::{ParameterRef, plain_number};
+use crate::syntax::{ParameterRef, read_short_prefix};
 use crate::words::Words;
 
 /// Longest line that is taken; the documents' limit is not shorter.
-const LONGEST: usize = 255;
+const BYTES_MAX: usize = 255;
 /// Places of letters from A.
 const G: u8 = b'g' - b'a';
 const M: u8 = b'm' - b'a';
@@ -133,7 +133,7 @@ impl FastLine<'_> {
             [b'\r'] => return None,
             _ => 1,
         };
-        (length <= LONGEST).then_some((length.wrapping_add(end), bare))
+        (length <= BYTES_MAX).then_some((length.wrapping_add(end), bare))
     }
 
     /// Fast path of `LineCompiler::word`. A word, after its letter.
@@ -143,7 +143,9 @@ impl FastLine<'_> {
             [b'-', digits @ ..] => (true, digits),
             _ => (false, text),
         };
-        let Some(number) = plain_number(digits) else { return self.unusual_word(letter, text) };
+        let Some(number) = read_short_prefix(digits) else {
+            return self.unusual_word(letter, text);
+        };
         let text = digits.get(number.length..)?;
         match letter {
             G | M if negative => return None,

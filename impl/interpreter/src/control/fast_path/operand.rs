@@ -7,7 +7,7 @@
 use crate::parameters::Parameters;
 use crate::syntax::bytecode::{Binary, Function};
 use crate::syntax::{
-    LineCompiler, ParameterRef, arithmetic, group, is_position, parameter_number, plain_number,
+    LineCompiler, ParameterRef, arithmetic, group, is_position, parameter_number, read_short_prefix,
 };
 
 /// Highest number of a parameter.
@@ -192,7 +192,7 @@ impl Values<'_> {
 /// A number without a sign.
 #[inline]
 fn number(text: &[u8]) -> Found<'_, f64> {
-    let number = plain_number(text)?;
+    let number = read_short_prefix(text)?;
     Some((number.value(), text.get(number.length..)?))
 }
 

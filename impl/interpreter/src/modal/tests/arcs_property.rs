@@ -126,7 +126,7 @@ proptest! {
         let incremental = arc_words(&[(axes[0], c), (axes[1], d), (offsets[0], first - a), (offsets[1], second - b), p]);
         let absolute = arc_words(&[(axes[0], c), (axes[1], d), (offsets[0], first), (offsets[1], second), p]);
         let from = modal.position;
-        modal.position = modal.moved(&incremental);
+        modal.position = modal.plain_end_point(&incremental);
         let found = modal.arc(&incremental, motion(counterclockwise), &from).unwrap();
         modal.active.put(|modes| &mut modes.arc_distance, gaugeblock_vocabulary::Distance::Absolute);
         let also = modal.arc(&absolute, motion(counterclockwise), &from).unwrap();
