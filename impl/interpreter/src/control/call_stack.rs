@@ -36,9 +36,9 @@ impl Cursor {
 pub(crate) enum FrameKind {
     /// By an o-word.
     Sub,
-    /// By M98, with so many turns left after this one, and the place where each begins.
+    /// By M98.
     Numbered {
-        /// Turns left.
+        /// How many turns follow this one.
         left: u64,
         /// First block.
         entry: u32,
@@ -58,15 +58,16 @@ pub(crate) struct Frame {
     pub(crate) arguments: [f64; 30],
     /// The caller's named parameters.
     pub(crate) mark: ScopeMark,
-    /// How many definitions there were.
+    /// How many labels were defined when it began.
     pub(crate) definitions: usize,
 }
 
 /// A label that points to a condition or loop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Definition {
+    /// The label.
     pub(crate) label: NameId,
-    /// If, While, Do or Repeat.
+    /// The keyword that defines it: If, While, Do or Repeat.
     pub(crate) keyword: Keyword,
     /// Whether the structure has ended.
     pub(crate) ended: bool,
@@ -76,7 +77,7 @@ pub(crate) struct Definition {
     pub(crate) offset: u64,
     /// The place of the block.
     pub(crate) at: Cursor,
-    /// Which of the loops that were in [`LOOP`] it belongs to.
+    /// The generation of the segment [`LOOP`] in which the block is: another loop may have replaced that one since.
     pub(crate) generation: u32,
     /// Turns of a repeat that are left, this one included.
     pub(crate) left: u64,
@@ -87,7 +88,7 @@ pub(crate) struct Definition {
 pub(crate) struct CallStack {
     /// Innermost last.
     pub(crate) frames: Vec<Frame>,
-    /// Those of the main program first, those of the running level last, each level's by label.
+    /// Level by level, those of the main program first; sorted by label within a level.
     definitions: Vec<Definition>,
 }
 

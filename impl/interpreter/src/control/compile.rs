@@ -1,4 +1,5 @@
-//! Compiles what can run again as a whole: loops and subs. Files and numbered subprograms: [`super::files`].
+//! Compiles loops and subs as a whole, since their blocks can run again. [`super::files`] compiles files and numbered
+//! subprograms.
 
 use alloc::collections::BTreeMap;
 
@@ -23,7 +24,7 @@ const LABEL: usize = 32;
 pub(super) enum Next {
     /// A block, the last one of the segment now.
     Block(Block),
-    /// Nothing that counts.
+    /// A line that is not a block.
     Nothing,
     /// A percent line.
     Percent(LinePlace),
@@ -202,8 +203,8 @@ impl Interpreter {
         true
     }
 
-    /// A sub that begins among compiled blocks gets a segment of its own, even if its head is refused: skipping it
-    /// looks at nothing else of it. False where it begins and does not end, so that it is not a sub.
+    /// Compiles a sub that begins among compiled blocks into a segment of its own, even if its head is refused: the sub
+    /// is skipped as a whole. False if it has no end, and is therefore not a sub.
     pub(super) fn compile_inner_sub<S: Source>(
         &mut self,
         head: &Block,
@@ -244,7 +245,7 @@ impl Interpreter {
         loop {
             let endless = code.inner.map_or(Bad::Endless, Bad::Nested);
             match self.compile_next(source, &mut code)? {
-                // A sub of a file is executed as far as it goes: it is refused where its endsub is missing.
+                // A sub of a file is executed up to its last block; only there its missing endsub is refused.
                 Next::Over if file != 0 => break,
                 Next::Over => return Ok(Err(endless)),
                 Next::Percent(place) => {
@@ -325,7 +326,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Bytes that labels and what they point to take.
+    /// How many bytes the labels and their targets take.
     fn label_bytes(&self) -> usize {
         let definitions = self.call_stack.definitions().saturating_mul(size_of::<Definition>());
         let labels = self.compiler.labels.len().saturating_mul(LABEL);

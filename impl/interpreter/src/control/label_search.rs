@@ -1,4 +1,4 @@
-//! The search for the block that a label leads to, further on in the text.
+//! Searches the text, or the compiled blocks, after the block in progress for a block with a label.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -13,24 +13,27 @@ use crate::syntax::{LineKind, LinePlace, PercentAlone, is_o_word, is_percent};
 /// The target of a search.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LabelTarget {
+    /// The label.
     pub(crate) label: NameId,
-    /// Whether a keyword is the right one.
+    /// Whether a block with this keyword is the target.
     pub(crate) accept: fn(Keyword) -> bool,
 }
 
-/// A line of the main program, as a search sees it.
+/// The kind of a line of the main program, for a search.
 enum ScannedLine {
+    /// An o-word.
     Block,
+    /// Another line.
     Other,
+    /// A percent line.
     Percent,
 }
 
 impl Interpreter {
-    /// Finds the next block with a label, from the one that is being executed on, and makes it the next one to be
-    /// executed.
+    /// Finds the next block of a target after the block in progress. That block is executed next.
     ///
     /// # Errors
-    /// There is none: the label belongs to nothing that ends.
+    /// There is no such block: a condition or loop has no end.
     pub(crate) fn search_label<S: Source>(
         &mut self,
         at: Cursor,
@@ -73,8 +76,8 @@ impl Interpreter {
         }
     }
 
-    /// Within a segment. Where all labels are known, the blocks of one label are linked, and the search follows the
-    /// links.
+    /// Searches a segment of compiled blocks. Where no label must be computed, the blocks of one label are linked, and
+    /// the search follows the links.
     fn search_segment(&mut self, at: Cursor, target: LabelTarget) -> Option<(u32, Block, OWord)> {
         let code = segment(&self.segments, at.segment)?;
         if code.computed || !self.compiler.choices.skipped_free {
@@ -91,7 +94,7 @@ impl Interpreter {
         }
     }
 
-    /// Within a segment, block after block.
+    /// Searches a segment block by block.
     fn search_each_block(
         &mut self,
         at: Cursor,
@@ -110,7 +113,7 @@ impl Interpreter {
         }
     }
 
-    /// The o-word, where a block is the wanted one.
+    /// The o-word of a block, if it has the label and a keyword of the target.
     fn matching_o_word(
         &mut self,
         at: Cursor,
@@ -125,7 +128,7 @@ impl Interpreter {
         (label == target.label).then_some(o_word)
     }
 
-    /// In the main program, line after line; bodies of subs are stepped over.
+    /// Searches the text of the main program line by line, except in bodies of subs.
     fn search_main<S: Source>(
         &mut self,
         target: LabelTarget,
@@ -218,8 +221,8 @@ impl Interpreter {
         Ok(())
     }
 
-    /// A skipped block defines its label too, where the option says so, whatever else it holds. A computed label is
-    /// defined when execution reaches it.
+    /// Defines the label of a skipped block, under the option by which skipped blocks define labels. The rest of the
+    /// block does not matter. A computed label is defined only when the block is executed.
     fn define_skipped(&mut self, at: Cursor, block: &Block, o_word: OWord) {
         let head =
             matches!(o_word.keyword, Keyword::If | Keyword::While | Keyword::Repeat | Keyword::Do);

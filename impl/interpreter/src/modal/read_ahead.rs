@@ -9,7 +9,7 @@ use super::coordinates::Coordinates;
 use super::snapshots::MachineSnapshot;
 
 impl Modal {
-    /// From here on blocks are only read; the machine's point is this one, program coordinates.
+    /// From here on blocks are only read. The machine stays at this point, in program coordinates.
     #[cold]
     pub(super) fn begin_read_ahead_at(&mut self, point: Coordinates) {
         if self.machine_snapshot.is_some() {
@@ -29,7 +29,7 @@ impl Modal {
         self.begin_read_ahead_at(self.position);
     }
 
-    /// Reading ahead is over: the machine is as it was.
+    /// Ends reading ahead: position and tools are those of the machine again.
     pub(crate) fn end_read_ahead(&mut self, numbered: &mut Numbered) {
         let Some(snapshot) = self.machine_snapshot.take() else { return };
         let point = snapshot.point.converted(self.stored_to_active());

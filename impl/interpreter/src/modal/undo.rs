@@ -1,7 +1,7 @@
-//! A refused block changes nothing: what it had changed until it was refused is rolled back. An exception is a block
-//! whose probe finds nothing: it has been executed up to there.
+//! Rolls back what a block changed before it was refused. The exception is a block whose probe finds nothing: it stays
+//! executed up to the probe.
 //!
-//! What the sink received and did stays; a caller that records looks at whole blocks.
+//! What the sink received is not taken back: a sink that records keeps the effects of a block until it ends.
 
 use gaugeblock_vocabulary::Tool;
 
