@@ -55,12 +55,13 @@ impl Files {
         self.texts.contains_key(name)
     }
 
-    /// Whether there is a file of this name in a folder that nobody looks into.
+    /// Whether there is a file of this name in another folder, in which calls do not look for files.
     pub(super) fn has_elsewhere(&self, name: &str) -> bool {
         self.texts.keys().any(|path| path.rsplit_once('/').is_some_and(|(_, file)| file == name))
     }
 
-    /// Opens a file and reads it once for its labels, up to the percent line that ends it. No rule is reached by that.
+    /// Opens a file and reads it once for its labels, up to the percent line that ends it. This reading counts for no
+    /// rule's coverage.
     fn add(&mut self, name: &str, text: &str, state: &mut State) -> Place {
         let mut source = Source::new(name, text, &state.choices);
         if let Some(main) = self.opened.first() {
@@ -98,17 +99,17 @@ impl Files {
         &self.opened[file].labels
     }
 
-    /// The labels of a file, to tell them where a sub ends.
+    /// The labels of a file, to record where a sub ends.
     pub(super) fn labels_mut(&mut self, file: usize) -> &mut Labels {
         &mut self.opened[file].labels
     }
 
-    /// What stands at a place; none behind the end of the file.
+    /// The line at a place; none after the end of the file.
     pub fn line(&self, place: Place, state: &mut State) -> Option<Line<'_>> {
         self.line_of(self.source(place.file), place.line, state)
     }
 
-    /// What a line of a file is; none behind its end.
+    /// A line of a file; none after its end.
     pub fn line_of<'a>(
         &self,
         source: &'a Source,

@@ -1,8 +1,8 @@
-//! Where each label stands, and in which sub.
+//! Where each label is written, and in which sub.
 //!
-//! Rule control.labels-in-subs. A label of a condition or loop is known in its sub only: each sub, each numbered
-//! program and what stands outside of them is a scope of its own. A file is read once for its labels, so that a jump
-//! costs a look-up.
+//! Rule control.labels-in-subs. A label of a condition or loop is known in its sub only. There is a scope for each sub,
+//! one for each numbered program, and one for the blocks outside of them. A file is read once for its labels, so that a
+//! jump costs a look-up.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,7 +32,8 @@ pub(crate) struct Labels {
     numbers: BTreeMap<String, Vec<u32>>,
     /// Lines with a number alone inside a sub.
     numbers_in_subs: BTreeSet<u32>,
-    /// Where subs that were defined end, as far as the text alone tells something else.
+    /// Last line of each sub whose end depends on a computed label, by the line of its head; known once the sub is
+    /// defined.
     ends: BTreeMap<u32, u32>,
 }
 
@@ -57,7 +58,7 @@ pub(super) struct Definition {
 }
 
 impl Mark {
-    /// Whether it has a label, one that is computed as things stand now too.
+    /// Whether it has this label. A label that must be computed is computed with the current parameters.
     pub(crate) fn has(&self, label: &str, state: &mut State) -> bool {
         match &self.label {
             Some(own) => own == label,
@@ -76,8 +77,8 @@ impl Labels {
         }
     }
 
-    /// Gives each mark its scope: what stands between a sub and its endsub, or after a program's number. A sub
-    /// without its end holds nothing.
+    /// Gives each mark its scope: the blocks between a sub and its endsub are one, and so are those after a program's
+    /// number. A sub without endsub has no scope.
     pub(super) fn finish(&mut self) {
         let (marks, ends) = (std::mem::take(&mut self.marks), std::mem::take(&mut self.ends));
         *self = Self { marks, ends, ..Self::default() };
@@ -138,8 +139,8 @@ impl Labels {
         }
     }
 
-    /// Line of the endsub of a sub that is defined: the first one behind it that has its label as things stand now.
-    /// What stands before it belongs to the sub from now on.
+    /// Line of the endsub of a sub that is being defined: the first endsub after it that has its label. Labels that
+    /// must be computed are computed now. From now on the blocks before that endsub belong to the sub.
     pub(super) fn end_of_defined(
         &mut self,
         label: &str,
@@ -189,8 +190,8 @@ impl Labels {
         lines.min()
     }
 
-    /// Whether a block with this label and one of these keywords stands further on, behind the beginning of a
-    /// numbered program.
+    /// Whether a block with this label and one of these keywords is further on, after the beginning of a numbered
+    /// program.
     pub(super) fn ends_in_program(
         &self,
         label: &str,
@@ -203,8 +204,8 @@ impl Labels {
         behind.filter(|mark| keywords.contains(&mark.keyword)).any(|mark| mark.has(label, state))
     }
 
-    /// What defines a label in the scope of a line, in the order of the text: if, do, repeat, and a while that ends
-    /// no do.
+    /// The blocks that define a label in the scope of a line, in the order of the text: if, do, repeat, and a while
+    /// that does not end a do.
     pub(super) fn definitions(&self, label: &str, at: u32) -> &[Definition] {
         let found = self.definitions.get(&(self.scope(at), label.to_owned()));
         found.map_or(&[], Vec::as_slice)
@@ -258,8 +259,8 @@ impl Labels {
     }
 }
 
-/// The label, or none where it depends on parameters; nothing at all where it can be no label, so that nothing leads
-/// there.
+/// The label of an O-word: `Some(None)` if it depends on parameters, `None` if it cannot be a label. No jump leads to
+/// the latter.
 fn written_label(label: &Label, state: &mut State) -> Option<Option<String>> {
     match label {
         Label::Name(name) => Some(Some(name.clone())),
@@ -303,8 +304,8 @@ impl Ends {
         ends
     }
 
-    /// The line that ends a sub as far as the text tells: the endsub with its label; else, where a label must be
-    /// computed, the next one that may have it.
+    /// The line that ends a sub, by the text alone: the endsub with its label, else the next endsub whose label must be
+    /// computed.
     fn of_sub(&self, sub: &Mark) -> Option<u32> {
         let next = |lines: &[u32]| {
             let after = lines.partition_point(|line| *line <= sub.line);

@@ -1,4 +1,4 @@
-//! while, do, repeat, break, continue.
+//! Loops: while, do, repeat, break, continue.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -24,7 +24,7 @@ pub(crate) fn is_repeat(structure: Structure) -> bool {
     matches!(structure, Structure::Repeat { .. })
 }
 
-/// What a controller may do otherwise with loops.
+/// The rules of loops that a controller's dialect may replace.
 pub(crate) trait LoopRules {
     /// A while whose condition is false goes on after its endwhile.
     fn leave_while(
@@ -42,7 +42,7 @@ pub(crate) trait LoopRules {
         condition
     }
 
-    /// A repeat begins, with all its turns.
+    /// Begins a repeat.
     fn begin_repeat(
         &self,
         control: &mut Control,
@@ -59,7 +59,7 @@ pub(crate) trait LoopRules {
         Ok(Next::Following)
     }
 
-    /// A turn of a repeat ends, which is the one that is open at this place.
+    /// Ends a turn of a repeat. `place` is the repeat's place among the open conditions and loops.
     ///
     /// Rule control.repeat-recursion. The turns left belong to this invocation of the sub.
     fn end_turn_of_repeat(
@@ -99,7 +99,7 @@ pub(crate) trait LoopRules {
         Ok(Next::At(control.line(line + 1)))
     }
 
-    /// A loop is broken, which was open with all that is within it.
+    /// Leaves a loop by a break. `left` has the loop first, and then the open conditions and loops inside it.
     ///
     /// Rule control.break. It is left at once.
     fn leave_by_break(
@@ -335,8 +335,8 @@ impl Control {
         state.dialect().leave_by_break(self, left, state)
     }
 
-    /// A break or continue stands in the loop that it names. One behind it is reached only where a condition that was
-    /// skipped overlaps the loop, which the documents do not know.
+    /// A break or continue is inside the loop that it names. It is reached after the end of that loop only if a skipped
+    /// condition overlaps the loop, and the documents do not describe overlaps.
     fn within(
         &self,
         label: &str,
@@ -352,7 +352,7 @@ impl Control {
         Ok(())
     }
 
-    /// What a loop holds ends before it does: the documents do not know conditions and loops that overlap.
+    /// Conditions and loops inside a loop end before the loop does: the documents do not describe overlaps.
     fn ends_before(&self, inner: &[Open], end: u32, state: &mut State) -> Result<(), StepError> {
         for Open { label, line, structure } in inner {
             let own = self.find(label, &[structure.end()], *line, state);
@@ -366,8 +366,8 @@ impl Control {
 
     /// Rule control.continue. It goes to the next test of the condition.
     ///
-    /// Choice control.ended-label: where a label still points to a loop that has ended, nothing says whether that is
-    /// tested again.
+    /// Choice control.ended-label. Under one option a label still points to a loop that has ended. The documents do not
+    /// say whether the condition of such a loop is tested again.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
         let ended = state.frame().ended_loops.get(label);
         let ended =
@@ -431,7 +431,7 @@ pub(crate) fn turns(values: &[Expression], state: &mut State) -> Result<u64, Ste
     Ok(saturated(whole))
 }
 
-/// A whole number, zero when it is negative; a count too large for the type is as good as endless.
+/// A whole number as a count: zero if it is negative, the largest count if it is larger than that.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -3,14 +3,14 @@
 //! | room | what it settles |
 //! | --- | --- |
 //! | [`files`] | the files of the program, each with its labels |
-//! | [`labels`] | where each label stands, and in which sub |
+//! | [`labels`] | where each label is written, and in which sub |
 //! | [`values`] | the label and the values of an O-word, evaluated |
 //! | [`subs`] | sub, endsub, return, call |
 //! | [`conditions`] | if, elseif, else, endif |
 //! | [`loops`] | while, do, repeat, break, continue |
 //! | [`numbered`] | Fanuc-style programs: M98, M99 |
 //!
-//! Errors arise when a block is reached: what is skipped is only looked at for labels.
+//! Errors arise when a block is reached. Skipped blocks are only searched for labels.
 
 mod conditions;
 mod files;
@@ -43,7 +43,7 @@ use super::task::Record;
 use crate::dialects::ControlMemory;
 use crate::ids::{choice, rule};
 
-/// What is looked for by reading on in a file.
+/// What a search further on in a file looks for.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     not(feature = "dialects"),
@@ -76,10 +76,10 @@ pub(crate) enum SearchTarget<'a> {
     },
 }
 
-/// What a controller may do otherwise when it looks for a label.
+/// The rules of searches for labels that a controller's dialect may replace.
 pub(crate) trait ControlRules {
-    /// The lines before the one that is looked for, which a search has found or not: they are passed over, and nothing
-    /// of them is refused.
+    /// Passes over the lines between the current block and the target of a search. By the documents nothing in them is
+    /// refused. `_end` is the line of the target, if the search found it.
     fn pass_over(
         &self,
         _control: &mut Control,
@@ -103,7 +103,8 @@ pub(crate) trait ControlRules {
         control.find(label, keywords, after, state)
     }
 
-    /// Whether a sub begins or ends between two lines whose number must be computed: nothing says then where it ends.
+    /// Whether, between two lines, a sub begins or ends whose number must be computed. The documents then do not say
+    /// where the sub ends.
     fn has_computed_subs(&self, control: &Control, after: u32, until: u32, _state: &State) -> bool {
         control.files.labels(control.place.file).computed_between(after, until)
     }
@@ -112,12 +113,12 @@ pub(crate) trait ControlRules {
 /// The main program among the files.
 pub const MAIN: usize = 0;
 
-/// Where the run stands, and which subs it knows.
+/// The current block, and the subs and labels that the run has met.
 #[derive(Clone, Debug)]
 pub struct Control {
     /// The files of the program.
     pub files: Files,
-    /// The current block; where a fault is, when there is one.
+    /// The current block. If the run ends with a fault, this is the block of the fault.
     pub place: Place,
     /// The subs defined so far, by number or name: the block with the keyword `sub`.
     pub(crate) subs: BTreeMap<String, Place>,
@@ -130,7 +131,7 @@ pub struct Control {
     pub(crate) memory: ControlMemory,
     /// Whether a block with words, or an O-word that does something, was executed.
     begun: bool,
-    /// Whether what is executed was entered by hand, after the program that defined the subs of the main file.
+    /// Whether the program has ended, and what is executed now was entered by hand.
     program_is_over: bool,
 }
 
@@ -162,7 +163,7 @@ impl Control {
         }
     }
 
-    /// What is executed from here on was entered by hand: its first block stands here.
+    /// What is executed from here on was entered by hand; `place` is its first block.
     pub fn begin_by_hand(&mut self, place: Place) {
         self.place = place;
         self.program_is_over = true;
@@ -259,8 +260,8 @@ impl Control {
 
     /// Rule control.missing-end. What is skipped must have its end further on, within its sub.
     ///
-    /// A sub without its end is refused where it is come to; what it holds where it is skipped nothing says. Nor does
-    /// anything say when the number of a sub or endsub is computed that is skipped.
+    /// Two cases stay unspecified: which blocks belong to a skipped sub without endsub, and when the number of a
+    /// skipped sub or endsub is computed.
     pub(crate) fn end_of_skipped(
         &mut self,
         label: &str,

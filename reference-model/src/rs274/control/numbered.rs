@@ -12,7 +12,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
-/// What a controller may do otherwise with numbered programs.
+/// The rules of numbered programs that a controller's dialect may replace.
 pub(crate) trait NumberedRules {
     /// Rule fanuc-subs.repeat-count. How often L of M98 calls: a whole number of times.
     fn turns_of_call(&self, programmed: f64, _state: &State) -> Result<u64, StepError> {
@@ -87,7 +87,7 @@ impl Control {
     /// Rule fanuc-subs.main-number. A block with a number alone may begin the main program; a comment after it has no
     /// meaning.
     ///
-    /// A numbered program that is reached otherwise than by M98 is not in the documents.
+    /// The documents do not describe a numbered program that is reached without M98.
     pub(super) fn program_number(&self, state: &mut State) -> Result<Next, StepError> {
         if self.begun || state.call_level() > 0 {
             let why = "a numbered program that is reached without a call";
@@ -98,7 +98,7 @@ impl Control {
         Ok(Next::Following)
     }
 
-    /// M98 and M99: whether a block asks for one of them.
+    /// Whether a block has M98 or M99.
     pub fn asks(words: &Words) -> bool {
         words.m.iter().any(|code| matches!(code, 98 | 99))
     }
@@ -129,11 +129,11 @@ impl Control {
 
     /// Rule fanuc-subs.call. M98 P calls the numbered subprogram, which M99 ends; the program goes on after the call.
     ///
-    /// Rule fanuc-subs.number-missing. Without P nothing says which one.
+    /// Rule fanuc-subs.number-missing. M98 without P is refused.
     ///
-    /// Rules fanuc-subs.repeat-count, fanuc-subs.zero-count. L says how many times; without L it is once.
+    /// Rules fanuc-subs.repeat-count, fanuc-subs.zero-count. L is the number of calls; without L there is one.
     ///
-    /// Choice fanuc-subs.zero-count-unknown: whether the subprogram must exist that is executed no time.
+    /// Choice fanuc-subs.zero-count-unknown: whether the subprogram must exist although L0 does not execute it.
     fn call_numbered(&mut self, words: &Words, state: &mut State) -> Result<Next, StepError> {
         let Some(number) = words.letters.get(&'p') else {
             let message = "M98 without P";
@@ -141,7 +141,7 @@ impl Control {
         };
         let turns = words.letters.get(&'l').copied().unwrap_or(1.0);
         let turns = state.dialect().turns_of_call(turns, state)?;
-        // It may lie beyond what an integer of the machine holds.
+        // The number may be larger than an integer type.
         let label = format!("{:.0}", counted(*number, "P of M98")?);
         let back = Place { line: self.place.line + 1, ..self.place };
         let free = turns == 0 && state.choices.is(choice::fanuc_subs::ZeroCountUnknown::Accepted);
@@ -176,7 +176,6 @@ impl Control {
     ///
     /// Rule fanuc-subs.mixed-m98. A sub that begins with sub is called by an O-word only, and a numbered program
     /// cannot take its number.
-    ///
     fn numbered_program(&self, label: &str, state: &mut State) -> Result<Place, StepError> {
         let labels = self.files.labels(self.place.file);
         let begins = labels.numbers(label);
@@ -211,10 +210,10 @@ impl Control {
 
     /// M99: the end of a numbered subprogram.
     ///
-    /// Rule fanuc-subs.endless. In the main program it begins that again at its first block; the run ends here, since
-    /// nothing new would come.
+    /// Rule fanuc-subs.endless. M99 in the main program begins the program again at its first block. The run ends here,
+    /// since it would only repeat itself.
     ///
-    /// Rule fanuc-subs.mixed-m99. It cannot end a sub that begins with sub.
+    /// Rule fanuc-subs.mixed-m99. M99 cannot end a sub that begins with sub.
     fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, StepError> {
         let Some(call) = state.frame().call.clone() else {
             state.coverage.accepted(rule::fanuc_subs::ENDLESS);
@@ -234,8 +233,9 @@ impl Control {
         Ok(Next::At(first))
     }
 
-    /// Rule fanuc-subs.shared-parameters. What a subprogram changed stays for its caller; of local named parameters
-    /// that is a choice (fanuc-subs.named-locals).
+    /// Rule fanuc-subs.shared-parameters. The caller keeps what the subprogram changed of #1 to #30.
+    ///
+    /// Choice fanuc-subs.named-locals: whether the caller keeps changes of local named parameters, too.
     pub(crate) fn share_back(&self, state: &mut State) {
         let left = state.frames.pop().expect("control: only a called frame is left");
         let shared = state.choices.is(choice::fanuc_subs::NamedLocals::Shared);
@@ -268,7 +268,7 @@ pub(crate) fn shared_frame(call: Call, state: &mut State) -> Frame {
     Frame { arguments: caller.arguments, locals, call: Some(call), ..Frame::default() }
 }
 
-/// A number of a program, or a count of turns: the documents say nothing of others than whole ones.
+/// A program number, or a number of calls. The documents do not say what one means that is not a whole number.
 pub(crate) fn counted(number: f64, what: &str) -> Result<f64, StepError> {
     let whole = number.round() + 0.0;
     if (number - whole).abs() > 0.0001 || whole < 0.0 {

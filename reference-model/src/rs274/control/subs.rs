@@ -1,4 +1,4 @@
-//! sub, endsub, return, call.
+//! Subroutines: sub, endsub, return, call.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -16,7 +16,7 @@ const LEVELS: u32 = 10;
 /// How many arguments a call takes.
 const ARGUMENTS: usize = 30;
 
-/// What a controller may do otherwise with subroutines.
+/// The rules of subroutines that a controller's dialect may replace.
 pub(crate) trait SubroutineRules {
     /// Rule subroutines.unique-name. A second definition is refused; the same one may be reached again.
     fn define_sub(
@@ -43,7 +43,7 @@ pub(crate) trait SubroutineRules {
         Ok(next)
     }
 
-    /// Rule subroutines.body-skipped. The blocks of a sub are not executed where they are defined: the one behind its
+    /// Rule subroutines.body-skipped. The blocks of a sub are not executed where it is defined: the block after its
     /// endsub is next.
     fn skip_body(
         &self,
@@ -55,7 +55,7 @@ pub(crate) trait SubroutineRules {
         Ok(Next::At(Place { line: end + 1, ..control.place }))
     }
 
-    /// Whether an endsub with this label ends the sub: one with the sub's own.
+    /// Whether an endsub with this label ends the sub with the label `own`. By the documents both labels are the same.
     fn ends_sub(&self, own: &str, label: &str, _state: &State) -> bool {
         own == label
     }
@@ -105,11 +105,11 @@ pub(crate) trait SubroutineRules {
         Next::At(first)
     }
 
-    /// The sub of a call that nothing before it defines, and no file.
+    /// The sub of a call, if neither a block before the call nor a file defines it. By the documents it is refused.
     ///
-    /// Rule subroutines.defined-before-call. One that the program defines further on is refused.
+    /// Rule subroutines.defined-before-call. A call of a sub that the program defines further on is refused.
     ///
-    /// Rule subroutines.unknown-sub. Calling what neither the program nor a file defines is refused.
+    /// Rule subroutines.unknown-sub. A call of a sub that neither the program nor a file defines is refused.
     ///
     /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
     fn sub_behind_call(
@@ -150,7 +150,8 @@ pub(crate) trait SubroutineRules {
         false
     }
 
-    /// Rule subroutines.unpassed-arguments. #1 to #30 where none is passed: the caller's.
+    /// Rule subroutines.unpassed-arguments. The values of #1 to #30 for which no argument is passed: those of the
+    /// caller.
     fn unpassed_arguments(&self, state: &State) -> [f64; 30] {
         state.frame().arguments
     }
@@ -174,7 +175,7 @@ impl Control {
         !self.files.labels(self.place.file).numbers(label).is_empty()
     }
 
-    /// Takes up a definition; the line of its endsub.
+    /// Records the definition of a sub. Returns the line of its endsub.
     ///
     /// Rule subroutines.missing-endsub. A sub ends with an endsub of its own number.
     ///
@@ -264,7 +265,7 @@ impl Control {
     ///
     /// Rule subroutines.defined-before-call. A sub of the program can be called only after its definition.
     ///
-    /// Whether the subs of a program that has ended are still there for what is entered by hand no document says.
+    /// No document says whether a block that is entered by hand can call a sub of a program that has ended.
     fn found(
         &mut self,
         label: &str,
@@ -291,7 +292,7 @@ impl Control {
     ///
     /// Rule subroutines.file-folder. A file in another folder does not count.
     ///
-    /// Rule subroutines.file-one-sub. That file defines this sub and no other. Whether it has an endsub shows when its
+    /// Rule subroutines.file-one-sub. That file defines this sub and no other. A missing endsub is found when the
     /// body is executed.
     fn in_file(&mut self, label: &str, state: &mut State) -> Result<Option<Place>, StepError> {
         if label.starts_with('.') || label.contains(['/', '\\']) {
@@ -329,7 +330,7 @@ impl Control {
 }
 
 impl Control {
-    /// Rule subroutines.nested-definition. A sub within the body of that of the file is refused at its own block.
+    /// Rule subroutines.nested-definition. A sub inside the body of the file's sub is refused at its own block.
     fn body_of_file(
         &mut self,
         label: &str,
@@ -347,7 +348,7 @@ impl Control {
     }
 }
 
-/// Rule subroutines.arguments. They are evaluated in the caller, all of them before the sub has its own.
+/// Rule subroutines.arguments. All arguments are evaluated with the parameters of the caller.
 ///
 /// Rule subroutines.argument-limit. More than thirty are refused.
 fn arguments(values: &[Expression], state: &mut State) -> Result<Vec<f64>, StepError> {
@@ -387,7 +388,7 @@ pub(crate) fn deeper(rule: Rule, state: &mut State) -> Result<(), StepError> {
 
 /// The number or name of the sub that is being executed.
 ///
-/// Rules subroutines.stray-endsub, subroutines.stray-return. Outside of any there is nothing to leave.
+/// Rules subroutines.stray-endsub, subroutines.stray-return. An endsub or return outside of any sub is refused.
 ///
 /// Rule fanuc-subs.mixed-endsub. A numbered subprogram ends with M99.
 fn called_label(rule: Rule, state: &State) -> Result<String, StepError> {
@@ -403,8 +404,8 @@ fn called_label(rule: Rule, state: &State) -> Result<String, StepError> {
 
 /// Leaves the sub.
 ///
-/// Rules subroutines.parameters-restored, subroutines.local-named-deleted. With its frame the sub's parameters are gone
-/// and the caller's are there again.
+/// Rules subroutines.parameters-restored, subroutines.local-named-deleted. The frame holds the sub's local
+/// parameters; when it is removed, those of the caller apply again.
 fn leave_sub(
     values: &[Expression],
     state: &mut State,

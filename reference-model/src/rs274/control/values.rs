@@ -11,7 +11,8 @@ use crate::rs274::syntax::{Expression, Label};
 
 /// Rule subroutines.computed-o-words. The number after O can be given by a parameter or an expression.
 ///
-/// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number counts as a whole, a name in lower case.
+/// Rules subroutines.numbered-o-words, subroutines.named-o-words. A number close to an integer is that integer; a name
+/// is in lower case.
 pub(crate) fn label_of(label: &Label, state: &mut State) -> Result<String, StepError> {
     match label {
         Label::Name(name) => {
@@ -38,7 +39,7 @@ pub(crate) fn o_word(label: &str) -> String {
 /// A number close to an integer, as a label.
 fn whole(number: f64) -> Result<String, StepError> {
     match math::near_integer(number) {
-        // It may lie beyond what an integer of the machine holds.
+        // The number may be larger than an i64.
         Some(i64::MIN | i64::MAX) => Ok(format!("{number:.0}")),
         Some(label) => Ok(label.to_string()),
         None => {
@@ -48,7 +49,7 @@ fn whole(number: f64) -> Result<String, StepError> {
     }
 }
 
-/// An expression that a rule of control asks for: when it has no value, the rule's block is refused with it.
+/// Evaluates an expression for a rule. If the expression is refused, coverage counts that as a refusal by the rule.
 pub(super) fn evaluated(
     rule: Rule,
     expression: &Expression,
