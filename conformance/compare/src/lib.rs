@@ -22,12 +22,15 @@ pub use tolerance::rounded;
 
 use crate::observe::{Observed, ObservedEffect, ObservedStep, recorded};
 
+/// What is compared where the runs execute different blocks.
+pub const NEXT_BLOCK: &str = "next executed block";
+
 /// The first point at which two runs differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Divergence {
     /// The block of the difference, if there is one.
     pub block: Option<BlockLocation>,
-    /// What is compared: `effect`, `end`, or a field's name.
+    /// What is compared: `effect`, `end`, [`NEXT_BLOCK`], or a field's name.
     pub field: String,
     /// What the specification has.
     pub expected: String,
@@ -72,7 +75,7 @@ pub fn compare(expected: &Observed, found: &Observed, observables: &Capabilities
     let end = walk.end(&expected.end, &found.end);
     walk.comparison.divergence = match (earlier, end) {
         // A run that went on where it should have been refused, or was refused where it should have gone on, says more.
-        (Some(earlier), Some(end)) if earlier.field == "run" => Some(end),
+        (Some(earlier), Some(end)) if earlier.field == NEXT_BLOCK => Some(end),
         (Some(earlier), _) => Some(earlier),
         (None, Some(end)) => Some(end),
         (None, None) => walk.last(expected, found),
@@ -170,12 +173,18 @@ impl Walk<'_> {
                 let block =
                     left.get(place).or(right.get(place)).map(|(_, step)| step.block.clone());
                 let (expected, found) = (name(left.get(place)), name(right.get(place)));
-                return Some((at, Divergence { block, field: "run".to_owned(), expected, found }));
+                return Some((
+                    at,
+                    Divergence { block, field: NEXT_BLOCK.to_owned(), expected, found },
+                ));
             };
             if a.block != b.block {
                 let (expected, found) = (a.block.to_string(), b.block.to_string());
                 let block = Some(a.block.clone());
-                return Some((*at, Divergence { block, field: "run".to_owned(), expected, found }));
+                return Some((
+                    *at,
+                    Divergence { block, field: NEXT_BLOCK.to_owned(), expected, found },
+                ));
             }
             if let Some(divergence) = self.step(a, b) {
                 return Some((*at, divergence));

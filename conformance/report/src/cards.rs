@@ -2,6 +2,7 @@
 
 use gaugeblock_compare::StateDifference;
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
+use gaugeblock_suite::sections;
 use serde::Serialize;
 
 use super::Report;
@@ -83,7 +84,6 @@ fn card<'a>(
     result: &'a CaseResult<'_>,
     divergence: &'a RuleDivergence,
 ) -> Card<'a> {
-    let sources = result.rule.sources.iter().map(ToString::to_string);
     let assertion = divergence.assertion.as_ref();
     let word = result.verdict.word();
     Card {
@@ -93,7 +93,7 @@ fn card<'a>(
         class: class(word),
         excuse: result.verdict.accepted_by(),
         sentence: &result.rule.sentence,
-        sources: sources.collect::<Vec<_>>().join("; "),
+        sources: sections(&result.rule.sources).join("; "),
         assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
         divergence: divergence.difference.as_deref(),
         explanation: explain(controller, divergence).map(|explanation| explanation.text),

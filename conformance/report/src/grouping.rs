@@ -85,7 +85,10 @@ pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanat
     let applies_to_controller = matches!(controller, "rs274" | "linuxcnc")
         || !divergence.explanation.iter().any(of_linuxcnc);
     let text = if applies_to_controller {
-        format!("explained by {names}")
+        // Of several, one may explain this difference alone, and the others what follows it.
+        let several = divergence.explanation.len() > 1;
+        let what = if several { " (this and later differences)" } else { "" };
+        format!("explained by {names}{what}")
     } else {
         format!("LinuxCNC does this, too: {names}")
     };

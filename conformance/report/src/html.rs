@@ -6,6 +6,7 @@ use std::cmp::Reverse;
 use std::time::Duration;
 
 use gaugeblock_runner::certify::CaseResult;
+use gaugeblock_suite::sections;
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -262,7 +263,7 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
         verdict: result.verdict.word(),
         class: class(result.verdict.word()),
         sentence: &result.rule.sentence,
-        sources: result.rule.sources.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+        sources: sections(&result.rule.sources).join("; "),
         cases: cases(result.counts),
     };
     rules.into_iter().map(row).collect()

@@ -6,6 +6,7 @@
 
 use gaugeblock_runner::certify::CaseResult;
 use gaugeblock_runner::expectations::ExpectationMismatch;
+use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
 use super::grouping::without_guard;
@@ -171,8 +172,7 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
     if group.cases.len() > 1 {
         text.push_str(&format!("{size}: {}. The smallest:\n\n", code(&group.what)));
     }
-    let sources = rule.sources.iter().map(|source| plain(&source.to_string()));
-    let sources: Vec<_> = sources.collect();
+    let sources: Vec<_> = sections(&rule.sources).iter().map(|section| plain(section)).collect();
     text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
     text.push_str(&program(grouping::program(result, divergence), result.rule.language));
     text.push('\n');

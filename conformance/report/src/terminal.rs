@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, Verdict};
+use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
 use super::grouping::{explain, group_divergences, without_guard};
@@ -32,12 +33,14 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     head(&mut text, report);
     chapters(&mut text, report);
     let known = report.mismatches.is_some();
-    for result in report.divergences() {
-        let is_new = matches!(result.verdict, Verdict::Diverges(_));
-        if verbose || is_new && !known {
-            divergence(&mut text, report, result);
-        }
+    let is_listed = |result: &&CaseResult<'_>| {
+        verbose || matches!(result.verdict, Verdict::Diverges(_)) && !known
+    };
+    let listed: Vec<_> = report.divergences().into_iter().filter(is_listed).collect();
+    for result in &listed {
+        divergence(&mut text, report, result);
     }
+    notation(&mut text, &listed);
     causes(&mut text, report, verbose);
     not_judged(&mut text, report);
     waived(&mut text, report);
@@ -108,8 +111,8 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     let word = result.verdict.word();
     line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
     line!(text, "  {}", result.rule.sentence);
-    for source in &result.rule.sources {
-        line!(text, "  {}", styled(DIM, &format!("{source}")));
+    for section in sections(&result.rule.sources) {
+        line!(text, "  {}", styled(DIM, &section));
     }
     program(text, result.program, result.rule.language);
     if let Some((assertion, found)) = &divergence.assertion {
@@ -134,6 +137,34 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     line!(text);
 }
 
+/// Explains the notation of assertions, once, if a listed divergence has one that needs it.
+fn notation(text: &mut String, listed: &[&CaseResult<'_>]) {
+    let divergences = listed.iter().filter_map(|result| result.verdict.divergence());
+    let assertions = divergences.filter_map(|divergence| divergence.assertion.as_ref());
+    let texts: Vec<_> =
+        assertions.map(|(said, found)| (without_guard(said), found.as_str())).collect();
+    let notes = [
+        ("after 4", "the state after the block of line 4", {
+            texts.iter().any(|(said, _)| said.starts_with("after "))
+        }),
+        ("()", "a position or offset with all axes at zero", {
+            texts.iter().any(|(said, found)| said.contains("= ()") || found.contains("= ()"))
+        }),
+        ("0 of dwell", "a run without the effect `dwell`", {
+            texts.iter().any(|(said, _)| said.starts_with("count "))
+        }),
+    ];
+    let notes: Vec<_> = notes
+        .into_iter()
+        .filter(|(_, _, is_needed)| *is_needed)
+        .map(|(written, means, _)| format!("`{written}` is {means}"))
+        .collect();
+    if !notes.is_empty() {
+        line!(text, "in assertions: {}", notes.join("; "));
+        line!(text);
+    }
+}
+
 /// Unknown divergences in groups.
 fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
     const SHOWN: usize = 12;
@@ -142,7 +173,10 @@ fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
     if groups.is_empty() {
         return;
     }
-    line!(text, "what differs, most rules first; what differs alike may be one mistake:");
+    line!(
+        text,
+        "divergences by cause, the cause in most rules first; one cause may be a single defect:"
+    );
     let most = if verbose { usize::MAX } else { SHOWN };
     for group in groups.iter().take(most) {
         line!(text, "  {}: {}", group.size(), styled(BOLD, &escape_line(&group.what)));
@@ -212,7 +246,8 @@ fn mismatches(text: &mut String, report: &Report<'_>) {
 fn profiles(text: &mut String, report: &Report<'_>) {
     let passes = |claimed: bool| {
         let some = report.profiles.iter().filter(move |p| p.passes() && p.claimed == claimed);
-        some.map(|p| format!("{} {}", p.profile.id, p.profile.version)).collect::<Vec<_>>()
+        some.map(|p| format!("{} (version {})", p.profile.id, p.profile.version))
+            .collect::<Vec<_>>()
     };
     let (claimed, besides) = (passes(true), passes(false));
     if !claimed.is_empty() {
@@ -221,14 +256,14 @@ fn profiles(text: &mut String, report: &Report<'_>) {
     if !besides.is_empty() {
         line!(
             text,
-            "passes these profiles, too, which the call did not claim (--profile), so that nothing rests on them: {}",
+            "also passes these profiles, which --profile does not claim: {}",
             besides.join(", ")
         );
     }
     for failed in report.profiles.iter().filter(|p| p.claimed && !p.passes()) {
         line!(
             text,
-            "{} {} {}: of {} rules {} pass, {} diverge, {} unsupported, {} not judged, {} not run",
+            "{} {} (version {}): of {} rules {} pass, {} diverge, {} unsupported, {} not judged, {} not run",
             styled(RED, "fails the claimed profile"),
             failed.profile.id,
             failed.profile.version,

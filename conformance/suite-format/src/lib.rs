@@ -17,7 +17,7 @@ pub use files::Files;
 pub use motion::{MotionAssertion, MotionCase, Piece, SampleDefect};
 pub use page::{
     Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
-    Rule, RuleOutcome, Setup, Source,
+    Rule, RuleOutcome, Setup, Source, sections,
 };
 pub use scenario::{applies, options_of, scenario_of};
 

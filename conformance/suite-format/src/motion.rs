@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{MotionEvent, MotionLimits, MotionScript};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Limits of a case that names none: X, Y, Z with 250 mm/s and 2000 mm/s², a servo cycle of a millisecond.
 const LIMITS: &str = "period = 0.001
@@ -60,7 +60,7 @@ pub struct MotionCase {
 }
 
 /// A stretch of constant acceleration.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Piece {
     /// How long it lasts, servo cycles; not always a whole number of them.
@@ -75,7 +75,7 @@ pub struct Piece {
 }
 
 /// Something that is wrong with samples that were right.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum SampleDefect {
     /// Some samples are elsewhere.

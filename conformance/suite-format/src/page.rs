@@ -37,6 +37,37 @@ impl std::fmt::Display for Source {
     }
 }
 
+/// One line for each section of the sources, with the ordinals of its sentences: `manual, 11.5.5 Arcs (35, 37–41)`.
+pub fn sections(sources: &[Source]) -> Vec<String> {
+    let mut sections: Vec<(&str, &str, Vec<u32>)> = Vec::new();
+    for Source { document, section, ordinal, says: _ } in sources {
+        let place = sections.iter().position(|(d, s, _)| d == document && s == section);
+        let place = place.unwrap_or_else(|| {
+            sections.push((document, section, Vec::new()));
+            sections.len() - 1
+        });
+        sections[place].2.extend(ordinal);
+    }
+    let line = |(document, section, ordinals): (&str, &str, Vec<u32>)| match ordinals.as_slice() {
+        [] => format!("{document}, {section}"),
+        ordinals => format!("{document}, {section} ({})", ranges(ordinals)),
+    };
+    sections.into_iter().map(line).collect()
+}
+
+/// Numbers in ascending order, three or more that follow one another as a range.
+fn ranges(numbers: &[u32]) -> String {
+    let mut numbers = numbers.to_vec();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next);
+    let texts = runs.flat_map(|run| match run {
+        [first, _, .., last] => vec![format!("{first}–{last}")],
+        _ => run.iter().map(u32::to_string).collect(),
+    });
+    texts.collect::<Vec<_>>().join(", ")
+}
+
 /// What a rule can say about a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -278,4 +309,15 @@ pub struct Profile {
     pub version: u32,
     /// What it comprises.
     pub sentence: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ranges;
+
+    #[test]
+    fn three_or_more_sentences_in_a_row_are_a_range() {
+        assert_eq!(ranges(&[35, 37, 38, 40, 39, 41]), "35, 37–41");
+        assert_eq!(ranges(&[2, 1, 4]), "1, 2, 4");
+    }
 }

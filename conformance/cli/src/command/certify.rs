@@ -12,13 +12,13 @@ use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use gaugeblock_runner::certify::{
-    CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, run_plan,
+    CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, only_case, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::fingerprint_entries;
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
-use gaugeblock_suite::{Suite, options_of};
+use gaugeblock_suite::{Rule, Suite, options_of};
 
 use super::comparison::ComparisonArguments;
 use super::{controller, user_files};
@@ -41,6 +41,8 @@ const EXAMPLES: &str = "Examples:
       run one of eight shards; after an interruption, repeat the call with --resume
   gaugeblock certify --controller rs274 --profile modal-save --profile subroutines
       fail unless every rule of these profiles passes
+  gaugeblock certify --controller rs274 --only saved-state.feed --case \"with decimals\"
+      run one case: a verdict prints its rule and its name as RULE / NAME
   gaugeblock certify --controller linuxcnc --only outputs --only inputs
       certify the whole LinuxCNC controller, with a simulated machine, on two chapters
   gaugeblock certify --controller \"exec:python3 adapter.py\" --profile modal-save
@@ -67,6 +69,9 @@ pub(crate) struct Arguments {
     /// Run only rules whose id begins with this, such as `saved-state` or `feed.zero`; may be repeated
     #[arg(long, value_name = "PREFIX")]
     only: Vec<String>,
+    /// Run only the case with exactly this name, of the rules of --only; may be repeated
+    #[arg(long, value_name = "NAME", requires = "only")]
+    case: Vec<String>,
     /// Claim this profile: its unsupported and unjudged rules fail too; may be repeated
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
@@ -149,21 +154,14 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
         controller.check_observation();
     }
     let jobs = crate::arguments::jobs(arguments.jobs.or(controller.best_jobs()));
-    let plan = Plan { suite, edition, only: &arguments.only, jobs };
+    let only = only(arguments, suite)?;
+    let plan = Plan { suite, edition, only: &only, jobs };
     let shard = arguments.shard;
     let laws = controller.has_laws_of_motion();
-    let is_unknown =
-        |only: &&String| !suite.rules.iter().any(|rule| rule.id.starts_with(only.as_str()));
-    if let Some(only) = arguments.only.iter().find(is_unknown) {
-        return Err(CliError::usage(
-            format!("invalid `--only {only}`: no rule has an id that begins with it"),
-            "`gaugeblock rules` lists the ids",
-        ));
-    }
     if cases(plan, laws, Shard::WHOLE).is_empty() {
         return Err(CliError::usage(
             "no case is selected",
-            "`gaugeblock rules` lists the rules; remove --only, or choose another edition",
+            "`gaugeblock rules` lists the rules; remove --only and --case, or choose another edition",
         ));
     }
     let twice = arguments.repeat_percent;
@@ -195,6 +193,53 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+/// What a plan runs: the rules of --only, or their cases of --case.
+fn only(arguments: &Arguments, suite: &Suite) -> Result<Vec<String>, CliError> {
+    let begins = |rule: &Rule, only: &String| rule.id.starts_with(only.as_str());
+    let is_unknown = |only: &&String| !suite.rules.iter().any(|rule| begins(rule, only));
+    if let Some(only) = arguments.only.iter().find(is_unknown) {
+        return Err(CliError::usage(
+            format!("invalid `--only {only}`: no rule has an id that begins with it"),
+            "`gaugeblock rules` lists the ids",
+        ));
+    }
+    if arguments.case.is_empty() {
+        return Ok(arguments.only.clone());
+    }
+    let wanted = |rule: &&Rule| arguments.only.iter().any(|only| begins(rule, only));
+    let rules: Vec<&Rule> = suite.rules.iter().filter(wanted).collect();
+    let mut selected = Vec::new();
+    for case in &arguments.case {
+        let having = rules.iter().filter(|rule| rule.case_names().any(|name| name == case));
+        let before = selected.len();
+        selected.extend(having.map(|rule| only_case(&rule.id, case)));
+        if selected.len() == before {
+            return Err(unknown_case(case, &rules));
+        }
+    }
+    Ok(selected)
+}
+
+/// An error that lists the names that are nearest to one that no case of these rules has.
+fn unknown_case(case: &str, rules: &[&Rule]) -> CliError {
+    const LISTED: usize = 5;
+    let mut names: Vec<(usize, &str)> = rules
+        .iter()
+        .flat_map(|rule| rule.case_names())
+        .map(|name| (strsim::damerau_levenshtein(name, case), name))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let close = |(distance, name): &&(usize, &str)| *distance <= 4 || name.contains(case);
+    let near: Vec<_> = names.iter().filter(close).take(LISTED).map(|(_, name)| *name).collect();
+    let hint = match (near.as_slice(), rules) {
+        ([_, ..], _) => format!("did you mean `{}`?", near.join("`, `")),
+        ([], [rule]) => format!("`gaugeblock explain {}` prints its cases", rule.id),
+        ([], _) => "`gaugeblock explain RULE` prints the cases of a rule".to_owned(),
+    };
+    CliError::usage(format!("invalid `--case {case}`: no case of --only has this name"), hint)
 }
 
 /// A fingerprint takes minutes on a controller in real time, and a second at most on others.

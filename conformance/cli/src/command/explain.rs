@@ -1,22 +1,28 @@
-//! `gaugeblock explain`: one rule, choice or quirk in full, or all of them that concern a code such as M73.
+//! `gaugeblock explain`: one rule, choice or quirk in full, or a list of those that concern a code such as M73.
+
+mod case;
+mod code;
 
 use std::fmt::Write as _;
 
 use clap::Args;
-use gaugeblock_suite::{Choice, ChoiceKind, Rule, Source, Suite};
-use serde_json::json;
+use gaugeblock_suite::{Choice, ChoiceKind, MotionChoice, Rule, Source, Suite, sections};
+use gaugeblock_vocabulary::{End, Program, Scenario};
+use serde_json::{Value, json};
 
+use self::code::{Code, Explanation};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock explain saved-state.feed                a rule: sentence, sources, programs, assertions
-  gaugeblock explain saved-state.motion-mode         a choice with its options
+  gaugeblock explain saved-state.motion-mode         a rule, and the choice of the same id on which it depends
   gaugeblock explain rs274.feed-zero-at-end          a quirk of a controller
   gaugeblock explain M73                             the rules, choices and quirks of a code
 
-Exit status: 0 found; 2 unknown id or code.";
+Exit status: 0 found; 2 unknown id or code, or one that is not
+specified yet.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -33,37 +39,26 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     let Arguments { subject, format } = arguments;
     let rule = suite.rules.iter().find(|rule| rule.id == *subject);
     let choice = suite.choices.iter().find(|choice| choice.id == *subject);
-    let (text, document) = match (rule, choice, Code::read(subject)) {
-        (None, None, None) => return Err(unknown(subject, suite)),
-        (None, None, Some(code)) => {
-            let about = Explanation::of(&code, suite);
-            if about.is_empty() {
-                return Err(CliError::usage(
-                    format!("no rule concerns {code}"),
-                    "`gaugeblock rules` lists all rules",
-                ));
-            }
-            (about.text(&code), about.document(&code))
+    let motion = suite.motion_choices.iter().find(|choice| choice.id == *subject);
+    let (text, document) = match Code::read(subject) {
+        Some(code) => explain_code(&code, suite)?,
+        None if rule.is_none() && choice.is_none() && motion.is_none() => {
+            return Err(unknown(subject, suite));
         }
-        (rule, choice, _) => {
+        None => {
             let (mut text, mut document) = (String::new(), json!({ "gaugeblock": "explain" }));
             if let Some(rule) = rule {
-                text.push_str(&rule_text(rule));
-                document["rule"] = json!({
-                    "id": rule.id, "sentence": rule.sentence, "sources": rule.sources,
-                    "outcomes": rule.outcomes, "options": rule.options,
-                    "cases": rule.case_names().collect::<Vec<_>>(),
-                });
+                text.push_str(&rule_text(rule, suite));
+                document["rule"] = rule_document(rule);
             }
+            let shares_id = rule.is_some();
             if let Some(choice) = choice {
-                text.push_str(&choice_text(choice));
-                document["choice"] = json!({
-                    "id": choice.id, "kind": choice.kind, "sentence": choice.sentence,
-                    "sources": choice.sources,
-                    "options": choice.options.iter()
-                        .map(|option| json!({ "option": option.name, "means": option.means }))
-                        .collect::<Vec<_>>(),
-                });
+                text.push_str(&choice_text(choice, shares_id));
+                document["choice"] = choice_document(choice);
+            }
+            if let Some(choice) = motion {
+                text.push_str(&motion_choice_text(choice, shares_id));
+                document["choice"] = motion_choice_document(choice);
             }
             (text, document)
         }
@@ -75,10 +70,48 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     Ok(0)
 }
 
+/// What concerns a code, as text and as JSON.
+fn explain_code(code: &Code, suite: &Suite) -> Result<(String, Value), CliError> {
+    let about = Explanation::of(code, suite);
+    if let (true, Some(what)) = (about.is_undocumented(), unsupported(code)) {
+        return Err(CliError::usage(
+            format!("{code} is not specified yet ({what}); a program with it ends as unsupported"),
+            "`gaugeblock rules` lists what is specified",
+        ));
+    }
+    if about.is_empty() {
+        return Err(CliError::usage(
+            format!("no document of any edition describes {code}, and no rule concerns it"),
+            "`gaugeblock rules` lists all rules",
+        ));
+    }
+    Ok((about.text(code), about.document(code)))
+}
+
+/// What the specification leaves to later of a code that it knows.
+fn unsupported(code: &Code) -> Option<String> {
+    let main = format!("{code}\nm2\n");
+    let program = Program { main, ..Program::default() };
+    match gaugeblock_reference::run(&Scenario { program, ..Scenario::default() }).0.end {
+        End::Unsupported { what, .. } => {
+            Some(what.split_once(": ").map_or(what.as_str(), |(_, what)| what).to_owned())
+        }
+        _ => None,
+    }
+}
+
 /// An error that lists the ids that are nearest to an unknown one.
 fn unknown(subject: &str, suite: &Suite) -> CliError {
+    if suite.rules.iter().any(|rule| rule.chapter() == subject) {
+        return CliError::usage(
+            format!("`{subject}` is a chapter, not the id of one rule"),
+            format!("`gaugeblock rules {subject}` lists its rules"),
+        );
+    }
     let rules = suite.rules.iter().map(|rule| rule.id.as_str());
-    let ids = rules.chain(suite.choices.iter().map(|choice| choice.id.as_str()));
+    let choices = suite.choices.iter().map(|choice| choice.id.as_str());
+    let of_motion = suite.motion_choices.iter().map(|choice| choice.id.as_str());
+    let ids = rules.chain(choices).chain(of_motion);
     let mut near: Vec<(usize, &str)> = ids
         .filter_map(|id| {
             let distance = strsim::damerau_levenshtein(id, subject);
@@ -95,39 +128,86 @@ fn unknown(subject: &str, suite: &Suite) -> CliError {
     CliError::usage(format!("unknown rule, choice, quirk or code `{subject}`"), hint)
 }
 
-fn rule_text(rule: &Rule) -> String {
+fn rule_text(rule: &Rule, suite: &Suite) -> String {
     let mut text = format!("{}\n  {}\n", rule.id, rule.sentence);
     text.push_str(&sources_text(&rule.sources));
-    if !rule.options.is_empty() {
-        let _infallible = writeln!(text, "  depends on {}", rule.options.join(", "));
+    let (own, others): (Vec<_>, Vec<_>) = rule.options.iter().partition(|id| **id == rule.id);
+    if !others.is_empty() {
+        let others: Vec<_> = others.into_iter().map(String::as_str).collect();
+        let _infallible = writeln!(text, "  depends on {}", others.join(", "));
+    }
+    if !own.is_empty() {
+        text.push_str("  depends on the choice of the same id, which is printed below\n");
+    }
+    for (edition, why) in &rule.void {
+        let _infallible = writeln!(text, "  not in the edition {edition}: {why}");
     }
     for case in &rule.cases {
-        let _infallible = writeln!(text, "\n  case \"{}\"", case.name);
-        for (at, line) in rule.language.lines(&case.program).enumerate() {
-            let _infallible = writeln!(text, "    {:>4} | {line}", at + 1);
-        }
-        for assertion in &case.assertions {
-            let _infallible = writeln!(text, "    assert {assertion}");
-        }
+        case::case_text(&mut text, rule.language, case);
     }
-    let _infallible = writeln!(
-        text,
-        "\n  run its cases: gaugeblock certify --only {} --controller CONTROLLER\n",
-        rule.id
-    );
+    for case in &rule.motion {
+        case::motion_text(&mut text, case);
+    }
+    if !rule.cases.is_empty() {
+        text.push_str(case::ASSERTIONS);
+    }
+    text.push_str(&calls_text(rule, suite));
     text
 }
 
-fn choice_text(choice: &Choice) -> String {
+/// How to run the cases of a rule. `--only` takes the beginning of ids, so that it may select further rules.
+fn calls_text(rule: &Rule, suite: &Suite) -> String {
+    let id = &rule.id;
+    let further = suite.rules.iter().filter(|other| other.id != *id && other.id.starts_with(id));
+    let mut text =
+        format!("\n  run its cases: gaugeblock certify --only {id} --controller CONTROLLER\n");
+    match further.count() {
+        0 => {}
+        1 => text.push_str("    (this also runs another rule whose id begins with it)\n"),
+        count => {
+            let _infallible =
+                writeln!(text, "    (this also runs {count} other rules whose ids begin with it)");
+        }
+    }
+    if let Some(name) = rule.case_names().next() {
+        let _infallible = writeln!(
+            text,
+            "  run one case: gaugeblock certify --only {id} --case \"{name}\" --controller CONTROLLER"
+        );
+    }
+    text.push('\n');
+    text
+}
+
+fn rule_document(rule: &Rule) -> Value {
+    json!({
+        "id": rule.id, "sentence": rule.sentence, "sources": rule.sources,
+        "outcomes": rule.outcomes, "options": rule.options, "void": rule.void,
+        "cases": rule.cases.iter().map(case::case_document).collect::<Vec<_>>(),
+        "motion": rule.motion.iter().map(case::motion_document).collect::<Vec<_>>(),
+    })
+}
+
+/// The first line of a choice or quirk. Many rules and choices have one id: the rule says what holds, the choice lists
+/// how documents can be read.
+fn choice_title(id: &str, kind: &str, shares_id: bool) -> String {
+    let same = if shares_id { "; the rule of the same id depends on it" } else { "" };
+    format!("{id} ({kind}{same})\n")
+}
+
+fn choice_text(choice: &Choice, shares_id: bool) -> String {
     let kind = match choice.kind {
         ChoiceKind::Choice => "choice",
         ChoiceKind::Quirk => "quirk",
     };
-    let mut text = format!("{} ({kind})\n  {}\n", choice.id, choice.sentence);
+    let mut text = choice_title(&choice.id, kind, shares_id);
+    let _infallible = writeln!(text, "  {}", choice.sentence);
     text.push_str(&sources_text(&choice.sources));
     for option in &choice.options {
         let _infallible = writeln!(text, "  {:<24} {}", option.name, option.means);
     }
+    case::choice_case_text(&mut text, choice);
+    text.push_str(case::ASSERTIONS);
     let _infallible = writeln!(
         text,
         "\n  set it: gaugeblock run FILE --option {}={}\n",
@@ -137,203 +217,40 @@ fn choice_text(choice: &Choice) -> String {
     text
 }
 
-/// The sources, one line per section with the numbers of its sentences.
-fn sources_text(sources: &[Source]) -> String {
-    let mut sections: Vec<(&str, &str, Vec<String>)> = Vec::new();
-    for Source { document, section, ordinal, says: _ } in sources {
-        let place = sections.iter().position(|(d, s, _)| d == document && s == section);
-        let place = place.unwrap_or_else(|| {
-            sections.push((document, section, Vec::new()));
-            sections.len() - 1
-        });
-        sections[place].2.extend(ordinal.map(|ordinal| ordinal.to_string()));
-    }
-    let line = |(document, section, ordinals): (&str, &str, Vec<String>)| {
-        let ordinals =
-            if ordinals.is_empty() { String::new() } else { format!(" ({})", ordinals.join(", ")) };
-        format!("  {document}, {section}{ordinals}\n")
-    };
-    sections.into_iter().map(line).collect()
-}
-
-/// A G or M code, such as M73 or G5.2.
-struct Code {
-    letter: char,
-    number: String,
-}
-
-impl std::fmt::Display for Code {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}{}", self.letter, self.number)
-    }
-}
-
-impl Code {
-    /// The code that `text` names, with its leading zeros removed.
-    fn read(text: &str) -> Option<Self> {
-        let mut rest = text.chars();
-        let letter = rest.next()?.to_ascii_uppercase();
-        let number = rest.as_str();
-        let is_number = number.starts_with(|c: char| c.is_ascii_digit())
-            && number.chars().all(|c| c.is_ascii_digit() || c == '.');
-        (matches!(letter, 'G' | 'M') && is_number)
-            .then(|| Self { letter, number: without_leading_zeros(number) })
-    }
-
-    /// Whether a title such as `M2, M30 Program End` names the code.
-    fn is_in_title(&self, title: &str) -> bool {
-        let name = self.to_string();
-        title.split(|c: char| !c.is_ascii_alphanumeric() && c != '.').any(|word| word == name)
-    }
-
-    /// Whether a program has the code, comments left out.
-    fn is_in_program(&self, program: &str) -> bool {
-        program.lines().any(|line| {
-            let mut rest = without_comments(line);
-            rest.retain(|c| !c.is_ascii_whitespace());
-            let text = rest.to_ascii_uppercase();
-            let starts = text.match_indices(self.letter).map(|(at, _)| at + 1);
-            starts.into_iter().any(|at| {
-                let digits = text[at..].chars().take_while(|c| c.is_ascii_digit() || *c == '.');
-                let number: String = digits.collect();
-                !number.is_empty() && without_leading_zeros(&number) == self.number
-            })
-        })
-    }
-}
-
-fn without_leading_zeros(number: &str) -> String {
-    let trimmed = number.trim_start_matches('0');
-    let zero = trimmed.is_empty() || trimmed.starts_with('.');
-    if zero { format!("0{trimmed}") } else { trimmed.to_owned() }
-}
-
-fn without_comments(line: &str) -> String {
-    let mut depth = 0_u32;
-    let code = line.split(';').next().unwrap_or_default().chars();
-    code.filter(|c| {
-        if *c == '(' {
-            depth += 1;
-        }
-        let outside = depth == 0;
-        if *c == ')' {
-            depth = depth.saturating_sub(1);
-        }
-        outside
+fn choice_document(choice: &Choice) -> Value {
+    let options = choice.options.iter().map(|option| {
+        json!({ "option": option.name, "means": option.means, "assert": option.assertions })
+    });
+    json!({
+        "id": choice.id, "kind": choice.kind, "sentence": choice.sentence,
+        "sources": choice.sources, "options": options.collect::<Vec<_>>(),
+        "case": case::choice_case_document(choice),
     })
-    .collect()
 }
 
-/// What concerns a code: by the title of a section that is a source, or by a program that has the code.
-struct Explanation<'a> {
-    documented: Vec<(&'a str, &'a str)>,
-    used: Vec<&'a str>,
-    choices: Vec<(&'a Choice, bool)>,
+fn motion_choice_text(choice: &MotionChoice, shares_id: bool) -> String {
+    let mut text = choice_title(&choice.id, "choice of motion", shares_id);
+    let _infallible = writeln!(text, "  {}", choice.sentence);
+    text.push_str(&sources_text(&choice.sources));
+    for option in &choice.options {
+        let _infallible = writeln!(text, "  {:<24} {}", option.name, option.means);
+    }
+    case::motion_choice_case_text(&mut text, choice);
+    text.push('\n');
+    text
 }
 
-impl<'a> Explanation<'a> {
-    fn of(code: &Code, suite: &'a Suite) -> Self {
-        let by_title =
-            |sources: &[Source]| sources.iter().any(|source| code.is_in_title(&source.section));
-        let (mut documented, mut used) = (Vec::new(), Vec::new());
-        for rule in &suite.rules {
-            if by_title(&rule.sources) {
-                documented.push((rule.id.as_str(), rule.sentence.as_str()));
-            } else if rule.cases.iter().any(|case| code.is_in_program(&case.program)) {
-                used.push(rule.id.as_str());
-            }
-        }
-        let choices = suite.choices.iter().filter_map(|choice| {
-            let documented = by_title(&choice.sources);
-            let used = code.is_in_program(&choice.program);
-            (documented || used).then_some((choice, documented))
-        });
-        Self { documented, used, choices: choices.collect() }
-    }
-
-    fn is_empty(&self) -> bool {
-        self.documented.is_empty() && self.used.is_empty() && self.choices.is_empty()
-    }
-
-    fn text(&self, code: &Code) -> String {
-        let mut text = format!("{code}\n");
-        if !self.documented.is_empty() {
-            text.push_str("\nrules from the sections of this code:\n");
-        }
-        for (id, sentence) in &self.documented {
-            let _infallible = writeln!(text, "  {id:<40} {sentence}");
-        }
-        let kinds = [
-            (ChoiceKind::Choice, "choices: where documents differ or leave a question open"),
-            (ChoiceKind::Quirk, "quirks: where a controller differs from its documents"),
-        ];
-        for (kind, title) in kinds {
-            let of_kind: Vec<_> = self
-                .choices
-                .iter()
-                .filter(|(choice, documented)| choice.kind == kind && *documented)
-                .collect();
-            if !of_kind.is_empty() {
-                let _infallible = writeln!(text, "\n{title}:");
-            }
-            for (choice, _) in of_kind {
-                let _infallible = writeln!(text, "  {:<40} {}", choice.id, choice.sentence);
-            }
-        }
-        if !self.used.is_empty() {
-            let _infallible = writeln!(
-                text,
-                "\n{} other rules use it in a program: {}",
-                self.used.len(),
-                self.used.join(", ")
-            );
-        }
-        text.push_str("\n`gaugeblock explain ID` prints one of them in full.\n");
-        text
-    }
-
-    fn document(&self, code: &Code) -> serde_json::Value {
-        let rules: Vec<_> = self.documented.iter().map(|(id, _)| id).collect();
-        let choices: Vec<_> = self
-            .choices
-            .iter()
-            .map(|(choice, documented)| {
-                json!({ "id": choice.id, "kind": choice.kind, "documented": documented })
-            })
-            .collect();
-        json!({
-            "gaugeblock": "explain", "code": code.to_string(), "rules": rules,
-            "rules_that_use_it": self.used, "choices": choices,
-        })
-    }
+fn motion_choice_document(choice: &MotionChoice) -> Value {
+    let options = choice.options.iter().map(|option| {
+        json!({ "option": option.name, "means": option.means, "assert": option.assertions })
+    });
+    json!({
+        "id": choice.id, "kind": "choice", "sentence": choice.sentence,
+        "sources": choice.sources, "options": options.collect::<Vec<_>>(),
+        "motion": case::motion_document(&choice.motion),
+    })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_code_is_found_with_leading_zeros_blanks_and_either_case() {
-        let code = Code::read("m2").expect("a code");
-        for program in ["M2", "g0 x1 m02", "m 2", "x1 m2 (m3)"] {
-            assert!(code.is_in_program(program), "{program}");
-        }
-        for program in ["m20", "m2.1", "(m2)", "g2", "; m2", "g1 x2"] {
-            assert!(!code.is_in_program(program), "{program}");
-        }
-    }
-
-    #[test]
-    fn a_title_names_whole_codes() {
-        let code = Code::read("M3").expect("a code");
-        assert!(code.is_in_title("11.6.4 M3, M4, M5 Spindle Control"));
-        assert!(!code.is_in_title("M30 Program End"));
-    }
-
-    #[test]
-    fn an_id_is_not_a_code() {
-        for subject in ["saved-state", "gpp.text", "M", "Mx", "X1"] {
-            assert!(Code::read(subject).is_none(), "{subject}");
-        }
-    }
+fn sources_text(sources: &[Source]) -> String {
+    sections(sources).into_iter().map(|section| format!("  {section}\n")).collect()
 }

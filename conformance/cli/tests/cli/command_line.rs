@@ -20,7 +20,7 @@ fn file(folder: &Path, name: &str, bytes: &[u8]) -> String {
 
 /// Asserts this status, one message that has all of the words, a hint, and no backtrace.
 #[track_caller]
-fn refused(arguments: &[&str], status: i32, words: &[&str]) {
+pub(crate) fn refused(arguments: &[&str], status: i32, words: &[&str]) {
     let output = gaugeblock(arguments);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(status), "{arguments:?}: {message}");
@@ -422,20 +422,6 @@ fn the_matrix_has_a_column_for_each_report() {
     assert_eq!(json["controllers"][0]["edition"], "linuxcnc-2.8");
     let other = file(&here, "other.json", b"{}");
     refused(&["suite", "matrix", "--report", &other], 2, &["other.json", "--report"]);
-}
-
-#[test]
-fn an_id_and_a_code_are_explained() {
-    let output = gaugeblock(&["explain", "saved-state.feed"]);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    for part in ["saved-state.feed\n", "linuxcnc-2.9, 11.6.19", "   2 | m70", "assert "] {
-        assert!(text.contains(part), "{part}: {text}");
-    }
-    let output = gaugeblock(&["explain", "m73"]);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(text.starts_with("M73\n\nrules from the sections of this code:\n"), "{text}");
-    assert!(text.contains("saved-state.autorestore"), "{text}");
-    refused(&["explain", "saved-state.fed"], 2, &["unknown", "saved-state.feed"]);
 }
 
 #[test]

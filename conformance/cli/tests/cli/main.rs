@@ -4,6 +4,7 @@ mod by_protocol;
 mod command;
 mod command_line;
 mod deployment;
+mod explain;
 mod extensions;
 mod fuzz;
 mod known_issues;

@@ -31,7 +31,7 @@ pub use plan::Plan;
 pub use repeat::RepeatSampling;
 use repeat::{RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
-pub use select::{cases, not_applicable};
+pub use select::{cases, not_applicable, only_case};
 pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Traces, Verdict};
 
 /// How a plan is run.

@@ -11,7 +11,8 @@ pub struct Plan<'a> {
     pub suite: &'a Suite,
     /// The edition that the controller is compared with.
     pub edition: &'a Edition,
-    /// Only rules whose id begins with one of these; all when empty.
+    /// Only rules whose id begins with one of these, or single cases as verdicts name them (`RULE / CASE`); all when
+    /// empty.
     pub only: &'a [String],
     /// How many cases run at once.
     pub jobs: NonZero<usize>,

@@ -1,6 +1,6 @@
 //! What of two runs of a program that nobody has read can be compared, and how a difference is named.
 
-use gaugeblock_compare::{Divergence, end_text};
+use gaugeblock_compare::{Divergence, NEXT_BLOCK, end_text};
 use gaugeblock_vocabulary::{Bound, End, Event, Fault, Language, Outcome};
 
 /// Both runs as far as they can be compared.
@@ -47,7 +47,7 @@ fn cut(outcome: &mut Outcome, blocks: usize) {
 /// follows from that is not what differs.
 pub(super) fn named(divergence: Divergence, expected: &Outcome, found: &Outcome) -> Divergence {
     let goes_on = divergence.field == "end"
-        || divergence.field == "run"
+        || divergence.field == NEXT_BLOCK
         || (divergence.field == "effect"
             && [&divergence.expected, &divergence.found]
                 .iter()

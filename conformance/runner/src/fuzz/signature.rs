@@ -1,13 +1,16 @@
 //! What a divergence is by, so that thousands of programs with one cause are one group.
 
-use gaugeblock_compare::Divergence;
+use gaugeblock_compare::{Divergence, NEXT_BLOCK};
 use gaugeblock_vocabulary::{Program, Scenario};
 use serde::{Deserialize, Serialize};
+
+/// A number or another value that is not a word.
+const VALUE: &str = "a value";
 
 /// What differs, without what is accidental: lines, numbers, indexes. Kept while a program is shrunk.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Signature {
-    /// `effect`, `end`, `run` or a field's name.
+    /// `effect`, `end`, [`NEXT_BLOCK`] or a field's name.
     pub field: String,
     /// The kind of what one side has.
     pub expected: String,
@@ -19,7 +22,7 @@ impl Signature {
     /// The signature of a divergence.
     pub fn of(divergence: &Divergence) -> Self {
         let field = without_index(&divergence.field);
-        let (expected, found) = if field == "run" {
+        let (expected, found) = if field == NEXT_BLOCK {
             Default::default()
         } else {
             (kind_of(&divergence.expected), kind_of(&divergence.found))
@@ -31,10 +34,12 @@ impl Signature {
 impl std::fmt::Display for Signature {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}", self.field)?;
-        if !self.expected.is_empty() || !self.found.is_empty() {
-            write!(f, ": {} against {}", self.found, self.expected)?;
+        match (self.found.as_str(), self.expected.as_str()) {
+            ("", "") => Ok(()),
+            (VALUE, VALUE) => write!(f, ": different values"),
+            (found, expected) if found == expected => write!(f, ": different {found}"),
+            (found, expected) => write!(f, ": {found} against {expected}"),
         }
-        Ok(())
     }
 }
 
@@ -66,7 +71,7 @@ fn kind_of(value: &str) -> String {
     if is_word && !word.is_empty() {
         if value.contains('=') { word.to_owned() } else { value.to_owned() }
     } else {
-        "a value".to_owned()
+        VALUE.to_owned()
     }
 }
 
@@ -111,16 +116,13 @@ mod tests {
             signature("end", "refused at main.ngc:3 (zero_feed)", "program end"),
             "end: program end against refused (zero_feed)"
         );
-        assert_eq!(
-            signature("spindle_speed[2]", "100", "0"),
-            "spindle_speed: a value against a value"
-        );
+        assert_eq!(signature("spindle_speed[2]", "100", "0"), "spindle_speed: different values");
         assert_eq!(signature("motion", "traverse", "none"), "motion: none against traverse");
         assert_eq!(
             signature("effect", "straight_feed end=(x1)", "no such effect"),
             "effect: no such effect against straight_feed"
         );
-        assert_eq!(signature("run", "main.ngc:4", "main.ngc:7"), "run");
-        assert_eq!(signature("#31 at the end", "1", "2"), "#n at the end: a value against a value");
+        assert_eq!(signature(NEXT_BLOCK, "main.ngc:4", "main.ngc:7"), "next executed block");
+        assert_eq!(signature("#31 at the end", "1", "2"), "#n at the end: different values");
     }
 }
