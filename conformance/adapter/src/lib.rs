@@ -202,6 +202,7 @@ impl fmt::Display for ControllerError {
             Self::WrongVersion { found, required: wanted } => {
                 write!(f, "controller of version {found}, but {wanted} is needed")
             }
+            Self::Broken(HarnessError::NotRun(why)) => write!(f, "controller does not run: {why}"),
             Self::Broken(error) => write!(f, "controller does not run: {error}"),
         }
     }
@@ -256,7 +257,12 @@ impl fmt::Display for HarnessError {
         match self {
             Self::NotRun(why) => write!(f, "not run: {why}"),
             Self::Absent(why) => write!(f, "{why}"),
-            Self::Crashed { status, stderr } => write!(f, "crashed ({status}): {stderr}"),
+            Self::Crashed { status, stderr } if stderr.trim().is_empty() => {
+                write!(f, "ended without an answer ({status}, nothing on stderr)")
+            }
+            Self::Crashed { status, stderr } => {
+                write!(f, "ended without an answer ({status}): {stderr}")
+            }
             Self::TimedOut { seconds } => write!(f, "no end after {seconds} s"),
             Self::Flooded { bytes } => write!(f, "more than {bytes} bytes of output"),
             Self::Unreadable { what, line } => write!(f, "unreadable output ({what}): {line}"),

@@ -211,7 +211,7 @@ impl Adapter for Exec {
         let Declaration { languages, units, features, .. } = &self.declaration;
         let language = scenario.program.language;
         if !languages.contains(&language) {
-            return Err(format!("it does not speak {language}"));
+            return Err(format!("the language {language} is not supported"));
         }
         let unit = scenario.machine.length_unit;
         if !units.contains(&unit) {

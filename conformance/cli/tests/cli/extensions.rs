@@ -182,7 +182,7 @@ fn connection_failures_are_reported() {
     let scenario = Scenario::of("g0 x1\nm2\n");
     let limits = limits();
     let cases: [(Then, &str); 3] = [
-        (|_| (), "crashed (the connection was closed, after the request `run`)"),
+        (|_| (), "ended without an answer (the connection was closed, after the request `run`"),
         (
             |connection| {
                 // One byte a time, for as long as it is read.
@@ -199,7 +199,7 @@ fn connection_failures_are_reported() {
             |connection| {
                 let _cut = connection.write_all(b"{\"id\":3,");
             },
-            "crashed (the connection was closed",
+            "ended without an answer (the connection was closed",
         ),
     ];
     for (then, why) in cases {

@@ -94,7 +94,7 @@ fn own_actions_are_reported_to_the_caller() {
     let told = scenario("g0 x99");
     let rave = "print(json.dumps({'id': request['id'], 'outcome': {}}), flush=True); continue";
     for (name, does, why) in [
-        ("dies", "sys.exit(3)", "crashed (exit status 3, after the request `run`)"),
+        ("dies", "sys.exit(3)", "ended without an answer (exit status 3, after the request `run`"),
         ("hangs", "import time; time.sleep(60)", "no end after 1 s"),
         ("raves", rave, "unreadable output (answer to `run`"),
     ] {

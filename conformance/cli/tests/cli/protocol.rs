@@ -164,7 +164,10 @@ fn crash_is_not_a_pass() {
     ]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stdout));
     let said = text(&output.stdout);
-    assert!(said.contains("crashed (exit status 3, after the request `run`)"), "{said}");
+    assert!(
+        said.contains("ended without an answer (exit status 3, after the request `run`"),
+        "{said}"
+    );
     assert!(said.contains("crash modal-groups.g-code-out-of-range / g101"), "{said}");
 }
 

@@ -21,11 +21,11 @@ def why_not(scenario, source):
     if source.shows_open_name():
         return "a message that ends within a name prints whatever is in memory"
     if scenario["program"].get("start") == "mdi":
-        return "O-words do not work by hand"
+        return "O-words do not work in MDI"
     if environment.get("name") != OWN_ENVIRONMENT and source.pauses():
-        return "its pauses do not pause"
+        return "programmed pauses do not pause"
     if environment and environment.get("name") != OWN_ENVIRONMENT:
-        return "the outside always answers in the same way"
+        return "inputs and external signals cannot be varied"
     return of_machine(scenario.get("machine", {}), source)
 
 
@@ -37,10 +37,10 @@ def of_machine(machine, source):
         return "a name that is not of the form [SECTION]NAME"
     if machine.get("length_unit", "mm") != "inch":
         if machine.get("tools") or any(5161 <= number <= 5390 and number != 5220 for number in stored):
-            return "it reads stored lengths in inches"
+            return "lengths that are stored are always in inches"
         # Where the program sets a stored length, or lets a code set it and reads it, it does something else.
         if any(map(is_length, source.assigned)) or source.has_g_code(*STORING) and any(map(is_length, source.numbered)):
-            return "it keeps stored lengths in inches"
+            return "lengths that are stored are always in inches"
     return None
 
 

@@ -1,7 +1,7 @@
-//! A home for the Python within the controller: its library, and nothing that was installed on this machine.
+//! A home for the Python within the controller: the start files of the standard library, and no site packages.
 //!
-//! The binary starts Python before it reads a program. Packages of the machine could hook into that start; and looking
-//! for them takes a seventh of a short run.
+//! The binary starts Python before it reads a program. Installed packages could hook into that start, and the search
+//! for them would take a noticeable part of a short run.
 
 use std::fs;
 use std::io;

@@ -22,14 +22,14 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     machine(&scenario.machine)?;
     stored_lengths(scenario)?;
     if !scenario.operator.is_empty() {
-        return Err("it has no operator".to_owned());
+        return Err("no operator actions (pause, resume, abort, overrides)".to_owned());
     }
     let own = scenario.environment.name.as_deref() == Some(OWN_ENVIRONMENT);
     if !own && Source::new(&scenario.program).pauses() {
-        return Err("its pauses do not pause".to_owned());
+        return Err("programmed pauses do not pause".to_owned());
     }
     if scenario.environment != Environment::default() && !own {
-        return Err("the outside always answers in the same way".to_owned());
+        return Err("inputs and external signals cannot be varied".to_owned());
     }
     Ok(())
 }
@@ -46,7 +46,7 @@ fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
     let is_set = parameters.set.iter().copied().any(is_linear)
         || parameters.numbered.iter().copied().any(is_linear) && source.has_g_code(STORING);
     if !inch && is_set {
-        return Err("it keeps stored lengths in inches".to_owned());
+        return Err("lengths that are stored are always in inches".to_owned());
     }
     Ok(())
 }
@@ -66,10 +66,10 @@ fn is_linear(number: u32) -> bool {
 
 fn program(program: &Program) -> Result<(), String> {
     if program.language != Language::Rs274 {
-        return Err(format!("it does not speak {}", program.language));
+        return Err(format!("the language {} is not supported", program.language));
     }
     if program.start == Start::Mdi {
-        return Err("O-words do not work by hand".to_owned());
+        return Err("O-words do not work in MDI".to_owned());
     }
     let own = [Program::MAIN, INI, TOOLS, PARAMETERS];
     for name in program.files.keys() {
@@ -91,16 +91,16 @@ fn program(program: &Program) -> Result<(), String> {
 
 fn machine(machine: &Machine) -> Result<(), String> {
     if machine.axes != AXES {
-        return Err("its axes are always X Y Z A B C".to_owned());
+        return Err("no other axes than X Y Z A B C".to_owned());
     }
     if !machine.limits.is_empty() {
-        return Err("it knows no limits".to_owned());
+        return Err("no axis limits".to_owned());
     }
     if machine.random_tool_changer {
-        return Err("its tools do not change places".to_owned());
+        return Err("no random tool changer".to_owned());
     }
     if !(1..=8).contains(&machine.spindles) {
-        return Err("1 to 8 spindles".to_owned());
+        return Err("no other number of spindles than 1 to 8".to_owned());
     }
     if let Some(number) =
         machine.parameters.0.keys().find(|number| !(1..=LAST_PARAMETER).contains(number))
@@ -110,7 +110,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
     let is_length = |number: &u32| (5161..=5390).contains(number) && *number != 5220;
     let stores_lengths = !machine.tools.is_empty() || machine.parameters.0.keys().any(is_length);
     if stores_lengths && machine.length_unit != LengthUnit::Inch {
-        return Err("it reads stored lengths in inches".to_owned());
+        return Err("lengths that are stored are always in inches".to_owned());
     }
     if let Some(name) = machine.ini.keys().find(|name| !is_ini_name(name)) {
         return Err(format!("{name:?} is not of the form [SECTION]NAME"));

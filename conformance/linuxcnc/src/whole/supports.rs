@@ -116,7 +116,7 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
 
 fn program(program: &Program) -> Result<(), String> {
     if program.language != Language::Rs274 {
-        return Err(format!("it does not speak {}", program.language));
+        return Err(format!("the language {} is not supported", program.language));
     }
     for name in program.files.keys() {
         if !is_sub_file(name) || name == Program::MAIN {
@@ -159,7 +159,7 @@ fn machine(machine: &Machine) -> Result<(), String> {
         return Err("its axes are X Y Z and others, in order".to_owned());
     }
     if !(1..=8).contains(&machine.spindles) {
-        return Err("1 to 8 spindles".to_owned());
+        return Err("no other number of spindles than 1 to 8".to_owned());
     }
     if machine.digital_io > MOST_SIGNALS || machine.analog_io > MOST_SIGNALS {
         return Err(format!("at most {MOST_SIGNALS} inputs and outputs of each kind"));
