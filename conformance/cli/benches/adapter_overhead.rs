@@ -29,7 +29,7 @@ use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;
 use serde_json::Value;
 
-/// As the command has it.
+/// The allocator of the command, so that the times are those of the command.
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
@@ -45,12 +45,14 @@ fn main() -> Result<()> {
     }
     let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?)
         .map_err(|errors| Error::other(errors.join("\n")))?;
-    let edition = suite.edition("linuxcnc-2.9").ok_or_else(|| Error::other("no edition"))?;
+    let edition = suite
+        .edition("linuxcnc-2.9")
+        .ok_or_else(|| Error::other("the suite has no edition linuxcnc-2.9"))?;
     let production = Production::default();
     let command = format!("{} serve --controller production", env!("CARGO_BIN_EXE_gaugeblock"));
-    let behind =
+    let external =
         Exec::start(&command, Limits::default()).map_err(|e| Error::other(e.to_string()))?;
-    let behind = behind.assume_options(suite.defaults());
+    let external = external.assume_options(suite.defaults());
 
     let options = suite.options(edition);
     let cases = suite.rules.iter().filter(|rule| rule.language == Language::Rs274);
@@ -58,36 +60,40 @@ fn main() -> Result<()> {
     let scenarios = cases.map(|case| scenario_of(case, &options, edition));
     let scenarios: Vec<Scenario> = scenarios
         .filter(|scenario| {
-            production.supports(scenario).is_ok() && behind.supports(scenario).is_ok()
+            production.supports(scenario).is_ok() && external.supports(scenario).is_ok()
         })
         .collect();
-    let mut bare = Bare::start()?;
-    let (mut alone, mut bytes) = (Least::of(scenarios.len()), Vec::new());
+    let mut bare = EchoProcess::start()?;
+    let (mut alone, mut bytes) = (MinimumTimes::of(scenarios.len()), Vec::new());
     for (place, scenario) in scenarios.iter().enumerate() {
         let size = sizes(scenario, &production, &suite)?;
         bytes.push(size);
         for _ in 0..ROUNDS {
             alone.within(place, time(|| production.run(scenario).map_err(failed))?);
-            alone.behind(place, time(|| behind.run(scenario).map_err(failed))?);
+            alone.external(place, time(|| external.run(scenario).map_err(failed))?);
             alone.bare(place, time(|| bare.round_trip(size))?);
         }
     }
     let each = bytes.iter().map(|(asked, answered)| asked + answered).sum::<usize>() / bytes.len();
     println!("{} cases, {each} bytes each, out and back; microseconds a case", bytes.len());
-    let beside = Beside { production: Production::default(), bare: Mutex::new((bare, 0)), bytes };
-    let campaign = campaigns(edition, (&production, &behind), &beside)?;
+    let with_trips = InProcessWithRoundTrip {
+        production: Production::default(),
+        bare: Mutex::new((bare, 0)),
+        bytes,
+    };
+    let campaign = campaigns(edition, (&production, &external), &with_trips)?;
     println!(
-        "                in process  behind it  overhead  bare round trip  overhead / round trip"
+        "                in process  protocol  overhead  bare round trip  overhead / round trip"
     );
     let [alone_within, through, with_trip] = campaign.means();
-    print("in a campaign", [alone_within, through, beside.trips()?]);
+    print("in a campaign", [alone_within, through, with_trips.mean_of_consecutive_trips()?]);
     print("a run alone", alone.means());
     println!("a bare round trip beside each case of a campaign: {:.1}", with_trip - alone_within);
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
     let within = time(|| Ok(certify(plan, &production, &|| ()).cases.len()))?;
-    let outside = time(|| Ok(certify(plan, &behind, &|| ()).cases.len()))?;
+    let outside = time(|| Ok(certify(plan, &external, &|| ()).cases.len()))?;
     println!(
         "the whole suite on {jobs} processors: {:.2} s in process, {:.2} s through the protocol",
         within.as_secs_f64(),
@@ -96,43 +102,44 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// What a case costs a campaign of one job in this process, and behind the protocol.
+/// What a case costs a campaign of one job in this process, and through the protocol.
 fn campaigns(
     edition: &Edition,
-    (production, behind): (&Production, &Exec),
-    beside: &Beside,
-) -> Result<Least> {
+    (production, external): (&Production, &Exec),
+    with_trips: &InProcessWithRoundTrip,
+) -> Result<MinimumTimes> {
     let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?);
     let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
     suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
-    let mut least = Least::of(beside.bytes.len());
+    let mut minimum = MinimumTimes::of(with_trips.bytes.len());
     for _ in 0..CAMPAIGNS {
         // A case that is not supported is not run: it costs the same both ways.
         for (place, case) in certify(plan, production, &|| ()).cases.iter().enumerate() {
-            least.within(place, case.cost);
+            minimum.within(place, case.cost);
         }
-        for (place, case) in certify(plan, behind, &|| ()).cases.iter().enumerate() {
-            least.behind(place, case.cost);
+        for (place, case) in certify(plan, external, &|| ()).cases.iter().enumerate() {
+            minimum.external(place, case.cost);
         }
-        for (place, case) in certify(plan, beside, &|| ()).cases.iter().enumerate() {
-            least.bare(place, case.cost);
+        for (place, case) in certify(plan, with_trips, &|| ()).cases.iter().enumerate() {
+            minimum.bare(place, case.cost);
         }
     }
-    Ok(least)
+    Ok(minimum)
 }
 
-/// Production in this process, which makes a bare round trip beside each run, of the size of some case or other.
+/// Production in this process that makes a bare round trip after each run. The trips take the sizes of all cases in
+/// turn.
 #[derive(Debug)]
-struct Beside {
+struct InProcessWithRoundTrip {
     production: Production,
     /// The trips, and how many were made.
-    bare: Mutex<(Bare, usize)>,
+    bare: Mutex<(EchoProcess, usize)>,
     /// Sizes of all cases.
     bytes: Vec<(usize, usize)>,
 }
 
-impl Beside {
+impl InProcessWithRoundTrip {
     fn trip(&self) -> Result<()> {
         let mut bare = self.bare.lock().map_err(|error| Error::other(error.to_string()))?;
         let size = self.bytes[bare.1 % self.bytes.len()];
@@ -140,19 +147,19 @@ impl Beside {
         bare.0.round_trip(size)
     }
 
-    /// What a trip takes where nothing lies between them, microseconds.
-    fn trips(&self) -> Result<f64> {
-        let mut least = Least::of(self.bytes.len());
+    /// The mean time of a round trip when round trips follow each other immediately, microseconds.
+    fn mean_of_consecutive_trips(&self) -> Result<f64> {
+        let mut minimum = MinimumTimes::of(self.bytes.len());
         for _ in 0..CAMPAIGNS {
             for place in 0..self.bytes.len() {
-                least.bare(place, time(|| self.trip())?);
+                minimum.bare(place, time(|| self.trip())?);
             }
         }
-        Ok(least.means()[2])
+        Ok(minimum.means()[2])
     }
 }
 
-impl Adapter for Beside {
+impl Adapter for InProcessWithRoundTrip {
     fn capabilities(&self) -> &Capabilities {
         self.production.capabilities()
     }
@@ -168,15 +175,15 @@ impl Adapter for Beside {
     }
 }
 
-/// The least times of each case.
+/// The minimum times of each case.
 #[derive(Debug)]
-struct Least {
-    /// In process, behind the protocol, and of a bare round trip.
+struct MinimumTimes {
+    /// In process, through the protocol, and of a bare round trip.
     modes: [Vec<Duration>; 3],
     cases: usize,
 }
 
-impl Least {
+impl MinimumTimes {
     fn of(cases: usize) -> Self {
         Self { modes: Default::default(), cases }
     }
@@ -185,7 +192,7 @@ impl Least {
         self.add(0, place, time);
     }
 
-    fn behind(&mut self, place: usize, time: Duration) {
+    fn external(&mut self, place: usize, time: Duration) {
         self.add(1, place, time);
     }
 
@@ -209,10 +216,10 @@ impl Least {
 }
 
 /// A line of the table.
-fn print(what: &str, [within, behind, bare]: [f64; 3]) {
-    let overhead = behind - within;
+fn print(what: &str, [within, external, bare]: [f64; 3]) {
+    let overhead = external - within;
     println!(
-        "{what:15} {within:10.1} {behind:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
+        "{what:15} {within:10.1} {external:10.1} {overhead:9.1} {bare:16.1} {:22.2}",
         overhead / bare
     );
 }
@@ -253,23 +260,23 @@ fn time<T>(work: impl FnOnce() -> Result<T>) -> Result<Duration> {
     Ok(start.elapsed())
 }
 
-/// A child that reads a line and writes one, and does nothing else.
+/// A child process that answers each line with a line of the requested size.
 #[derive(Debug)]
-struct Bare {
+struct EchoProcess {
     child: Child,
     requests: ChildStdin,
     answers: BufReader<ChildStdout>,
     line: Vec<u8>,
 }
 
-impl Bare {
+impl EchoProcess {
     fn start() -> Result<Self> {
         let mut child = Command::new(env::current_exe()?)
             .arg("echo")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()?;
-        let lost = || Error::other("no pipe");
+        let lost = || Error::other("expected pipes to the echo process");
         let requests = child.stdin.take().ok_or_else(lost)?;
         let answers = BufReader::with_capacity(64 << 10, child.stdout.take().ok_or_else(lost)?);
         Ok(Self { child, requests, answers, line: Vec::new() })
@@ -284,18 +291,23 @@ impl Bare {
         self.requests.write_all(&self.line)?;
         self.line.clear();
         self.answers.read_until(b'\n', &mut self.line)?;
-        if self.line.len() == answered { Ok(()) } else { Err(Error::other("another size")) }
+        let found = self.line.len();
+        if found == answered {
+            Ok(())
+        } else {
+            Err(Error::other(format!("expected an echo of {answered} bytes, found {found}")))
+        }
     }
 }
 
-impl Drop for Bare {
+impl Drop for EchoProcess {
     fn drop(&mut self) {
         let _ended = self.child.kill();
         let _status = self.child.wait();
     }
 }
 
-/// The other side of [`Bare`].
+/// The child's side of [`EchoProcess`]: each line begins with the size of the answer, in 12 digits.
 fn echo() -> Result<()> {
     let mut requests = BufReader::with_capacity(64 << 10, std::io::stdin().lock());
     let mut answers = std::io::stdout().lock();
@@ -306,7 +318,9 @@ fn echo() -> Result<()> {
             return Ok(());
         }
         let size = std::str::from_utf8(&line[..12]).ok().and_then(|size| size.parse().ok());
-        let size: usize = size.ok_or_else(|| Error::other("no size"))?;
+        let size: usize = size.ok_or_else(|| {
+            Error::other("expected the size of the answer in the first 12 bytes of a line")
+        })?;
         line.clear();
         line.resize(size - 1, b' ');
         line.push(b'\n');

@@ -1,4 +1,6 @@
-//! Runs whose answers are still to come.
+//! Runs that were requested, and what has been received of their answers.
+//!
+//! PROTOCOL.md describes digests (extension `digest`) and batches with their credit (extension `stream`).
 
 use std::thread::ThreadId;
 
@@ -9,7 +11,7 @@ use gaugeblock_vocabulary::{Scenario, Step};
 pub(super) struct PendingRun {
     /// The part of the request that is not yet written.
     pub(super) unsent: Vec<u8>,
-    /// Whether the answer may be a digest.
+    /// Whether the adapter may answer with a digest of the outcome instead of the outcome.
     pub(super) accepts_digest: bool,
     pub(super) received: ReceivedSoFar,
 }
@@ -27,7 +29,7 @@ pub(super) struct PrefetchedRun {
 #[derive(Debug, Default)]
 pub(super) struct ReceivedSoFar {
     pub(super) steps: Vec<Step>,
-    /// Batches that may still come.
+    /// How many batches of steps the adapter may still send before it needs new credit.
     pub(super) credit: u32,
     /// Operator's events that were sent.
     pub(super) operator_events_sent: usize,
