@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_runner::certify::Run;
-use gaugeblock_suite::{Case, Profile, Rule, Suite};
+use gaugeblock_suite::{Case, Edition, Profile, Rule, Suite};
 
 use super::rule::{RuleVerdict, verdicts};
 
@@ -38,6 +38,13 @@ impl ProfileResult<'_> {
     }
 }
 
+/// Whether an edition has a rule: in its language, not void there, and with a case.
+pub fn is_in_edition(rule: &Rule, edition: &Edition) -> bool {
+    let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(&edition.id);
+    let has_cases = rule.cases.iter().any(runs) || !rule.motion.is_empty();
+    rule.language == edition.language && !rule.void.contains_key(&edition.id) && has_cases
+}
+
 /// Each profile of the suite after a run.
 pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<ProfileResult<'a>> {
     let judged = verdicts(run);
@@ -48,14 +55,8 @@ pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<
             verdicts: BTreeMap::new(),
             not_run: 0,
         };
-        let edition = &run.edition.id;
-        let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(edition);
-        let exists = |rule: &&Rule| {
-            let has_cases = rule.cases.iter().any(runs) || !rule.motion.is_empty();
-            rule.language == run.edition.language && !rule.void.contains_key(edition) && has_cases
-        };
         let of_profile = suite.rules.iter().filter(|rule| rule.profile == profile.id);
-        for rule in of_profile.filter(exists) {
+        for rule in of_profile.filter(|rule| is_in_edition(rule, run.edition)) {
             match judged.iter().find(|judged| judged.rule.id == rule.id) {
                 Some(judged) => *result.verdicts.entry(judged.verdict).or_default() += 1,
                 None => result.not_run += 1,

@@ -18,7 +18,7 @@ use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::fingerprint_entries;
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
-use gaugeblock_suite::{Rule, Suite, options_of};
+use gaugeblock_suite::{Edition, Rule, Suite, options_of};
 
 use super::comparison::ComparisonArguments;
 use super::{controller, user_files};
@@ -35,7 +35,7 @@ const EXAMPLES: &str = "Examples:
       fail only on divergences that are new or changed
   gaugeblock certify --controller rs274 --edition rs274-2.9-observed --report out
       certify it against its recorded behaviour; write out/report.html and the other report files
-  gaugeblock certify --controller rs274 --baseline main/report.json --waivers waivers.toml --report now
+  gaugeblock certify --controller rs274 --baseline main/report.json --waivers waivers.toml
       in a pull request: fail only on what is new or changed and not waived
   gaugeblock certify --controller linuxcnc --shard 3/8 --report shard-3
       run one of eight shards; after an interruption, repeat the call with --resume
@@ -50,9 +50,9 @@ const EXAMPLES: &str = "Examples:
   gaugeblock certify --controller rs274 --restrict-to offline:campaign
       judge rs274 only on what these answer sheets report, so that both verdicts can be compared
 
-Exit status: 0 at least one case was judged, and every judged case passes, is known or is waived; 1 a divergence, a stale
-expectation, or a claimed profile that is not passed; 2 wrong call or input; 3 a case could not be judged, or every selected
-case is unsupported.";
+Exit status: 0 at least one case was judged, and every judged case passes, is known or is waived;
+1 a divergence, a stale expectation, or a claimed profile that is not passed; 2 wrong call or input;
+3 a case could not be judged, or every selected case is unsupported.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -113,17 +113,17 @@ pub(crate) struct Arguments {
     /// Number of cases that run at once [default: number of processors + 1]
     #[arg(long, short, value_name = "N")]
     jobs: Option<NonZero<usize>>,
-    /// Print known divergences and the number of masked observables too
+    /// Also print known divergences, and how many values were not compared because the controller does not report them
     #[arg(long, short)]
     verbose: bool,
 }
 
-/// Whether the fingerprint is taken.
+/// Whether the options of choices and quirks are detected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum FingerprintWhen {
-    /// Take it
+    /// Detect them, also on a controller in real time
     Always,
-    /// Do not take it
+    /// Do not detect them
     Never,
 }
 
@@ -145,6 +145,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     let own = controller::own_edition(controller.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+    profiles_in_edition(&arguments.profile, suite, edition)?;
     controller::check_observed_edition(controller.as_ref(), suite)?;
     controller::check_exported_from(controller.as_ref(), suite, edition)?;
     controller::declared_options(controller.as_ref(), suite)?;
@@ -261,6 +262,25 @@ pub(crate) fn known_profiles(profiles: &[String], suite: &Suite) -> Result<(), C
                 format!("expected one of: {}", known.join(", ")),
             ))
         }
+    }
+}
+
+/// Refuses a claimed profile of which no rule is in the edition: no result could pass or fail it.
+fn profiles_in_edition(
+    profiles: &[String],
+    suite: &Suite,
+    edition: &Edition,
+) -> Result<(), CliError> {
+    let is_absent = |id: &&String| {
+        let mut rules = suite.rules.iter().filter(|rule| rule.profile == **id);
+        !rules.any(|rule| profiles::is_in_edition(rule, edition))
+    };
+    match profiles.iter().find(is_absent) {
+        None => Ok(()),
+        Some(id) => Err(CliError::usage(
+            format!("no rule of profile {id} is in edition {}", edition.id),
+            "choose another edition with --edition, or remove --profile",
+        )),
     }
 }
 
