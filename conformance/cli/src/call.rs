@@ -177,3 +177,25 @@ fn execute(call: &Call) -> Result<u8, CliError> {
 fn suite(call: &Call) -> Result<Suite, CliError> {
     read_suite(call.suite.as_deref())
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::{Command, CommandFactory as _};
+
+    use super::Call;
+
+    /// The width at which clap wraps help that is not printed on a terminal.
+    const WIDTH: usize = 100;
+
+    #[test]
+    fn footer_of_every_help_fits_the_width_at_which_clap_wraps() {
+        fn check(command: &Command) {
+            let footer = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            for line in footer.lines() {
+                assert!(line.chars().count() <= WIDTH, "{}: {line}", command.get_name());
+            }
+            command.get_subcommands().for_each(check);
+        }
+        check(&Call::command());
+    }
+}

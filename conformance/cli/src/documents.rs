@@ -17,6 +17,14 @@ pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
             CliError::usage(error, "--suite expects a folder like conformance/suite")
         })?,
     };
+    if let Some(folder) = folder
+        && !files.contains_key("editions.toml")
+    {
+        return Err(CliError::usage(
+            format!("{} is not a suite: it has no editions.toml", folder.display()),
+            "--suite expects a folder like conformance/suite; without it the built-in suite is used",
+        ));
+    }
     Suite::read(&files).map_err(|errors| {
         let count = errors.len();
         let shown: Vec<_> = errors.into_iter().take(20).collect();

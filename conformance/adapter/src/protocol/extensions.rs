@@ -18,11 +18,11 @@ pub enum Extension {
     Files,
     /// each run begins as after power-on by itself: no `reset` comes between runs
     Fresh,
-    /// the operator's events come one by one, when the controller is where they belong
+    /// the referee sends each operator event when the controller reaches its place
     LiveOperator,
-    /// `move` reports servo samples
+    /// `move` answers with servo samples
     Motion,
-    /// `shows` reports what is observable of one scenario, where that is less than what is declared
+    /// `shows` lists what is observable in one scenario, if that is less than declared
     Shows,
     /// `state` reports what is in force between runs
     State,
@@ -47,13 +47,13 @@ pub const EXTENSIONS: &[(Extension, &str, &str)] = &[
     (
         Extension::LiveOperator,
         "live-operator",
-        "the operator's events come one by one, when the controller is where they belong",
+        "the referee sends each operator event when the controller reaches its place",
     ),
-    (Extension::Motion, "motion", "`move` reports servo samples"),
+    (Extension::Motion, "motion", "`move` answers with servo samples"),
     (
         Extension::Shows,
         "shows",
-        "`shows` reports what is observable of one scenario, where that is less than what is declared",
+        "`shows` lists what is observable in one scenario, if that is less than declared",
     ),
     (Extension::State, "state", "`state` reports what is in force between runs"),
     (Extension::Stream, "stream", "the steps of a run can come in batches"),

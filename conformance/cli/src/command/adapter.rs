@@ -31,13 +31,17 @@ pub(crate) enum Adapter {
     Check(check::Arguments),
     /// Print the protocol description
     Protocol,
-    /// Print the words of a declaration
+    /// Print the words that an adapter may declare, and what they mean
+    #[command(after_help = "Example:\n  gaugeblock adapter vocabulary")]
     Vocabulary,
     /// Print the JSON schema of requests or answers
     Schema(Schema),
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock adapter new > adapter.py
+  gaugeblock adapter new --lang c adapter.c")]
 pub(crate) struct New {
     /// Programming language
     #[arg(long, value_enum, default_value_t = Lang::Python)]
@@ -56,6 +60,8 @@ enum Lang {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Example:
+  gaugeblock adapter schema request > request.schema.json")]
 pub(crate) struct Schema {
     /// The message
     #[arg(value_enum)]

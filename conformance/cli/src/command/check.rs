@@ -9,13 +9,18 @@ use super::controller;
 use crate::error::CliError;
 use crate::streams::write_out;
 
+/// What to do about an adapter that does not start or answer.
+const HINT: &str =
+    "run the command by hand, and type a request; `gaugeblock adapter protocol` describes them";
+
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   gaugeblock adapter check \"python3 adapter.py\"
   gaugeblock adapter check ./adapter
   gaugeblock adapter check tcp:127.0.0.1:4100
 
-Exit status: 0 no errors; 1 errors; 2 wrong call; 3 the adapter cannot be started or does not answer.")]
+Exit status: 0 no errors; 1 errors; 2 wrong call;
+3 the adapter cannot be started or does not answer.")]
 pub(crate) struct Arguments {
     /// Shell command that starts the adapter, or tcp:HOST:PORT
     #[arg(value_name = "COMMAND")]
@@ -29,7 +34,11 @@ pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError
         _ => format!("exec:{named}"),
     };
     let adapter = controller::external_controller(&named, Limits::default())
-        .unwrap_or_else(|| controller::exec(&named, Limits::default()))?;
+        .unwrap_or_else(|| controller::exec(&named, Limits::default()))
+        .map_err(|error| CliError {
+            hint: error.hint.map(|hint| if error.status == 3 { HINT.to_owned() } else { hint }),
+            ..error
+        })?;
     let begun = gaugeblock_adapter::clock::now();
     let found = checks(&adapter, suite, &|| begun.elapsed().as_secs_f64());
     let mut wrong = 0;

@@ -21,7 +21,10 @@ use crate::streams::write_out;
 const EXAMPLES: &str = "Examples:
   gaugeblock compare part.ngc --controller rs274
   gaugeblock compare *.ngc --controller rs274 --edition rs274-2.9-observed
-  gaugeblock compare part.ngc --controller rs274 --against reference --format json";
+  gaugeblock compare part.ngc --controller rs274 --against reference --format json
+
+Exit status: 0 no difference; 1 a difference; 2 wrong call or input;
+3 a program could not be compared.";
 
 /// The remark where effects differ and the commanded path does not.
 const SAME_PATH: &str = "\n  the path is the same, divided into different moves";

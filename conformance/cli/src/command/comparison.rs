@@ -10,7 +10,7 @@ use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
 
-use super::stored_report;
+use super::{stored_report, user_files};
 use crate::error::CliError;
 
 #[derive(Debug, Args)]
@@ -123,8 +123,7 @@ impl ComparisonFiles {
 fn read_waivers(path: &Path) -> Result<Waivers, CliError> {
     let name = path.display();
     let hint = "[[waiver]] with rule, reason, owner, expires = \"2027-01-31\", and case for one of its cases";
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| CliError::usage(format!("{name}: {error}"), hint))?;
+    let text = user_files::read_text(path, "file of waivers (--waivers)")?;
     Waivers::read(&text)
         .map_err(|error| CliError::usage(format!("{name}: {}", error.trim_end()), hint))
 }
@@ -137,12 +136,7 @@ fn today() -> Day {
 
 fn read_expectations(path: &Path) -> Result<Expectations, CliError> {
     let name = path.display();
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        CliError::usage(
-            format!("{name}: {error}"),
-            "`gaugeblock certify --write-expectations FILE` writes such a file",
-        )
-    })?;
+    let text = user_files::read_text(path, "file of expectations (--expectations)")?;
     Expectations::read(&text).map_err(|error| {
         CliError::usage(
             format!("{name}: {}", error.trim_end()),

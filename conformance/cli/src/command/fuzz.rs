@@ -35,7 +35,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock fuzz --controller rs274 --edition rs274-2.9-observed --programs 30000
       find behaviour of LinuxCNC's interpreter that no quirk explains
   gaugeblock fuzz --options random --seconds 36000 --report nightly
-      try every option of the documents, with a journal; after an interruption, repeat the call with --resume
+      try every option of the documents; after an interruption, repeat the call with --resume
   gaugeblock fuzz --edition gpp2 --programs 300000
       generate programs of a post-processor
   gaugeblock fuzz --edition nct-99m --programs 300000 --verbose
@@ -48,9 +48,10 @@ const EXAMPLES: &str = "Examples:
       generate only statements of one kind
   gaugeblock fingerprint --controller rs274 --format json > options.json
   gaugeblock fuzz --controller rs274 --options from:options.json
-      compare under the options that the controller has, so that known differences do not hide new ones
+      compare under the controller's options, so that known differences do not hide new ones
 
-Exit status: 0 no divergence; 1 divergences; 2 wrong call or input; 3 a program could not be judged, or none was.";
+Exit status: 0 no divergence; 1 divergences; 2 wrong call or input;
+3 a program could not be judged, or none was.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -99,7 +100,7 @@ pub(crate) struct Arguments {
     /// Resume an interrupted run from the journal in --report
     #[arg(long, requires = "report")]
     resume: bool,
-    /// Report.json of an earlier run; its divergences are known, and only new ones are reported
+    /// Report of an earlier run (report.json); its divergences are known, and only new ones are reported
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
     /// Attempts to minimise each divergence; 0 keeps the generated programs

@@ -29,9 +29,9 @@ pub(crate) struct Report<'a> {
     pub(crate) known: &'a [Finding],
     /// Outcomes of the suite's rules that few programs or none reached, and how many.
     pub(crate) rare: &'a [(String, u64)],
-    /// Those that none reached, and no case does that can be compared here, and why.
+    /// Outcomes that no program reached, nor any case that both controllers can run, each with the reason.
     pub(crate) not_shown: &'a NotComparable,
-    /// The first programs of which nothing can be said.
+    /// The first programs that could not be judged, by their number.
     pub(crate) not_judged: &'a BTreeMap<u64, NotJudged>,
     pub(crate) seconds: f64,
 }
@@ -65,9 +65,11 @@ impl Report<'_> {
 
     pub(crate) fn text(&self, verbose: bool) -> String {
         let mut text = String::new();
-        let Header { iut, against, options, seed, shard, .. } = self.header;
-        let _infallible =
-            writeln!(text, "{iut} against {against}, {options}, seed {seed}, shard {shard}\n");
+        let Header { iut: controller, against, options, seed, shard, .. } = self.header;
+        let _infallible = writeln!(
+            text,
+            "{controller} against {against}, {options}, seed {seed}, shard {shard}\n"
+        );
         for (place, finding) in self.findings.iter().take(SHOWN).enumerate() {
             let _infallible = writeln!(text, "{}", describe(place + 1, finding));
         }
@@ -75,8 +77,7 @@ impl Report<'_> {
             let _infallible = writeln!(text, "… and {} more kinds\n", self.findings.len() - SHOWN);
         }
         let s = self.statistics;
-        let rate =
-            if self.seconds > 0.0 { thousands(s.programs) / self.seconds * 1000.0 } else { 0.0 };
+        let rate = if self.seconds > 0.0 { as_float(s.programs) / self.seconds } else { 0.0 };
         let _infallible = writeln!(
             text,
             "{} programs in {:.1} s ({rate:.0} a second); {} compared, {} of them accepted; {} of blocks compared",
@@ -117,16 +118,16 @@ impl Report<'_> {
         text
     }
 
-    /// Which programs to look at.
+    /// The numbers of the first programs that could not be judged.
     fn first_not_judged(&self, text: &mut String) {
         if !self.not_judged.is_empty() {
             let numbers: Vec<_> = self.not_judged.keys().map(u64::to_string).collect();
-            let (numbers, what) = (numbers.join(", "), "`--report DIR` writes each into a folder");
-            let _infallible = writeln!(text, "            of the programs {numbers}; {what}");
+            let (numbers, hint) = (numbers.join(", "), "`--report DIR` writes each into a folder");
+            let _infallible = writeln!(text, "            not judged: programs {numbers}; {hint}");
         }
     }
 
-    /// What the run says little of.
+    /// Outcomes that few programs reached, so that the run says little about them.
     fn rarely_reached(&self, text: &mut String, most: usize) {
         if self.rare.is_empty() {
             return;
@@ -151,7 +152,7 @@ impl Report<'_> {
         }
         let _infallible = writeln!(
             text,
-            "{} outcomes were reached by none, nor by a case that could be compared here:",
+            "{} outcomes were reached by no program, nor by a case that both controllers can run:",
             self.not_shown.len()
         );
         let mut by_reason: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
@@ -189,7 +190,8 @@ impl Report<'_> {
         }
     }
 
-    /// Writes report.json, report.txt and a folder for each divergence.
+    /// Writes report.json, report.txt, a folder for each divergence, and a folder `not-judged-N` for each of the first
+    /// programs that could not be judged.
     pub(crate) fn write(&self, folder: &Path) -> Result<(), CliError> {
         user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", self.json()))?;
         user_files::write_whole(
@@ -223,12 +225,14 @@ impl Report<'_> {
 }
 
 /// Writes a program, its files and the scenario into a folder of their own.
+///
+/// A file whose name has a separator could lie outside of the folder: it is written under a name with `_` instead. The
+/// scenario has it under its own name.
 fn write_program(folder: &Path, scenario: &Scenario) -> Result<(), CliError> {
     user_files::create_folder(folder)?;
     user_files::write_whole(&folder.join("program.ngc"), &scenario.program.main)?;
-    let files = scenario.program.files.iter();
-    for (name, text) in files.filter(|(name, _)| !name.contains(['/', '\\'])) {
-        user_files::write_whole(&folder.join(name), text)?;
+    for (name, text) in &scenario.program.files {
+        user_files::write_whole(&folder.join(name.replace(['/', '\\'], "_")), text)?;
     }
     let text = scenario.to_text().map_err(|error| {
         CliError::failure(error.message, "this is a bug in gaugeblock; please report it")
@@ -322,9 +326,10 @@ fn list(text: &mut String, what: &str, counts: &Counts, most: usize) {
     }
 }
 
-fn thousands(count: u64) -> f64 {
-    f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX))
-        + f64::from(u32::try_from(count % 1000).unwrap_or_default()) / 1000.0
+/// A count as a floating-point number.
+fn as_float(count: u64) -> f64 {
+    let thousands = f64::from(u32::try_from(count / 1000).unwrap_or(u32::MAX));
+    thousands * 1000.0 + f64::from(u32::try_from(count % 1000).unwrap_or_default())
 }
 
 fn percent(part: u64, whole: u64) -> String {

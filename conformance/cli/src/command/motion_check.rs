@@ -1,4 +1,4 @@
-//! `gaugeblock motion check`.
+//! `gaugeblock motion check`: checks recorded servo samples of a program against the motion rules.
 
 use std::path::{Path, PathBuf};
 
@@ -18,15 +18,16 @@ const EXAMPLES: &str = "Examples:
   gaugeblock motion check part.bin --program part.ngc --machine mill.toml --script hold.toml
   gaugeblock motion check part.csv --program part.ngc --machine mill.toml --svg part.svg
 
-Samples are a table. Its first line gives the servo period in seconds, its second line names the columns:
+Samples are a table. Its first line gives the servo period in seconds, its second names the columns:
   # gaugeblock samples 0 period=0.001 resolution=0
   x,y,z,line
   0,0,0,1
-The compact form that `gaugeblock plan --samples part.bin` writes is accepted too. A column that is missing is not
-checked.
+The compact form that `gaugeblock plan --samples part.bin` writes is accepted too.
+A column that is missing is not checked.
 
-Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
-call or input, or no sample; 3 no motion rule could be checked. The output names the rules that could not be checked.";
+Exit status: 0 every motion rule that could be checked holds, and at least one could;
+1 a motion rule is broken; 2 wrong call or input, or no sample; 3 no motion rule could be checked.
+The output names the rules that could not be checked.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

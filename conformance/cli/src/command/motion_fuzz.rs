@@ -32,11 +32,14 @@ const EXAMPLES: &str = "Examples:
   gaugeblock motion fuzz --seed 7 --programs 100000 --report motion
       plan many programs; write the minimised program of each kind of violation into a folder
 
-Each program is planned, and its samples are checked against the motion rules. Then the program is moved, turned,
-mirrored, scaled or split, or gets higher limits. A moved, turned, mirrored or split program may change its time by two servo
-cycles; one with higher limits may take 2 ms per second longer. A motion that never ends is a violation too.
+Each program is planned, and its samples are checked against the motion rules.
+Then the program is changed in one of seven ways, and the times are compared:
+  axes permuted, mirrored, scaled, a line split: the time may change by two servo cycles
+  higher velocity, higher acceleration, looser tolerance: it may grow by 2 ms per second
+A motion that never ends is a violation too.
 
-Exit status: 0 no violation; 1 violations; 2 wrong call; 3 a program could not be planned, or there was none.";
+Exit status: 0 no violation; 1 violations; 2 wrong call;
+3 a program could not be planned, or there was none.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -59,7 +62,7 @@ pub(crate) struct Arguments {
     /// Attempts to minimise the program of each kind of violation; 0 keeps the generated programs
     #[arg(long, value_name = "N", default_value_t = 1000)]
     shrink: u32,
-    /// Change each program in all seven ways instead of one
+    /// Change each program in all seven ways (see below) instead of one
     #[arg(long)]
     every_change: bool,
     /// Write report.txt into this folder, with program, machine and script of each kind of violation, and the changed

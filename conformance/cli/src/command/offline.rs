@@ -40,10 +40,11 @@ pub(crate) enum Offline {
 const EXPORT_EXAMPLES: &str = "Examples:
   gaugeblock offline export --out campaign
       export every case of the default edition that can run offline
-  gaugeblock offline export --edition linuxcnc-2.9 --profile modal-save --profile subroutines --out campaign
-      export the rules of two profiles of LinuxCNC's 2.9 manual
+  gaugeblock offline export --profile modal-save --profile subroutines --out campaign
+      export the rules of two profiles
 
-The files contain no expectations. The folder's README.md counts the cases that cannot run offline, by reason.";
+The files contain no expectations.
+The folder's README.md counts the cases that cannot run offline, by reason.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXPORT_EXAMPLES)]
@@ -65,7 +66,8 @@ const ANSWER_EXAMPLES: &str = "Examples:
   gaugeblock offline answer campaign --controller rs274 --blocks
       record the position after each block, as in single-block mode
 
-Sheets that are already filled in do not change. Afterwards `certify --controller offline:campaign` and
+Sheets that are already filled in do not change.
+Afterwards `certify --controller offline:campaign` and
 `certify --controller CONTROLLER --restrict-to offline:campaign` give the same verdicts.";
 
 #[derive(Debug, Args)]

@@ -34,17 +34,19 @@ A machine file has the limits of the axes in millimetres, degrees and seconds:
   y = { velocity = 250, acceleration = 2000 }
   z = { velocity = 100, acceleration = 1000 }
 
-A script lists the actions of the operator and the machine's inputs in order, each with its servo cycle:
+A script lists operator actions and machine inputs in order, each with its servo cycle:
   events = [
     { cycle = 300, action = { hold = true } },
     { cycle = 500, action = { hold = false } },
     { cycle = 700, action = { feed_override = 0.5 } },
     { cycle = 900, action = \"abort\" },
   ]
-Other actions: rapid_override, adaptive_feed, feed_stop, and spindle_speed = { spindle = 0, turns = 10 }.
+Other actions: rapid_override, adaptive_feed, feed_stop,
+and spindle_speed = { spindle = 0, turns = 10 }.
 
-Exit status: 0 every motion rule that could be checked holds, and at least one could; 1 a motion rule is broken; 2 wrong
-call or input; 3 the program cannot be planned, or no motion rule could be checked.";
+Exit status: 0 every motion rule that could be checked holds, and at least one could;
+1 a motion rule is broken; 2 wrong call or input;
+3 the program cannot be planned, or no motion rule could be checked.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

@@ -25,8 +25,10 @@ pub(crate) enum Reports {
   gaugeblock report merge shard-1 shard-2 shard-3 --report whole
   gaugeblock report merge shard-*/report.json --format json
 
-Missing or repeated shards are errors, and so are reports of different controllers, versions, editions, options, suites or
-calls. The exit status is that of the whole run.")]
+Missing or repeated shards are errors, and so are reports of different controllers, versions,
+editions, options, suites or calls.
+
+Exit status: that of `gaugeblock certify` for the whole run; 2 wrong call or input.")]
     Merge(Merge),
 }
 

@@ -1,16 +1,23 @@
 //! `gaugeblock rs274`.
 
+use super::user_files;
 use crate::error::CliError;
 
 pub(crate) use gaugeblock_rs274::Arguments;
 
-/// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1.
+/// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1; a file that is missing ends with 2, as
+/// in the other commands.
 pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, CliError> {
     let refused = |message| CliError {
         status: 1,
         message,
         hint: Some("`gaugeblock rs274 --help` lists the options".to_owned()),
     };
+    for (path, role) in [(&arguments.program, "program"), (&arguments.ini, "INI file (-i)")] {
+        if let Some(path) = path {
+            user_files::check_exists(path, role)?;
+        }
+    }
     let editions = gaugeblock_embedded_suite::page("editions.toml").map_err(refused)?;
     gaugeblock_rs274::rs274(arguments, &editions).map_err(refused)
 }

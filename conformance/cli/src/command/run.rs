@@ -27,10 +27,14 @@ const EXAMPLES: &str = "Examples:
   gaugeblock run part.gpp --edition gpp-classic
   gaugeblock run part.nct
 
-Subroutine files (*.ngc) in the folder of the program are found by name. A file *.gpp is a post-processor program; its
-toolpath is the file part.toolpath in the same folder. A file *.nct holds NCT custom macros.
+Subroutine files (*.ngc) in the folder of the program are found by name.
+A file *.gpp is a post-processor program; its toolpath is the file part.toolpath in the same folder.
+A file *.nct holds NCT custom macros.
+The output is an outcome. Its first line names the version of the form; `gaugeblock schema outcome`
+prints the form of --format json, which has the same fields.
 
-Exit status: 0 the program ran, even if it ended with a fault; 2 wrong call or input; 3 the controller could not run it.";
+Exit status: 0 the program ran, even if it ended with a fault; 2 wrong call or input;
+3 the controller could not run it.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

@@ -16,7 +16,9 @@ enum What {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  gaugeblock schema outcome > outcome.schema.json")]
+#[command(
+    after_help = "Examples:\n  gaugeblock schema outcome > outcome.schema.json\n  gaugeblock schema report > report.schema.json"
+)]
 pub(crate) struct Arguments {
     /// The document
     #[arg(value_enum)]

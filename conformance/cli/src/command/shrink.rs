@@ -20,12 +20,13 @@ use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock shrink part.ngc --controller rs274
-      find the smallest program on which LinuxCNC's interpreter still differs from the model in the same way
+      find the smallest program on which rs274 and the model still differ in the same way
   gaugeblock shrink part.ngc --controller production --output small.ngc
   gaugeblock shrink program.ngc --scenario scenario.toml --controller production
       minimise a divergence that `gaugeblock fuzz --report` recorded
 
-Exit status: 0 minimised; 1 the controllers do not differ on this program; 2 wrong call or input; 3 not comparable.";
+Exit status: 0 minimised; 1 the controllers do not differ on this program; 2 wrong call or input;
+3 not comparable.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

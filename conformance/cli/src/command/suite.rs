@@ -19,15 +19,15 @@ use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock suite check
-      every outcome reached, every golden current, every sentence of every document classified
+      every outcome reached, every golden current, every sentence of each document classified
   gaugeblock suite check --document linuxcnc-2.8=m-code.txt
       compare the sentence ledger with this copy of the document
   gaugeblock --suite conformance/suite suite bless saved-state
       write the model's outcomes as goldens of a chapter; read them before you commit them
   gaugeblock suite matrix --report out/report.json
-      per document and section: sentences, rules, and the verdicts of the model and of a controller
+      per document and section: sentences, rules, verdicts of the model and of a controller
   gaugeblock suite faults
-      which planted faults of the production interpreter the suite catches (build with --features faulty)";
+      which planted faults the suite catches in production (build with --features faulty)";
 
 /// Maintain the suite: check its pages, bless goldens, list what became of each document
 #[derive(Debug, Subcommand)]
@@ -44,6 +44,12 @@ pub(crate) enum Maintenance {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock suite check
+  gaugeblock --suite conformance/suite suite check
+  gaugeblock suite check --document linuxcnc-2.8=m-code.txt
+
+Exit status: 0 no errors; 1 errors; 2 wrong call or input.")]
 pub(crate) struct CheckArguments {
     /// Compare the sentence ledger of document ID with this file; may be repeated
     #[arg(long, value_name = "ID=FILE")]
@@ -51,6 +57,11 @@ pub(crate) struct CheckArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock --suite conformance/suite suite bless saved-state
+  gaugeblock --suite conformance/suite suite bless saved-state.feed feed
+
+Exit status: 0 the pages are written; 2 wrong call or input.")]
 pub(crate) struct BlessArguments {
     /// Bless only rules whose id begins with this; may be repeated
     #[arg(value_name = "PREFIX")]
@@ -58,6 +69,11 @@ pub(crate) struct BlessArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock suite matrix
+  gaugeblock suite matrix --report out/report.json --format json
+
+Exit status: 0 printed; 2 wrong call or input.")]
 pub(crate) struct MatrixArguments {
     /// Add the verdicts of this report as a column; may be repeated
     #[arg(long, value_name = "REPORT.json")]

@@ -23,9 +23,7 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
             format!("name the {role} itself, not its folder"),
         ));
     }
-    let bytes = std::fs::read(path).map_err(|error| {
-        CliError::usage(format!("{name}: {error}"), format!("check the path of the {role}"))
-    })?;
+    let bytes = std::fs::read(path).map_err(|error| unreadable(path, role, &error))?;
     let binary = || format!("the {role} is plain text; was this a binary file?");
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -42,6 +40,16 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
         }
         None => Ok(text),
     }
+}
+
+/// Refuses a path that leads to no file.
+pub(crate) fn check_exists(path: &Path, role: &str) -> Result<(), CliError> {
+    path.metadata().map(|_| ()).map_err(|error| unreadable(path, role, &error))
+}
+
+fn unreadable(path: &Path, role: &str, error: &std::io::Error) -> CliError {
+    let message = format!("{}: {error}", path.display());
+    CliError::usage(message, format!("check the path of the {role}"))
 }
 
 /// Reads a file that has a form; `hint` names the help that describes the form.

@@ -88,6 +88,20 @@ fn rs274_writes_over_nothing_that_it_reads() {
 }
 
 #[test]
+fn claimed_profile_without_a_rule_in_the_edition_is_refused() {
+    let call = ["certify", "--edition", "linuxcnc-2.8", "--only", "feed", "--profile", "gpp"];
+    refused(&call, 2, &["no rule of profile gpp is in edition linuxcnc-2.8", "hint:"]);
+}
+
+#[test]
+fn folder_without_editions_is_not_a_suite() {
+    let here = folder("no-suite");
+    file(&here, "page.toml", b"not = a page");
+    let here = here.to_str().expect("UTF-8");
+    refused(&["certify", "--suite", here], 2, &["is not a suite: it has no editions.toml"]);
+}
+
+#[test]
 fn hint_names_the_role_of_a_missing_file() {
     let here = folder("absent");
     let program = file(&here, "good.ngc", b"g21\nm2\n");
@@ -95,6 +109,8 @@ fn hint_names_the_role_of_a_missing_file() {
         refused(arguments, 2, &["nofile", &format!("hint: check the path of the {role}\n")]);
     };
     absent(&["run", "nofile.ngc"], "program");
+    absent(&["rs274", "-g", "nofile.ngc"], "program");
+    absent(&["certify", "--waivers", "nofile.toml"], "file of waivers (--waivers)");
     absent(&["run", &program, "--scenario", "nofile.toml"], "scenario (--scenario)");
     absent(&["fuzz", "--known", "nofile"], "earlier report (--known)");
     absent(&["fuzz", "--options", "from:nofile"], "fingerprint (--options from:FILE)");
@@ -201,6 +217,7 @@ fn options_and_files_of_a_scenario_count() {
 fn faulty_suite_is_reported_with_its_page() {
     let here = folder("wrong-suite");
     std::fs::create_dir_all(here.join("feed")).expect("a folder for the test");
+    file(&here, "editions.toml", b"");
     file(&here.join("feed"), "odd.toml", b"id = \"feed.odd\"\nsentence = \"x\"\ncolour = 3\n");
     let path = here.to_str().expect("UTF-8");
     refused(
@@ -396,8 +413,8 @@ fn what_rs274_would_load_is_refused() {
     let here = folder("rs274-refused");
     let program = file(&here, "program.ngc", b"m2\n");
     refused(&["rs274", "-p", "other.so", &program], 1, &["-p", "hint:"]);
-    refused(&["rs274", "-g", "no-such-file.ngc"], 1, &["no-such-file.ngc", "hint:"]);
-    refused(&["rs274", "-g", "-i", "no-such-file.ini", &program], 1, &["no-such-file.ini"]);
+    refused(&["rs274", "-g", "no-such-file.ngc"], 2, &["no-such-file.ngc", "hint:"]);
+    refused(&["rs274", "-g", "-i", "no-such-file.ini", &program], 2, &["no-such-file.ini"]);
     let parameters = file(&here, "odd.var", b"5220 1\n31 4\n");
     refused(&["rs274", "-g", "-v", &parameters, &program], 1, &["31 is out of order"]);
 }
