@@ -152,7 +152,14 @@ fn of_radius(
     if chord.to_bits() == 0 {
         return Err(open("an arc with a radius that ends where it begins"));
     }
-    let too_small = || bad_arc(format!("a radius of {radius} for points {} apart", 4.0 * chord));
+    let too_small = || {
+        bad_arc(format!(
+            "radius {} is too small: the points are {} apart, at least {} is needed",
+            radius.abs(),
+            4.0 * chord,
+            2.0 * chord
+        ))
+    };
     let beside = beside_chord(radius.abs() / 4.0, chord / 2.0).ok_or_else(too_small)?;
     // At the left when the shorter arc goes counterclockwise.
     let left = if clockwise == (radius < 0.0) { beside } else { -beside };

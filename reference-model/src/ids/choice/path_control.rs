@@ -8,7 +8,7 @@ choices! {
     NegativeTolerance = "path-control.negative-tolerance" {
         /// it is none
         Refused = "refused",
-        /// it is as good as none
+        /// it counts as no tolerance
         LeftOut = "left-out",
     }
 }

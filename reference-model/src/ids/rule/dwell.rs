@@ -13,6 +13,6 @@ rules! {
     ONCE = "dwell.once",
     /// G4 waits P seconds, fractions included.
     SECONDS = "dwell.seconds",
-    /// P0 is not negative and allowed.
+    /// G4 P0 is allowed.
     ZERO_TIME = "dwell.zero-time",
 }

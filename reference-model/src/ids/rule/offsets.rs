@@ -12,7 +12,7 @@ rules! {
     CHANGE_UNDER_COMPENSATION = "offsets.change-under-compensation",
     /// G52 shifts the coordinate system by its axis values and moves nothing.
     LOCAL = "offsets.local",
-    /// G92.1 takes the local offset away, moves nothing, and sets `#5210` to `#5219` to zero.
+    /// G92.1 cancels the local offset of G92 and G52, moves nothing, and sets `#5210` to `#5219` to zero.
     LOCAL_CLEARED = "offsets.local-cleared",
     /// G52 without an axis word is refused.
     LOCAL_NEEDS_AXES = "offsets.local-needs-axes",
@@ -28,7 +28,7 @@ rules! {
     LOCAL_RESUMED = "offsets.local-resumed",
     /// A local offset continues when an origin is set or another coordinate system is selected.
     LOCAL_STAYS = "offsets.local-stays",
-    /// G92.2 takes the local offset away and leaves `#5211` to `#5219`.
+    /// G92.2 cancels the local offset of G92 and G52, and leaves `#5211` to `#5219`.
     LOCAL_SUSPENDED = "offsets.local-suspended",
     /// A move with G53 goes to machine coordinates, whatever offsets are active.
     MACHINE_COORDINATES = "offsets.machine-coordinates",

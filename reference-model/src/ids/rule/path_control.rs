@@ -17,7 +17,7 @@ rules! {
     NAIVE_CAM_ALONE = "path-control.naive-cam-alone",
     /// Without Q the naive CAM tolerance is the value of P.
     NAIVE_CAM_DEFAULT = "path-control.naive-cam-default",
-    /// A tolerance below zero is refused, or as good as none.
+    /// A tolerance below zero is refused, or counts as no tolerance.
     NEGATIVE_TOLERANCE = "path-control.negative-tolerance",
     /// A path control mode may be programmed while it is active.
     REPEATED = "path-control.repeated",

@@ -39,9 +39,9 @@ rules! {
     THREAD_SLIDE = "threading.thread-slide",
     /// E of G76 is not more than half the length of the thread.
     THREAD_TAPER = "threading.thread-taper",
-    /// L of G76 gives the thread a taper of the length E at its entry (1), its exit (2) or both (3): there
-    /// each pass feeds aslant, as steep as the full depth over E, and P along Z for each revolution all the
-    /// same; at an entry it feeds in from the drive line.
+    /// L of G76 gives the thread a taper of the length E at its entry (1), its exit (2) or both (3). There
+    /// each pass feeds along a slope of the full depth over E, and still P along Z for each revolution. At an
+    /// entry it feeds in from the drive line.
     THREAD_TAPERS = "threading.thread-tapers",
     /// G76 needs P, Z, I, J and K.
     THREAD_WORDS = "threading.thread-words",

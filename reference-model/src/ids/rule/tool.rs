@@ -67,7 +67,8 @@ rules! {
     /// G10 L10 sets the offsets of tool P so that the current point gets the axis values once they are
     /// applied, with the coordinate system and the local offset in force.
     ENTRY_CALCULATED = "tool.entry-calculated",
-    /// G10 L11 sets them so that the current point gets the axis values in G59.3 without a local offset.
+    /// G10 L11 sets the offsets of tool P so that the current point gets the axis values in G59.3 without a
+    /// local offset.
     ENTRY_CALCULATED_FIXTURE = "tool.entry-calculated-fixture",
     /// A tool offset that is in force stays when the tool table changes; the parameters of the tool in the
     /// spindle change at once.

@@ -35,7 +35,7 @@ rules! {
     POSITION_OVER_UNIT_CHANGE = "units-planes.position-over-unit-change",
     /// Under G8 an X word is the distance from the centre.
     RADIUS = "units-planes.radius",
-    /// Rotary axes are in degrees and no change of the length unit alters them.
+    /// Rotary axes are in degrees and a change of the length unit does not alter them.
     ROTARY_AXES = "units-planes.rotary-axes",
     /// G17.1, G18.1 and G19.1 select the UV, WU and VW plane.
     SECONDARY_PLANES = "units-planes.secondary-planes",

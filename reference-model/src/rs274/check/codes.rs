@@ -176,7 +176,11 @@ fn conflict(
     words: &Words,
     state: &mut State,
 ) -> Result<(), StepError> {
-    let message = format!("{} and {} belong to one modal group", texts.0, texts.1);
+    let message = if texts.0 == texts.1 {
+        format!("{} is programmed twice in the block", texts.0)
+    } else {
+        format!("{} and {} belong to one modal group: only one of them per block", texts.0, texts.1)
+    };
     let mist_and_flood =
         group == ModalGroup::Coolant && !words.m.contains(&9) && texts.0 != texts.1;
     if mist_and_flood {

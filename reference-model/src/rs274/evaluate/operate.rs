@@ -152,11 +152,29 @@ pub(super) fn function(
         }
     };
     if !value.is_finite() {
-        let message = format!("{argument} lies outside of the domain of its function");
+        let message = outside_of_domain(function, argument);
         return Err(refuse(rule::expressions::DOMAIN, FaultKind::OutOfDomain, message));
     }
     state.coverage.accepted(rule);
     Ok(value)
+}
+
+/// The message about an argument of which a function has no finite value.
+fn outside_of_domain(function: Function, argument: f64) -> String {
+    match function {
+        Function::ArcSine => format!("ASIN needs a number from -1 to 1: found {argument}"),
+        Function::ArcCosine => format!("ACOS needs a number from -1 to 1: found {argument}"),
+        Function::Logarithm => format!("LN needs a number above zero: found {argument}"),
+        Function::SquareRoot => format!("SQRT needs a number not below zero: found {argument}"),
+        Function::Exponential => format!("EXP of {argument} is larger than any number"),
+        Function::Absolute
+        | Function::Cosine
+        | Function::RoundDown
+        | Function::RoundUp
+        | Function::Round
+        | Function::Sine
+        | Function::Tangent => format!("{argument} is beyond what its function takes"),
+    }
 }
 
 /// Choice expressions.round-half: away from zero, to the greater one, or to the even one.

@@ -263,7 +263,11 @@ fn short_radius(radius: f64, half: f64, state: &mut State) -> Result<(), StepErr
     if just {
         state.coverage.refused(rule);
     }
-    let message = format!("a radius of {radius} for points {} apart", 2.0 * half);
+    let message = format!(
+        "radius {} is too small: the points are {} apart, at least {half} is needed",
+        radius.abs(),
+        2.0 * half
+    );
     Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message))
 }
 

@@ -38,7 +38,7 @@ pub(crate) trait DwellRules {
     /// Rule dwell.negative-time. A dwell of fewer than no seconds is refused.
     fn check_dwell(&self, seconds: f64, _state: &State) -> Result<(), StepError> {
         if seconds < 0.0 {
-            let message = format!("a dwell of {seconds} seconds");
+            let message = format!("the dwell P must not be negative: {seconds} seconds");
             return Err(refuse(rule::dwell::NEGATIVE_TIME, FaultKind::WordOutOfRange, message));
         }
         Ok(())

@@ -69,7 +69,7 @@ pub(crate) trait FeedRules {
 pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(rate) = word(words, 'f') else { return Ok(()) };
     if rate < 0.0 {
-        let message = format!("a feed rate of {rate}");
+        let message = format!("the feed rate F must not be negative: {rate}");
         return Err(refuse(rule::feed::NEGATIVE_RATE, FaultKind::WordOutOfRange, message));
     }
     let motion = motion_of(words, state);

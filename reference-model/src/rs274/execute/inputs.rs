@@ -152,7 +152,8 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
     let number = state.dialect().input_number(value, state);
     let number = number.and_then(|number| u32::try_from(number).ok());
     let number = number.filter(|number| any || *number < of_machine.into()).ok_or_else(|| {
-        let message = format!("{letter}{value} names no input of {of_machine}");
+        let what = if letter == 'P' { "input" } else { "analog input" };
+        let message = super::no_such(what, value, of_machine);
         refuse(rule::inputs::NUMBER_RANGE, FaultKind::NoSuchInputOrOutput, message)
     })?;
     state.coverage.accepted(rule::inputs::NUMBER_RANGE);

@@ -63,3 +63,11 @@ pub(crate) fn not_under_compensation<C: Choice>(
     state.coverage.accepted(rule);
     Ok(())
 }
+
+/// The message about an input or output that the machine does not have; those that it has are counted from 0.
+fn no_such(what: &str, value: f64, of_machine: u16) -> String {
+    match of_machine.checked_sub(1) {
+        Some(last) => format!("{what} {value} does not exist: the machine has {what}s 0 to {last}"),
+        None => format!("{what} {value} does not exist: the machine has none"),
+    }
+}

@@ -124,7 +124,8 @@ fn number(
     let unchecked = any && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
     let number = whole.filter(fits).ok_or_else(|| {
-        let message = format!("{letter}{value} names no output of {of_machine}");
+        let what = if letter == 'P' { "output" } else { "analog output" };
+        let message = super::no_such(what, value, of_machine);
         refuse(rule, FaultKind::NoSuchInputOrOutput, message)
     })?;
     state.coverage.accepted(rule);

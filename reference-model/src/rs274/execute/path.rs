@@ -58,7 +58,7 @@ fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or as good as none, is a choice.
+/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or counts as no tolerance, is a choice.
 fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let rule = rule::path_control::NEGATIVE_TOLERANCE;
     match word(words, letter) {

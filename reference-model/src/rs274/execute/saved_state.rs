@@ -104,7 +104,7 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
         saved.valid = false;
     }
     if !any && refused {
-        let message = "M71, and no state that is saved at this call level is valid";
+        let message = "M71 finds no valid saved state at this call level";
         return Err(refuse(
             Rule::of_choice::<choice::saved_state::InvalidateNothing>(),
             FaultKind::NothingSaved,
@@ -131,18 +131,18 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
 fn restore_explicitly(state: &mut State) -> Result<(), StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
-        let rule = if saved.is_some() {
+        let (rule, message) = if saved.is_some() {
             state.coverage.refused(rule::saved_state::INVALIDATED_LEVEL);
-            rule::saved_state::INVALIDATED
+            let message = "M71 invalidated what was saved at this call level";
+            (rule::saved_state::INVALIDATED, message)
         } else {
-            rule::saved_state::NOTHING_SAVED
+            (rule::saved_state::NOTHING_SAVED, "nothing is saved at this call level")
         };
         for level in
             levels(state).into_iter().filter(|level| *level != rule::saved_state::MAIN_LEVEL)
         {
             state.coverage.refused(level);
         }
-        let message = "nothing is saved at this call level";
         return Err(refuse(rule, FaultKind::NothingSaved, message));
     };
     state.coverage.accepted(rule::saved_state::SAVE_RESTORE);

@@ -21,7 +21,7 @@ use crate::rs274::state::State;
 pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
     let speed = word(words, 's');
     if let Some(speed) = speed.filter(|speed| *speed < 0.0) {
-        let message = format!("a spindle speed of {speed}");
+        let message = format!("the spindle speed S must not be negative: {speed}");
         return Err(refuse(rule::spindle::SPEED_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
     let surface = words.g.contains(&960);

@@ -169,10 +169,15 @@ pub(super) fn nurbs(
     if state.modes.plane != Plane::Xy || state.modes.distance == Distance::Incremental {
         return Err(open("a NURBS in another plane than XY, or in increments"));
     }
-    if opens && state.curve.open.is_some()
-        || closes && (has_axis_words(words) || state.curve.open.is_none())
-    {
-        return Err(open("a G5.2 in an open data block, or a G5.3 without one or with a point"));
+    let is_open = state.curve.open.is_some();
+    if opens && is_open {
+        return Err(open("a G5.2 in an open data block"));
+    }
+    if closes && !is_open {
+        return Err(open("a G5.3 without an open data block"));
+    }
+    if closes && has_axis_words(words) {
+        return Err(open("a G5.3 with a point"));
     }
     if state.modes.feed_mode == FeedMode::InverseTime {
         return Err(open("which block of a NURBS has the F of inverse time"));

@@ -154,7 +154,7 @@ impl Parser<'_> {
     fn word(&mut self, letter: char) -> Result<Word, StepError> {
         let start = self.place();
         self.advance();
-        let value = self.value(Wanted::Word);
+        let value = self.value(Wanted::Word(letter));
         if value.is_err() {
             let stopped = self.place();
             self.go_back(start);
@@ -209,11 +209,9 @@ impl Parser<'_> {
                 FaultKind::BadBlock,
                 "a line number that is not first",
             ),
-            '.' => (
-                rule::numbers::FORM,
-                FaultKind::BadNumber,
-                "a number has one decimal point, no other",
-            ),
+            '.' => {
+                (rule::numbers::FORM, FaultKind::BadNumber, "a number has a second decimal point")
+            }
             '+' | '-' if follows && ends => {
                 (rule::numbers::FORM, FaultKind::BadNumber, "a sign after its number")
             }

@@ -12,7 +12,7 @@ use crate::rs274::text::Glyph;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     /// Behind a word's letter.
-    Word,
+    Word(char),
     /// Behind the equals sign of a setting.
     Setting,
     /// Behind the number sign of a parameter.
@@ -139,7 +139,7 @@ impl Parser<'_> {
             return Err(self.refuse(
                 rule::numbers::FORM,
                 FaultKind::BadNumber,
-                "a number has one decimal point, no other",
+                "a number has a second decimal point",
             ));
         }
         let Ok(number) = text.parse() else {
@@ -298,8 +298,9 @@ impl Parser<'_> {
             Wanted::Operand | Wanted::ParameterNumber => {
                 (rule::expressions::INCOMPLETE, FaultKind::BadExpression, "a value is missing")
             }
-            Wanted::Word => {
-                (rule::text::WORD_VALUE, FaultKind::BadNumber, "a word's value is missing")
+            Wanted::Word(letter) => {
+                let message = format!("the number of {} is missing", letter.to_ascii_uppercase());
+                return self.refuse(rule::text::WORD_VALUE, FaultKind::BadNumber, &message);
             }
             Wanted::Setting => (
                 rule::parameters::ASSIGNMENT_FORM,

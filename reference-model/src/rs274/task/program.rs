@@ -73,7 +73,7 @@ impl ModelRun<'_> {
         if source.percent {
             return source.unclosed();
         }
-        let message = "the file ends without a program end";
+        let message = "the file ends without M2 or M30";
         refuse(rule::program_end::MISSING, FaultKind::MissingEnd, message)
     }
 

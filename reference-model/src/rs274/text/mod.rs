@@ -101,7 +101,7 @@ impl Source {
         refuse(
             rule::text::PERCENT_UNCLOSED,
             FaultKind::MissingEnd,
-            "the file ends without a second percent line or a program end",
+            "the file ends without M2, M30 or a closing %",
         )
     }
 

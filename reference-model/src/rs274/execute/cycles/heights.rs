@@ -37,10 +37,13 @@ pub(super) fn find(
     let retract = sticky(
         word(words, 'r'),
         same.map(|same| same.retract),
-        rule::cycles::STICKY_RETRACT,
+        (rule::cycles::STICKY_RETRACT, "R, the retract height"),
         state,
     )?;
-    let depth = sticky(depth, same.map(|same| same.depth), rule::cycles::STICKY_DEPTH, state)?;
+    let letter = crate::rs274::execute::letter(normal).to_ascii_uppercase();
+    let needed = format!("{letter}, the bottom of the hole");
+    let depth =
+        sticky(depth, same.map(|same| same.depth), (rule::cycles::STICKY_DEPTH, &needed), state)?;
     unchanged(words, before, normal, state)?;
     let position = state.position.get(normal);
     let initial = before.map_or(position, |before| before.initial);
@@ -90,11 +93,11 @@ fn clear(initial: f64, retract: f64, state: &State) -> f64 {
 fn sticky(
     number: Option<f64>,
     before: Option<f64>,
-    rule: Rule,
+    (rule, needed): (Rule, &str),
     state: &mut State,
 ) -> Result<f64, StepError> {
     let found = number.or(before).ok_or_else(|| {
-        let message = "a number that the first of these cycles needs";
+        let message = format!("the first block of a series of cycles needs {needed}");
         refuse(rule, FaultKind::MissingWord, message)
     })?;
     if number.is_none() {

@@ -107,7 +107,7 @@ pub(crate) trait CycleRules {
     /// Rule cycles.negative-dwell. P is not negative.
     fn check_cycle_dwell(&self, seconds: f64, _state: &State) -> Result<(), StepError> {
         if seconds < 0.0 {
-            let message = format!("a dwell of {seconds} seconds");
+            let message = format!("the dwell P must not be negative: {seconds} seconds");
             return Err(refuse(rule::cycles::NEGATIVE_DWELL, FaultKind::WordOutOfRange, message));
         }
         Ok(())

@@ -69,7 +69,7 @@ pub(super) fn peck(
     };
     state.coverage.accepted(rule::cycles::PECK_NEEDED);
     if peck <= 0.0 {
-        let message = format!("pecks of {peck}");
+        let message = format!("the increment of pecks Q must be greater than zero: {peck}");
         return Err(refuse(rule::cycles::PECK_INCREMENT, FaultKind::WordOutOfRange, message));
     }
     state.coverage.accepted(rule::cycles::PECK_INCREMENT);

@@ -189,7 +189,7 @@ pub(crate) trait ThreadRules {
 
     /// Feeds along a pass, and traverses out.
     ///
-    /// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds aslant between its depth and K further
+    /// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds along a slope between its depth and K further
     /// out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each
     /// revolution everywhere.
     fn feed_pass(&self, thread: &Thread, pass: &Pass, state: &mut State, record: &mut Record) {
