@@ -72,7 +72,7 @@ impl Interpreter {
                 kind: Some(FaultKind::MissingEnd),
                 block: None,
                 span: None,
-                message: "the file ends without a percent sign or a program end".into(),
+                message: "the file ends without M2, M30 or a closing %".into(),
             }
             .into(),
         )

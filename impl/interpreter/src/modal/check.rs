@@ -116,7 +116,7 @@ impl Modal {
             if groups & group != 0 && !planted(PlantedFault::MCodesTogether) {
                 return refuse(
                     FaultKind::ModalConflict,
-                    format!("M{number} and another code of its group"),
+                    format!("M{number} and another code of its group: only one of them per block"),
                 );
             }
             groups |= group;
@@ -280,7 +280,7 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
                 let text = code_text(*tenths);
                 return refuse(
                     FaultKind::ModalConflict,
-                    format!("G{text} and another code of its group"),
+                    format!("G{text} and another code of its group: only one of them per block"),
                 );
             }
         }

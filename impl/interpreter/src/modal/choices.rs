@@ -99,7 +99,7 @@ choices! {
     retract_names_as_written: "parameters.retract-names", "by-name", "as-written";
     /// `_spindle_on` is 0 at a speed of zero.
     spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
-    /// A tolerance of G64 below zero is as good as none.
+    /// A tolerance of G64 below zero counts as no tolerance.
     negative_tolerance_none: "path-control.negative-tolerance", "refused", "left-out";
     /// M60 ends the program and M30 pauses it.
     pallet_table: "pause.pallet-codes", "sections", "table";

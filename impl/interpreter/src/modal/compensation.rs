@@ -23,7 +23,7 @@ impl Modal {
         }
         self.compensation_radius = if let 411 | 421 = code {
             if let Some(orientation) = words.get(b'L') {
-                integer_in(orientation, 0, 9, "L")?;
+                integer_in(orientation, 0, 9, "L of G41.1 and G42.1")?;
                 if plane != Plane::Zx {
                     return refuse(
                         FaultKind::UnusedWord,

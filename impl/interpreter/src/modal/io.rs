@@ -77,7 +77,7 @@ impl Modal {
             (digital @ Some(_), None) => (Some(number(digital, self.digital_io)?), None),
             (None, analog) => (None, Some(number(analog, self.analog_io)?)),
         };
-        let mode = match words.get(b'L').map_or(Ok(0), |l| integer_in(l, 0, 4, "L"))? {
+        let mode = match words.get(b'L').map_or(Ok(0), |l| integer_in(l, 0, 4, "L of M66"))? {
             0 => WaitMode::Immediate,
             1 => WaitMode::Rise,
             2 if planted(PlantedFault::FallAsLow) => WaitMode::Low,

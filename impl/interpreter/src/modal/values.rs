@@ -28,7 +28,7 @@ pub(crate) fn integer_in(
     if (lowest..=highest).contains(&number) {
         Ok(number)
     } else {
-        refuse(FaultKind::WordOutOfRange, format!("{word} is {lowest} to {highest}"))
+        refuse(FaultKind::WordOutOfRange, format!("{word} must be {lowest} to {highest}"))
     }
 }
 
