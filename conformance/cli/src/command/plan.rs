@@ -171,11 +171,17 @@ fn plan_samples(
 ) -> Result<PlannedMotion, CliError> {
     let outcome = check_program_end(&Production::default(), scenario, file)?;
     let planned = plan_with(&outcome, limits, circumstances).map_err(|stopped| {
-        let place = stopped.block.map_or(String::new(), |block| format!("{block}: "));
-        CliError::failure(
-            format!("{}: {place}{}", file.display(), stopped.why),
-            "the part before this block can be planned",
-        )
+        let place = match &stopped.block {
+            Some(block) => format!("{}:{}", run::location_name(block, file), block.line),
+            None => file.display().to_string(),
+        };
+        let hint = match stopped.unlimited {
+            Some(axis) => {
+                format!("add `{axis} = {{ velocity = …, acceleration = … }}` to its [axes]")
+            }
+            None => "the part before this block can be planned".to_owned(),
+        };
+        CliError::failure(format!("{place}: {}", stopped.why), hint)
     })?;
     Ok(PlannedMotion { samples: planned.samples, feeds: Some((planned.speed, planned.requested)) })
 }
@@ -238,13 +244,10 @@ fn check_program_end(
         | End::BudgetExhausted { .. }
         | End::Unsupported { .. }
         | End::Unspecified { .. } => {
-            let why = match run::point_at(&outcome, scenario, file) {
-                Some(pointer) => {
-                    write_error_in_colours(&pointer);
-                    outcome.end.name().to_owned()
-                }
-                None => run::describe_stop(&outcome, file),
-            };
+            if let Some(pointer) = run::point_at(&outcome, scenario, file) {
+                write_error_in_colours(&pointer);
+            }
+            let why = outcome.end.name();
             Err(CliError::usage(
                 format!("{} does not reach its end: {why}", file.display()),
                 "only a program that reaches its end can be planned",

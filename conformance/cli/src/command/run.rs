@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::Args;
 use gaugeblock_report::escape_line;
 use gaugeblock_suite::Suite;
-use gaugeblock_vocabulary::scenario::Environment;
-use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Program, Scenario, Span};
+use gaugeblock_vocabulary::scenario::{Budget, Environment};
+use gaugeblock_vocabulary::{
+    BlockLocation, Bound, End, Language, Outcome, Program, Scenario, Span,
+};
 
 use super::{controller, user_files};
 use crate::arguments::Format;
@@ -191,12 +193,16 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
     Ok(0)
 }
 
-/// Where a run did not go on, with the line of the program.
+/// Where a run did not go on, with the line of the program; where the file ends before the program does, its last line.
 pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> Option<String> {
-    let (block, span, message) = stop_reason(outcome)?;
-    let block = block?;
+    let (block, span, message) = stop_reason(outcome, scenario)?;
+    let title = Level::ERROR.primary_title(escape_line(&message));
+    let Some((block, source)) = block.and_then(|block| source_line(block, &scenario.program))
+    else {
+        return Some(Renderer::styled().render(&[Group::with_title(title)]));
+    };
+    let block = &block;
     let line = usize::try_from(block.line).ok()?;
-    let source = scenario.program.line(block)?;
     let whole = 0..source.len();
     let range = span.map_or(whole.clone(), |span| {
         let place = |at: u32| usize::try_from(at).unwrap_or(usize::MAX).min(source.len());
@@ -207,23 +213,27 @@ pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
         .line_start(line)
         .path(location_name(block, file))
         .annotation(AnnotationKind::Primary.span(range));
-    let group = Level::ERROR.primary_title(escape_line(&message)).element(snippet);
-    Some(Renderer::styled().render(&[group]))
+    Some(Renderer::styled().render(&[title.element(snippet)]))
 }
 
-/// Where and why a run stopped, in one line: the place may be after the last line of the program.
-pub(crate) fn describe_stop(outcome: &Outcome, file: &Path) -> String {
-    match stop_reason(outcome) {
-        Some((Some(block), _, message)) => {
-            format!("{}:{}: {}", location_name(block, file), block.line, escape_line(&message))
-        }
-        Some((None, _, message)) => escape_line(&message),
-        None => outcome.end.name().to_owned(),
-    }
+/// A block's line in its file. The block after the last line stands for the end of the file: its last line.
+fn source_line<'a>(
+    block: &BlockLocation,
+    program: &'a Program,
+) -> Option<(BlockLocation, &'a str)> {
+    let last = BlockLocation::new(&*block.file, block.line.saturating_sub(1));
+    let lines = [block.clone(), last].into_iter();
+    let found = lines.filter_map(|block| program.line(&block).map(|line| (block, line))).next();
+    found.or_else(|| {
+        Some((block.clone(), "")).filter(|_| &*block.file == Program::MAIN && block.line == 1)
+    })
 }
 
 /// The block at which a run did not go on, the part of it, and why.
-fn stop_reason(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span>, String)> {
+fn stop_reason<'a>(
+    outcome: &'a Outcome,
+    scenario: &Scenario,
+) -> Option<(Option<&'a BlockLocation>, Option<Span>, String)> {
     match &outcome.end {
         End::Fault(fault) => Some((fault.block.as_ref(), fault.span, fault.message.clone())),
         End::Unsupported { block, what } => {
@@ -232,17 +242,28 @@ fn stop_reason(outcome: &Outcome) -> Option<(Option<&BlockLocation>, Option<Span
         End::Unspecified { block, why } => {
             Some((Some(block), None, format!("not specified: {why}")))
         }
-        End::ProgramEnd
-        | End::PercentEnd
-        | End::Endless
-        | End::Paused
-        | End::Aborted
-        | End::BudgetExhausted { .. } => None,
+        End::BudgetExhausted { bound } => {
+            let last = outcome.steps.last().map(|step| &step.block);
+            Some((last, None, budget_used_up(*bound, &scenario.budget)))
+        }
+        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => None,
     }
 }
 
+/// Which bound of the budget ended a run, and how to raise it.
+fn budget_used_up(bound: Bound, budget: &Budget) -> String {
+    let reached = match bound {
+        Bound::Steps => format!("{} executed blocks", budget.steps),
+        Bound::Effects => format!("{} effects", budget.effects),
+        Bound::Time => format!("{} seconds of virtual time", budget.time),
+    };
+    format!(
+        "stopped after {reached}: the budget is used up; `budget.{bound}` of --scenario raises it"
+    )
+}
+
 /// A block's file, as the caller knows it.
-fn location_name(block: &BlockLocation, file: &Path) -> String {
+pub(crate) fn location_name(block: &BlockLocation, file: &Path) -> String {
     match &*block.file {
         Program::MAIN => file.display().to_string(),
         TOOLPATH => file.with_extension(TOOLPATH).display().to_string(),

@@ -326,12 +326,12 @@ fn usage_errors_are_reported_with_their_place() {
         &["zero.csv: line 1: a period"],
     );
     std::fs::write(folder.join("empty.ngc"), "").expect("a file");
-    let ends = "empty.ngc does not reach its end: empty.ngc:1: the file ends without a program end";
-    says("plan empty.ngc --machine mill.toml", 2, &[ends]);
+    let ends = ["the file ends without M2", "empty.ngc:1:1", "empty.ngc does not reach its end"];
+    says("plan empty.ngc --machine mill.toml", 2, &ends);
     for start in ["nan,0,0", "0,inf", "1,2,3,4,5,6,7,8,9,10"] {
         says(&format!("plan part.ngc --machine mill.toml --start {start}"), 2, &["--start"]);
     }
-    says("plan far.ngc --machine mill.toml", 3, &["far.ngc", "main.ngc:1", "limits are not known"]);
+    says("plan far.ngc --machine mill.toml", 3, &["far.ngc:1: axis", "no limits for it", "[axes]"]);
     says("plan torn.ngc --machine mill.toml", 2, &["torn.ngc", "does not reach its end"]);
     for (action, words) in [
         ("{ feed_override = -3.0 }", "odd.toml: event 1: an override of -3"),

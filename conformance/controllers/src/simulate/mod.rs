@@ -58,11 +58,13 @@ pub struct Stopped {
     pub why: String,
     /// Whether planning never ends.
     pub endless: bool,
+    /// The axis that moves and has no limits.
+    pub unlimited: Option<Axis>,
 }
 
 impl Stopped {
     fn new(why: impl Into<String>) -> Self {
-        Self { block: None, why: why.into(), endless: false }
+        Self { block: None, why: why.into(), endless: false, unlimited: None }
     }
 
     fn endless(why: impl Into<String>) -> Self {
@@ -345,7 +347,11 @@ impl<'a> Simulation<'a> {
         let unknown =
             |axis: &&Axis| end[axis.place()].abs() > 0.0 && !self.limits.axes.contains_key(axis);
         match Axis::ALL.iter().find(unknown) {
-            Some(axis) => Err(Stopped::new(format!("{axis} moves, and its limits are not known"))),
+            Some(axis) => {
+                let letter = axis.to_string().to_ascii_uppercase();
+                let why = format!("axis {letter} moves, but the machine has no limits for it");
+                Err(Stopped { unlimited: Some(*axis), ..Stopped::new(why) })
+            }
             None => Ok(()),
         }
     }
