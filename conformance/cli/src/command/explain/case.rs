@@ -48,7 +48,7 @@ fn settings_text(text: &mut String, settings: &Map<String, Value>) {
                     let _infallible = writeln!(text, "    {name}: {}", toml(element));
                 }
             }
-            _ => {
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {
                 let _infallible = writeln!(text, "    {name} = {}", toml(value));
             }
         }
@@ -207,7 +207,7 @@ fn without_empty(value: Value) -> Value {
             Value::Object(fields.filter(|(_, value)| !is_empty(value)).collect())
         }
         Value::Array(elements) => Value::Array(elements.into_iter().map(without_empty).collect()),
-        other => other,
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value,
     }
 }
 

@@ -92,12 +92,9 @@ fn explain_code(code: &Code, suite: &Suite) -> Result<(String, Value), CliError>
 fn unsupported(code: &Code) -> Option<String> {
     let main = format!("{code}\nm2\n");
     let program = Program { main, ..Program::default() };
-    match gaugeblock_reference::run(&Scenario { program, ..Scenario::default() }).0.end {
-        End::Unsupported { what, .. } => {
-            Some(what.split_once(": ").map_or(what.as_str(), |(_, what)| what).to_owned())
-        }
-        _ => None,
-    }
+    let end = gaugeblock_reference::run(&Scenario { program, ..Scenario::default() }).0.end;
+    let End::Unsupported { what, .. } = end else { return None };
+    Some(what.split_once(": ").map_or(what.as_str(), |(_, what)| what).to_owned())
 }
 
 /// An error that lists the ids that are nearest to an unknown one.
