@@ -1,9 +1,9 @@
-//! A program larger than memory, and a loop without an end.
+//! A program of 1 GB in at most 64 MiB of memory, and an endless loop that is run in slices.
 //!
 //! `cargo bench -p gaugeblock-benches --bench stream [-- MEGABYTES [BLOCKS]]`
 //!
-//! The first is made while it is read, so that nothing but the interpreter could hold it. The second is asked to stop
-//! again and again. Fails where the process takes more than 64 MiB.
+//! The program is generated while the interpreter reads it, so that no other part of the process holds it. The loop
+//! runs in slices of 10,000 blocks. The benchmark fails if the process takes more than 64 MiB.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 #![expect(clippy::disallowed_methods, reason = "a measurement takes the time")]
 
@@ -18,9 +18,9 @@ use gaugeblock_interpreter::{
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 
 /// Most memory that the process may take, KiB.
-const MEMORY: u64 = 64 << 10;
-/// Blocks between two looks at whether somebody wants to stop.
-const SLICE: u64 = 10_000;
+const MEMORY_MAX_KIB: u64 = 64 << 10;
+/// Blocks of a slice, after each of which the caller may stop the run.
+const SLICE_BLOCKS: u64 = 10_000;
 /// What the long program repeats.
 const TEXT: &str = "G1 X1.25 Y-2.5 F800\nX2.5\n#1=[#1+0.001]\nG0 Z5 (up)\nG1 Z-#1\n";
 /// An endless loop of four blocks.
@@ -33,8 +33,8 @@ fn main() -> Result<()> {
     long_program(megabytes * 1_000_000)?;
     endless_loop(blocks)?;
     let taken = peak_memory()?;
-    println!("{taken} KiB of memory at most, of {MEMORY}");
-    if taken > MEMORY {
+    println!("{taken} KiB of memory at most, of {MEMORY_MAX_KIB}");
+    if taken > MEMORY_MAX_KIB {
         return Err(Error::other("more memory than it may take"));
     }
     Ok(())
@@ -51,7 +51,7 @@ fn long_program(bytes: u64) -> Result<()> {
     let mut count = Count::default();
     let begin = Instant::now();
     loop {
-        match interpreter.run(&mut source, &mut count, SLICE) {
+        match interpreter.run(&mut source, &mut count, SLICE_BLOCKS) {
             Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
             Ok(Progress::Ended(End::ProgramEnd)) => break,
             Ok(Progress::Ended(end)) => return Err(Error::other(format!("{end:?}"))),
@@ -69,10 +69,10 @@ fn endless_loop(blocks: u64) -> Result<()> {
     let mut count = Count::default();
     let begin = Instant::now();
     let mut longest = Duration::ZERO;
-    for _ in 0..blocks / SLICE {
+    for _ in 0..blocks / SLICE_BLOCKS {
         let asked = Instant::now();
         let progress = interpreter
-            .run(&mut source, &mut count, SLICE)
+            .run(&mut source, &mut count, SLICE_BLOCKS)
             .map_err(|error| Error::other(error.to_string()))?;
         if progress != Progress::More {
             return Err(Error::other(format!("{progress:?}")));

@@ -14,8 +14,8 @@ use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 impl CycleRules for LinuxCnc {
-    /// Quirk rs274.cycle-dollar. No cycle takes $: it is another code's.
-    /// Quirk rs274.chosen-spindle. Without $ it is the spindle that an earlier block chose.
+    /// Quirk rs274.cycle-dollar. $ in the block of a cycle has no effect.
+    /// Quirk rs274.chosen-spindle. Without $ the cycle uses the spindle that an earlier block chose.
     fn spindle_of_cycle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {
         if word(words, '$').is_none() || state.shows(quirk::rs274::CYCLE_DOLLAR) {
             return Ok(state.memory.chosen_spindle);
@@ -49,14 +49,14 @@ impl CycleRules for LinuxCnc {
         Documented.check_cycle_dwell(seconds, state)
     }
 
-    /// Quirk rs274.unused-q-minus-one. A Q-1 is none for a cycle either.
+    /// Quirk rs274.unused-q-minus-one. In a cycle, too, Q-1 counts as no Q.
     fn programmed_peck(&self, words: &Words, state: &State) -> Option<f64> {
         let peck = Documented.programmed_peck(words, state);
         let is_none = peck == Some(-1.0) && state.shows(quirk::rs274::UNUSED_Q_MINUS_ONE);
         peck.filter(|_| !is_none)
     }
 
-    /// Quirk rs274.cycle-retract-from-initial. R counts from where the row of cycles began.
+    /// Quirk rs274.cycle-retract-from-initial. R counts from where the series of cycles began.
     fn incremental_retract_from(&self, current: f64, initial: f64, state: &State) -> f64 {
         if state.shows(quirk::rs274::CYCLE_RETRACT_FROM_INITIAL) {
             return initial;
@@ -64,8 +64,8 @@ impl CycleRules for LinuxCnc {
         Documented.incremental_retract_from(current, initial, state)
     }
 
-    /// Quirk rs274.cycle-rise. Whether there is a rise goes by the level at which the row of cycles began, not by the
-    /// current one. In a row that began above R the first move in the plane rises to the clear height on its way, when
+    /// Quirk rs274.cycle-rise. The level at which the series of cycles began decides whether the tool rises, not the
+    /// current one. In a series that began above R, the first move in the plane rises to the clear height on its way if
     /// it begins at R or below.
     fn preliminary_motion(&self, cycle: &Cycle, state: &mut State, record: &mut Record) {
         if !state.shows(quirk::rs274::CYCLE_RISE) {

@@ -28,8 +28,8 @@ impl MotionRules for LinuxCnc {
         Documented.move_straight(motion, end, words, state, record);
     }
 
-    /// Quirk rs274.nurbs-machine-coordinates. G53 can be in a block with G5.2. What it does there is not observable: no
-    /// spline of a point alone ends.
+    /// Quirk rs274.nurbs-machine-coordinates. G53 can be in a block with G5.2, but not with the points after it. A
+    /// spline of one point is refused, so that the effect of this G53 is not observable.
     fn check_machine_coordinates(
         &self,
         motion: Motion,
@@ -51,15 +51,15 @@ impl MotionRules for LinuxCnc {
 
     /// Quirk rs274.machine-incremental. G53 needs absolute distance mode.
     fn check_machine_distance(&self, state: &mut State) -> Result<(), StepError> {
-        let rule = quirk::rs274::MACHINE_INCREMENTAL;
-        if state.modes.distance == Distance::Incremental && state.shows(rule) {
+        let quirk = quirk::rs274::MACHINE_INCREMENTAL;
+        if state.modes.distance == Distance::Incremental && state.shows(quirk) {
             let message = "G53 in incremental distance mode";
-            return Err(refuse(rule, FaultKind::ModalConflict, message));
+            return Err(refuse(quirk, FaultKind::ModalConflict, message));
         }
         Documented.check_machine_distance(state)
     }
 
-    /// Quirk rs274.machine-under-zero-radius. A radius of zero is as good as no compensation.
+    /// Quirk rs274.machine-under-zero-radius. A radius of zero counts as no compensation.
     fn is_compensated(&self, state: &State) -> bool {
         let none = state.modes.compensation_radius == 0.0;
         !(none && state.shows(quirk::rs274::MACHINE_UNDER_ZERO_RADIUS))
@@ -82,26 +82,26 @@ impl MotionRules for LinuxCnc {
     /// speed of the spindle is zero, whether it turns or not. Which spindle that is, quirk rs274.chosen-spindle says.
     fn check_spindle_of_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         Documented.check_spindle_of_feed(words, state)?;
-        let rule = quirk::rs274::PER_REVOLUTION_STANDING;
+        let quirk = quirk::rs274::PER_REVOLUTION_STANDING;
         let moves =
             motion_of(words, state).is_some_and(|motion| motion == Motion::Feed || is_arc(motion));
         let spindle = state.modes.spindles.get(state.memory.chosen_spindle);
         let no_speed = spindle.is_some_and(|spindle| spindle.speed == 0.0);
         let per_revolution = state.modes.feed_mode == FeedMode::PerRevolution;
-        if moves && no_speed && per_revolution && state.shows(rule) {
+        if moves && no_speed && per_revolution && state.shows(quirk) {
             let message = "a feed per revolution, and no speed";
-            return Err(refuse(rule, FaultKind::ZeroSpeed, message));
+            return Err(refuse(quirk, FaultKind::ZeroSpeed, message));
         }
         Ok(())
     }
 
-    /// Quirk rs274.surface-speed-while-stopped. Nothing asks whether it does.
+    /// Quirk rs274.surface-speed-while-stopped. A feed move under G96 needs no turning spindle.
     fn surface_speed_stands(&self, state: &State) -> bool {
         !state.shows(quirk::rs274::SURFACE_SPEED_WHILE_STOPPED)
             && Documented.surface_speed_stands(state)
     }
 
-    /// Quirk rs274.machine-zero-sign. G53 computes the axes anew that it does not move.
+    /// Quirk rs274.machine-zero-sign. G53 computes the axes again that it does not move, so that −0 becomes 0.
     fn keeps_unmoved_axes(&self, state: &State) -> bool {
         !state.shows(quirk::rs274::MACHINE_ZERO_SIGN) && Documented.keeps_unmoved_axes(state)
     }
@@ -118,11 +118,11 @@ impl MotionRules for LinuxCnc {
 /// Quirk rs274.polar-plane. Polar words are refused where the block before left another plane than XY; what their own
 /// block selects does not count.
 fn polar_plane(state: &State) -> Result<(), StepError> {
-    let rule = quirk::rs274::POLAR_PLANE;
+    let quirk = quirk::rs274::POLAR_PLANE;
     let other = state.memory.plane_before.is_some_and(|plane| plane != Plane::Xy);
-    if other && state.shows(rule) {
+    if other && state.shows(quirk) {
         let message = "polar words outside of the XY plane";
-        return Err(refuse(rule, FaultKind::ModalConflict, message));
+        return Err(refuse(quirk, FaultKind::ModalConflict, message));
     }
     Ok(())
 }
@@ -130,24 +130,24 @@ fn polar_plane(state: &State) -> Result<(), StepError> {
 /// Quirk rs274.polar-needs-angle. At the origin a polar move without an angle is refused, in absolute distance mode
 /// too.
 fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
-    let rule = quirk::rs274::POLAR_NEEDS_ANGLE;
+    let quirk = quirk::rs274::POLAR_NEEDS_ANGLE;
     let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
-    if at_origin && word(words, '^').is_none() && state.shows(rule) {
+    if at_origin && word(words, '^').is_none() && state.shows(quirk) {
         let message = "a distance without an angle, from the origin";
-        return Err(refuse(rule, FaultKind::AxisWords, message));
+        return Err(refuse(quirk, FaultKind::AxisWords, message));
     }
     Ok(())
 }
 
-/// Quirk rs274.polar-to-origin. Nor can an incremental polar move with an angle end there.
+/// Quirk rs274.polar-to-origin. An incremental polar move with an angle cannot end at the origin.
 fn polar_end(words: &Words, state: &State) -> Result<(), StepError> {
-    let rule = quirk::rs274::POLAR_TO_ORIGIN;
+    let quirk = quirk::rs274::POLAR_TO_ORIGIN;
     let (Some(more), Some(_)) = (word(words, '@'), word(words, '^')) else { return Ok(()) };
     let distance = math::hypotenuse(state.position.x, state.position.y) + more;
     let incremental = state.modes.distance == Distance::Incremental;
-    if incremental && distance == 0.0 && state.shows(rule) {
+    if incremental && distance == 0.0 && state.shows(quirk) {
         let message = "an incremental polar move to the origin";
-        return Err(refuse(rule, FaultKind::AxisWords, message));
+        return Err(refuse(quirk, FaultKind::AxisWords, message));
     }
     Ok(())
 }
