@@ -17,7 +17,7 @@ use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock explain saved-state.feed                a rule: sentence, sources, programs, assertions
-  gaugeblock explain saved-state.motion-mode         a rule, and the choice of the same id on which it depends
+  gaugeblock explain saved-state.motion-mode         a rule, and the choice of the same id
   gaugeblock explain rs274.feed-zero-at-end          a quirk of a controller
   gaugeblock explain M73                             the rules, choices and quirks of a code
 
