@@ -19,7 +19,7 @@ use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 
 /// Most memory that the process may take, KiB.
 const MEMORY_MAX_KIB: u64 = 64 << 10;
-/// Blocks of a slice, after each of which the caller may stop the run.
+/// Blocks of a slice. The caller can stop the run between two slices.
 const SLICE_BLOCKS: u64 = 10_000;
 /// What the long program repeats.
 const TEXT: &str = "G1 X1.25 Y-2.5 F800\nX2.5\n#1=[#1+0.001]\nG0 Z5 (up)\nG1 Z-#1\n";

@@ -73,7 +73,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// The reason why it cannot; such a case counts as unsupported.
     fn supports(&self, scenario: &Scenario) -> Result<(), String>;
 
-    /// Why there is no outcome yet, for a controller whose programs run elsewhere.
+    /// Why the outcome is not available yet. Programs of such a controller run elsewhere; people bring the answers.
     fn pending(&self, scenario: &Scenario) -> Option<String> {
         let _runs_here = scenario;
         None
@@ -108,7 +108,7 @@ pub trait Adapter: fmt::Debug + Send + Sync {
     /// Runs the scenario.
     ///
     /// # Errors
-    /// There is no outcome to judge: the controller crashed, hung, flooded, or its answer is not valid.
+    /// The run has no outcome to judge: the controller crashed, hung, flooded its output, or gave an invalid answer.
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError>;
 
     /// Whether it runs in this process, so that a run costs no communication.
@@ -215,7 +215,7 @@ impl std::error::Error for ControllerError {}
 pub enum HarnessError {
     /// The controller could not be started or queried, or its private files could not be written.
     NotRun(String),
-    /// It has not been run: there is no answer and no failure.
+    /// The scenario has not been run: the controller neither answered nor failed.
     Absent(String),
     /// A signal ended it, or it exited with an undocumented status.
     Crashed {

@@ -100,7 +100,7 @@ impl Exec {
     /// Runs a scenario and resets the session. The reported state has to equal that after the first reset.
     ///
     /// # Errors
-    /// The state differs, or there is no outcome.
+    /// The state differs, or the controller returned no outcome.
     pub fn reset_after(&self, scenario: &Scenario) -> Result<(), HarnessError> {
         let mut session = self.new_session()?;
         session.reset()?;
