@@ -1,9 +1,16 @@
 //! How the documents are read in a run: the option of each choice, and what a dialect does differently.
 
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
 use gaugeblock_vocabulary::Options;
 
 use crate::dialects::{Deviations, unknown};
-use crate::ids::{Choice, choice, pages};
+use crate::ids::{Choice, Page, choice, pages};
+
+/// The number of each choice and its page, by its id.
+static PLACES: LazyLock<BTreeMap<&str, (usize, &Page)>> =
+    LazyLock::new(|| (0..).zip(pages()).map(|(place, page)| (page.id, (place, page))).collect());
 
 /// The options in force for a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,10 +76,8 @@ impl Choices {
     /// # Errors
     /// An id or option without a page, as a sentence.
     fn set(&mut self, id: &str, option: &str) -> Result<(), String> {
-        let place = pages().position(|page| page.id == id);
-        if let Some((chosen, page)) =
-            place.and_then(|place| Some((&mut self.options[place], pages().nth(place)?)))
-        {
+        if let Some((place, page)) = PLACES.get(id) {
+            let chosen = &mut self.options[*place];
             let option = (0..).zip(page.options).find(|(_, known)| **known == option);
             *chosen = option.map(|(place, _)| place).ok_or_else(|| {
                 format!("the choice {id} has the options {}", page.options.join(", "))
