@@ -5,6 +5,7 @@ mod call;
 mod command;
 mod documents;
 mod error;
+mod program;
 mod streams;
 
 pub use call::{main, understands};

@@ -13,9 +13,9 @@ use gaugeblock_vocabulary::{End, Outcome, Position, Undetermined};
 use serde_json::json;
 
 use super::controller;
-use super::run::RunSetup;
 use crate::arguments::Format;
 use crate::error::CliError;
+use crate::program::run_setup::RunSetup;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -52,15 +52,16 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn compare(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
-    let scenarios = arguments
-        .files
-        .iter()
-        .map(|file| Ok((file, arguments.how.scenario(suite, file)?)))
-        .collect::<Result<Vec<_>, CliError>>()?;
     let mut found_by = controller::controller(&arguments.controller)?;
     found_by.check_observation();
     let mut expected_by = controller::controller(&arguments.against)?;
     expected_by.check_observation();
+    let both_sides = [found_by.as_ref(), expected_by.as_ref()];
+    let scenarios = arguments
+        .files
+        .iter()
+        .map(|file| Ok((file, arguments.how.scenario(suite, file, &both_sides)?)))
+        .collect::<Result<Vec<_>, CliError>>()?;
     let mut status = 0;
     let mut text = String::new();
     let mut results = Vec::new();

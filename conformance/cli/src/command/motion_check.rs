@@ -9,8 +9,9 @@ use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
-use super::{plan, run, user_files};
+use super::{plan, user_files};
 use crate::error::CliError;
+use crate::program::run_setup::RunSetup;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -48,18 +49,18 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]
-    how: run::RunSetup,
+    how: RunSetup,
 }
 
 pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
-    let mut inputs = arguments.how.inputs(&arguments.program);
+    let scenario = arguments.how.scenario(suite, &arguments.program, &[])?;
+    let mut inputs = arguments.how.inputs(&arguments.program, &scenario);
     inputs.extend([arguments.samples.clone(), arguments.machine.clone()]);
     inputs.extend(arguments.script.clone());
     user_files::check_outputs_spare_inputs(&inputs, &[("--svg", arguments.svg.as_deref())])?;
     let limits = plan::limits(&arguments.machine)?;
     let samples = read(&arguments.samples)?;
     let script = plan::script(arguments.script.as_deref())?;
-    let scenario = arguments.how.scenario(suite, &arguments.program)?;
     let path = plan::path(&scenario, &arguments.program, Position::default())?;
     let summary = Summary::of(&samples, &path, &limits, &script);
     if let Some(file) = &arguments.svg {

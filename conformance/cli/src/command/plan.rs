@@ -6,6 +6,7 @@ use clap::Args;
 use gaugeblock_adapter::{Adapter, NoSamples};
 use gaugeblock_controllers::simulate::{RunConditions, plan_with};
 use gaugeblock_controllers::{Production, Reference};
+use gaugeblock_linuxcnc::LinuxCnc;
 use gaugeblock_motion::Summary;
 use gaugeblock_reference::motion::laws::Verdict;
 use gaugeblock_suite::Suite;
@@ -17,6 +18,7 @@ use super::controller::linuxcnc;
 use super::pictures::Drawing;
 use super::{run, user_files};
 use crate::error::CliError;
+use crate::program::run_setup::RunSetup;
 use crate::streams::{write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -58,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     machine: PathBuf,
     #[command(flatten)]
-    how: run::RunSetup,
+    how: RunSetup,
     /// Motion controller: `production`, or `linuxcnc`, which is recorded while it runs the program on a simulated
     /// machine
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production")]
@@ -83,24 +85,29 @@ pub(crate) struct Arguments {
 pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let outputs =
         [("--samples", arguments.samples.as_deref()), ("--svg", arguments.svg.as_deref())];
-    user_files::check_outputs_spare_inputs(&inputs(arguments), &outputs)?;
     let limits = limits(&arguments.machine)?;
-    let scenario = arguments.how.scenario(suite, &arguments.file)?;
-    let circumstances = RunConditions {
-        start: start(&arguments.start)?,
-        every: arguments.feed_interval,
-        script: script(arguments.script.as_deref())?,
-    };
-    let path = path(&scenario, &arguments.file, circumstances.start)?;
-    let moved = match arguments.controller.as_str() {
-        "production" => plan_samples(&scenario, &limits, &circumstances, &arguments.file)?,
-        "linuxcnc" => record_samples(&scenario, &limits, arguments)?,
+    let linuxcnc = match arguments.controller.as_str() {
+        "production" => None,
+        "linuxcnc" => Some(linuxcnc()?),
         other => {
             return Err(CliError::usage(
                 format!("invalid `--controller {other}`: it reports no servo samples"),
                 "expected production or linuxcnc; `gaugeblock motion check` accepts samples of any controller",
             ));
         }
+    };
+    let own: Vec<&dyn Adapter> = linuxcnc.iter().map(|recorded| recorded as &dyn Adapter).collect();
+    let scenario = arguments.how.scenario(suite, &arguments.file, &own)?;
+    user_files::check_outputs_spare_inputs(&inputs(arguments, &scenario), &outputs)?;
+    let circumstances = RunConditions {
+        start: start(&arguments.start)?,
+        every: arguments.feed_interval,
+        script: script(arguments.script.as_deref())?,
+    };
+    let path = path(&scenario, &arguments.file, circumstances.start)?;
+    let moved = match &linuxcnc {
+        None => plan_samples(&scenario, &limits, &circumstances, &arguments.file)?,
+        Some(linuxcnc) => record_samples(linuxcnc, &scenario, &limits, arguments)?,
     };
     let summary = Summary::of(&moved.samples, &path, &limits, &circumstances.script);
     if let Some(file) = &arguments.samples {
@@ -124,10 +131,9 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
 }
 
 /// The files that a call reads.
-fn inputs(arguments: &Arguments) -> Vec<PathBuf> {
+fn inputs(arguments: &Arguments, scenario: &Scenario) -> Vec<PathBuf> {
     let Arguments { file, machine, script, how, .. } = arguments;
-    let named = how.inputs(file).into_iter().chain([machine.clone()]).chain(script.clone());
-    named.chain(run::paths_beside(file)).collect()
+    how.inputs(file, scenario).into_iter().chain([machine.clone()]).chain(script.clone()).collect()
 }
 
 /// A number of --start.
@@ -188,6 +194,7 @@ fn plan_samples(
 
 /// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
 fn record_samples(
+    linuxcnc: &LinuxCnc,
     scenario: &Scenario,
     limits: &MotionLimits,
     arguments: &Arguments,
@@ -209,7 +216,7 @@ fn record_samples(
             CliError::failure(why.to_string(), "`gaugeblock run` prints what the program does")
         }
     };
-    let samples = linuxcnc()?.record(scenario, limits).map_err(refused)?;
+    let samples = linuxcnc.record(scenario, limits).map_err(refused)?;
     Ok(PlannedMotion { samples, feeds: None })
 }
 

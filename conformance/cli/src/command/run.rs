@@ -1,24 +1,19 @@
 //! `gaugeblock run`.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use clap::Args;
 use gaugeblock_report::escape_line;
 use gaugeblock_suite::Suite;
-use gaugeblock_vocabulary::scenario::{Budget, Environment};
-use gaugeblock_vocabulary::{
-    BlockLocation, Bound, End, Language, Outcome, Program, Scenario, Span,
-};
+use gaugeblock_vocabulary::scenario::Budget;
+use gaugeblock_vocabulary::{BlockLocation, Bound, End, Outcome, Program, Scenario, Span};
 
-use super::{controller, user_files};
+use super::controller;
 use crate::arguments::Format;
 use crate::error::CliError;
-use crate::streams::{write_error, write_error_in_colours, write_out};
-
-/// File extension of the toolpath that drives a post-processor program.
-const TOOLPATH: &str = "toolpath";
+use crate::program::run_setup::{RunSetup, TOOLPATH};
+use crate::streams::{write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
@@ -29,7 +24,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock run part.gpp --edition gpp-classic
   gaugeblock run part.nct
 
-Subroutine files (*.ngc) in the folder of the program are found by name.
+A subroutine file (*.ngc) in the folder of the program belongs to it if a call can reach it.
 A file *.gpp is a post-processor program; its toolpath is the file part.toolpath in the same folder.
 A file *.nct holds NCT custom macros.
 The output is an outcome. Its first line names the version of the form; `gaugeblock schema outcome`
@@ -54,117 +49,9 @@ pub(crate) struct Arguments {
     format: Format,
 }
 
-/// How programs are run.
-#[derive(Debug, Args)]
-pub(crate) struct RunSetup {
-    /// Edition of the documents [default: linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
-    #[arg(long, value_name = "EDITION")]
-    edition: Option<String>,
-    /// Set the option of a choice or quirk; may be repeated
-    #[arg(long, value_name = "CHOICE=OPTION")]
-    option: Vec<String>,
-    /// TOML file with machine, environment, operator, budget, options and further files (`gaugeblock schema scenario`)
-    #[arg(long, value_name = "FILE")]
-    scenario: Option<PathBuf>,
-    /// Skip blocks that begin with a slash
-    #[arg(long)]
-    block_delete: bool,
-}
-
-impl RunSetup {
-    /// The scenario of a program file, with the subroutine files of its folder.
-    pub(crate) fn scenario(&self, suite: &Suite, file: &Path) -> Result<Scenario, CliError> {
-        let edition = crate::documents::edition(
-            suite,
-            self.edition.as_deref().unwrap_or(language_by_name(file)),
-        )?;
-        if edition.language != Language::Rs274 && self.edition.is_none() {
-            write_error(&format!(
-                "note: {}: using edition {} because of the file extension",
-                file.display(),
-                edition.id
-            ));
-        }
-        let mut scenario = match &self.scenario {
-            Some(path) => {
-                let hint = "`gaugeblock schema scenario` prints the form";
-                user_files::read_form(path, "scenario (--scenario)", hint, Scenario::from_text)?
-            }
-            None => Scenario::default(),
-        };
-        scenario.program = Program {
-            main: user_files::read_program(file)?,
-            language: edition.language,
-            files: match edition.language {
-                Language::Rs274 => {
-                    let mut files = files_beside(file);
-                    files.extend(std::mem::take(&mut scenario.program.files));
-                    files
-                }
-                Language::Gpp => toolpath(file, &scenario.program)?,
-                Language::Nct => BTreeMap::new(),
-            },
-            block_delete: self.block_delete || scenario.program.block_delete,
-            ..scenario.program
-        };
-        // The command line overrides the scenario, which overrides the edition.
-        let named = scenario.options.0.iter().map(|(id, option)| format!("{id}={option}"));
-        let named: Vec<_> = named.chain(self.option.iter().cloned()).collect();
-        scenario.options = crate::documents::options_with(suite, edition, &named)?;
-        if scenario.environment == Environment::default() {
-            scenario.environment.name.clone_from(&edition.environment);
-        }
-        Ok(scenario)
-    }
-
-    /// The files that a program's scenario is read from, without subroutine files.
-    pub(crate) fn inputs(&self, file: &Path) -> Vec<PathBuf> {
-        let named = [file.to_path_buf(), file.with_extension(TOOLPATH)];
-        named.into_iter().chain(self.scenario.clone()).collect()
-    }
-}
-
-/// The edition that a file's name stands for.
-fn language_by_name(file: &Path) -> &'static str {
-    match file.extension().and_then(|extension| extension.to_str()) {
-        Some("gpp") => "gpp2",
-        Some("nct") => "nct-99m",
-        Some(_) | None => gaugeblock_suite::DEFAULT_EDITION,
-    }
-}
-
-/// The toolpath next to a post-processor program, or else that of the scenario's file.
-fn toolpath(file: &Path, program: &Program) -> Result<BTreeMap<String, String>, CliError> {
-    let beside = file.with_extension(TOOLPATH);
-    if !beside.exists() {
-        return Ok(program.files.clone());
-    }
-    Ok(BTreeMap::from([(TOOLPATH.to_owned(), user_files::read_text(&beside, "toolpath")?)]))
-}
-
-/// The other programs of the same folder. Unreadable ones are left out, because they may never be called.
-fn files_beside(file: &Path) -> BTreeMap<String, String> {
-    let named = |path: PathBuf| {
-        let name = path.file_name()?.to_str()?.to_owned();
-        Some((name, user_files::read_program(&path).ok()?))
-    };
-    paths_beside(file).filter_map(named).collect()
-}
-
-/// Where the other programs of the same folder are.
-pub(crate) fn paths_beside(file: &Path) -> impl Iterator<Item = PathBuf> {
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let entries =
-        std::fs::read_dir(folder.unwrap_or(Path::new("."))).into_iter().flatten().flatten();
-    entries
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "ngc"))
-        .filter(|path| path.file_name() != file.file_name())
-}
-
 pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
-    let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let mut controller = controller::controller(&arguments.controller)?;
+    let scenario = arguments.how.scenario(suite, &arguments.file, &[controller.as_ref()])?;
     controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
         CliError::failure(

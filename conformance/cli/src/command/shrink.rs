@@ -12,10 +12,10 @@ use gaugeblock_suite::Suite;
 use serde_json::json;
 
 use super::fuzz_report::body;
-use super::run::RunSetup;
 use super::{controller, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
+use crate::program::run_setup::RunSetup;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -54,11 +54,12 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
-    let inputs = arguments.how.inputs(&arguments.file);
-    user_files::check_outputs_spare_inputs(&inputs, &[("--output", arguments.output.as_deref())])?;
-    let scenario = arguments.how.scenario(suite, &arguments.file)?;
     let iut = controller::controller(&arguments.controller)?;
     let against = controller::controller(&arguments.against)?;
+    let both_sides = [iut.as_ref(), against.as_ref()];
+    let scenario = arguments.how.scenario(suite, &arguments.file, &both_sides)?;
+    let inputs = arguments.how.inputs(&arguments.file, &scenario);
+    user_files::check_outputs_spare_inputs(&inputs, &[("--output", arguments.output.as_deref())])?;
     let plan = Plan {
         iut: iut.as_ref(),
         against: against.as_ref(),
@@ -72,6 +73,15 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
     };
     let mut statistics = Statistics::default();
     let name = arguments.file.display();
+    for side in both_sides {
+        side.supports(&scenario).map_err(|why| {
+            let side = &side.capabilities().name;
+            CliError::failure(
+                format!("{name}: not compared: {side} cannot run this program: {why}"),
+                "choose another controller with --controller or --against",
+            )
+        })?;
+    }
     let difference = match plan.judge(&scenario, &mut statistics) {
         FuzzResult::Differs(difference) => *difference,
         FuzzResult::Same => {

@@ -14,6 +14,7 @@ mod not_a_report;
 mod offline;
 mod prefetch;
 mod printed;
+mod programs;
 mod protocol;
 mod recorded;
 mod report;

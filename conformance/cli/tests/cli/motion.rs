@@ -162,19 +162,20 @@ fn inputs_are_never_overwritten() {
     let script = "events = []\n";
     std::fs::write(folder.join("script.toml"), script).expect("a file");
     std::fs::write(folder.join("sub.ngc"), "o<sub> sub\no<sub> endsub\n").expect("a file");
+    std::fs::write(folder.join("calls.ngc"), format!("o<sub> call\n{PART}")).expect("a file");
     std::fs::hard_link(folder.join("part.ngc"), folder.join("linked.svg"))
         .or_else(|error| if folder.join("linked.svg").exists() { Ok(()) } else { Err(error) })
         .expect("a link");
-    for written in [
-        "--svg part.ngc",
-        "--svg ./part.ngc",
-        "--svg linked.svg",
-        "--samples part.ngc",
-        "--samples mill.toml",
-        "--samples script.toml",
-        "--svg sub.ngc",
+    for (program, written) in [
+        ("part.ngc", "--svg part.ngc"),
+        ("part.ngc", "--svg ./part.ngc"),
+        ("part.ngc", "--svg linked.svg"),
+        ("part.ngc", "--samples part.ngc"),
+        ("part.ngc", "--samples mill.toml"),
+        ("part.ngc", "--samples script.toml"),
+        ("calls.ngc", "--svg sub.ngc"),
     ] {
-        let call = format!("plan part.ngc --machine mill.toml --script script.toml {written}");
+        let call = format!("plan {program} --machine mill.toml --script script.toml {written}");
         let (option, name) = written.split_once(' ').expect("an option and a file");
         let output = gaugeblock(&folder, &call);
         assert!(output.stdout.is_empty(), "{call}");
@@ -216,7 +217,7 @@ const OUTPUTS: [&str; 7] = [
     "certify --controller reference --only coolant --write-expectations OUT",
     "rs274 -g part.ngc OUT",
     "rs274 -g -v OUT part.ngc",
-    "shrink apart/small.ngc --controller exec:./wrong.py --against reference --output OUT",
+    "shrink small.ngc --controller exec:./wrong.py --against reference --output OUT",
 ];
 
 #[test]
@@ -226,9 +227,7 @@ fn an_output_replaces_no_device_and_no_link_and_keeps_permissions() {
     std::fs::write(here.join("wrong.py"), wrong).expect("a file");
     let executable = Permissions::from_mode(0o755);
     std::fs::set_permissions(here.join("wrong.py"), executable).expect("a mode");
-    // The program files beside a program belong to it, and the adapter takes none.
-    std::fs::create_dir_all(here.join("apart")).expect("a folder");
-    std::fs::write(here.join("apart/small.ngc"), "g21 f600\ng1 x1\nm2\n").expect("a file");
+    std::fs::write(here.join("small.ngc"), "g21 f600\ng1 x1\nm2\n").expect("a file");
     let run = |call: &str, output: &str| {
         let done = gaugeblock(&here, &call.replace("OUT", output));
         says(&done, 0, &[]);

@@ -114,13 +114,16 @@ impl Source {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
 
-    /// Whether a block has M0 or M60, which would stop until someone resumes; not one that is refused for two such
-    /// codes.
-    pub(crate) fn pauses(&self) -> bool {
-        self.all().any(|(_, _, line)| {
+    /// The first block with M0 or M60, which would stop until someone resumes, and the number of the code; not a
+    /// block that is refused for two such codes.
+    pub(crate) fn pause(&self) -> Option<(BlockLocation, u32)> {
+        self.all().find_map(|(file, number, line)| {
             let code = without_names(&code(line));
             let stops = m_codes(&code).filter(|code| [0, 1, 2, 30, 60].contains(code));
-            matches!(stops.collect::<Vec<_>>()[..], [0 | 60])
+            match stops.collect::<Vec<_>>()[..] {
+                [code @ (0 | 60)] => Some((self.block(file, number), code)),
+                _ => None,
+            }
         })
     }
 
@@ -397,11 +400,16 @@ mod tests {
 
     #[test]
     fn pauses_are_found() {
-        for (line, expected) in
-            [("g0 x1 m0", true), ("M60", true), ("m00", true), ("m1", false), ("m0 m2", false)]
-        {
+        for (line, expected) in [
+            ("g0 x1 m0", Some(0)),
+            ("M60", Some(60)),
+            ("m00", Some(0)),
+            ("m1", None),
+            ("m0 m2", None),
+        ] {
             let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
-            assert_eq!(Source::new(&program).pauses(), expected, "{line}");
+            let expected = expected.map(|code| (BlockLocation::new(Program::MAIN, 2), code));
+            assert_eq!(Source::new(&program).pause(), expected, "{line}");
         }
     }
 

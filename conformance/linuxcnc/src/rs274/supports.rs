@@ -25,8 +25,8 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
         return Err("no operator actions (pause, resume, abort, overrides)".to_owned());
     }
     let own = scenario.environment.name.as_deref() == Some(OWN_ENVIRONMENT);
-    if !own && Source::new(&scenario.program).pauses() {
-        return Err("programmed pauses do not pause".to_owned());
+    if let Some((block, code)) = Source::new(&scenario.program).pause().filter(|_| !own) {
+        return Err(format!("programmed pauses do not pause (M{code} at {block})"));
     }
     if scenario.environment != Environment::default() && !own {
         return Err("inputs and external signals cannot be varied".to_owned());
