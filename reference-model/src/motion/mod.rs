@@ -1,8 +1,9 @@
-//! Motion: what a program asks of the axes, what every trajectory must satisfy, and how fast it could be at best.
+//! Motion: the path that a program requests, the laws that every trajectory must satisfy, and a lower bound of its
+//! time.
 //!
 //! | read | to learn |
 //! | --- | --- |
-//! | [`path`] | the path that an outcome asks for, in machine coordinates, and when two paths are the same |
+//! | [`path`] | the path that an outcome requests, in machine coordinates, and when two paths are the same |
 //! | [`laws`] | samples held against path, limits and operator script: a law a section |
 //! | [`bound`] | a lower bound on the time of a path, and the distance in which a motion can stop |
 //! | `curve`, `route`, `vector` | the geometry below: lines, arcs and helices; legs and corners; nine coordinates |

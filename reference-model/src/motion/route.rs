@@ -1,6 +1,6 @@
 //! Legs and corners: a path as its moving elements and the points between them.
 //!
-//! Elements that lead nowhere are no legs; what they ask for belongs to the corner where they stand.
+//! Elements without motion are not legs; their requests belong to the corner at which they are.
 
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::{
@@ -153,11 +153,11 @@ impl<'a> Route<'a> {
         Ok(here)
     }
 
-    /// How the corner between two legs may be passed where nobody asks for rest.
+    /// How the corner between two legs may be passed if no element requires a rest there.
     ///
-    /// A corner is exact if either leg is: exact path asks for each programmed point, and what
-    /// follows must follow its own path from the start. Which of two tolerances counts is the choice
-    /// trajectory.tolerance-at-change: no sentence says it.
+    /// A corner is exact if either leg is: exact path requires each programmed point, and the next leg must follow its
+    /// own path from the start. Which of two tolerances counts is the choice trajectory.tolerance-at-change: no
+    /// sentence says it.
     fn corner_tolerance(&self, change: ToleranceAtChange, corner: usize) -> CornerTolerance {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
         match (before.element.mode, after.element.mode) {
@@ -204,8 +204,8 @@ impl<'a> Route<'a> {
     ///
     /// Rule trajectory.merging. Lines at one feed that move X, Y, Z alone are merged where they are less than Q away
     /// from one line; so are the halves of an arc in XY that is less than Q from a line, or less than P: two sections
-    /// differ, and the wider one is granted. Whatever row it is, the neighbours of the corner are within Q of its
-    /// line, so that the corner is within 2 Q of the line between them. What fails that is no corner of a merged row.
+    /// differ, and the wider one is granted. Whatever row it is, the neighbours of the corner are within Q of its line,
+    /// so that the corner is within 2 Q of the line between them. A corner that is farther away is not in a merged row.
     fn can_be_merged(&self, corner: usize, merge: f64) -> bool {
         let (before, after) = (&self.legs[corner - 1], &self.legs[corner]);
         let bow = |leg: &Leg<'_>| match leg.element.mode {

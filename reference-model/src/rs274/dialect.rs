@@ -1,6 +1,6 @@
 //! The operations that a dialect may replace; the module `dialects` of the crate installs one.
 //!
-//! A chapter states its rules as functions. The rules that a real controller is known to follow otherwise are methods
+//! A chapter states its rules as functions. The rules that a real controller follows differently are methods
 //! of a trait of that chapter, such as [`RestoreRules`](super::execute::restore::RestoreRules): the default body of a
 //! method is what the documents say. [`Documented`] takes every default. The chapters call such a rule through
 //! [`State::dialect`], and know no other dialect.

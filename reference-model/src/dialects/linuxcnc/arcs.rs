@@ -2,19 +2,19 @@
 
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, Plane};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::ids::{choice, rule};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::arc::{ArcRules, Axes, InPlane, lost_in_writing, names_axis};
+use crate::rs274::execute::arc::{ArcRules, Axes, InPlane, names_axis, rounding_tolerance};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl ArcRules for LinuxCnc {
     /// Quirk rs274.arc-radius-tolerance. The radii may be about five times as far apart as documented.
     fn radius_tolerances(&self, state: &State) -> (f64, f64) {
-        if !state.shows(quirk::rs274::ARC_RADIUS_TOLERANCE) {
+        if !state.has_quirk(quirk::rs274::ARC_RADIUS_TOLERANCE) {
             return Documented.radius_tolerances(state);
         }
         let diagonal = std::f64::consts::SQRT_2;
@@ -24,11 +24,11 @@ impl ArcRules for LinuxCnc {
         }
     }
 
-    /// Quirk rs274.arc-least-radius. An arc whose centre is nearer to its start or its end than what numbers lose when
-    /// they are written has no radius.
+    /// Quirk rs274.arc-least-radius. An arc is refused if its centre is closer to its start or end than the rounding
+    /// tolerance.
     fn check_radius(&self, to_start: f64, to_end: f64, state: &mut State) -> Result<(), StepError> {
         let rule = quirk::rs274::ARC_LEAST_RADIUS;
-        if to_start.min(to_end) < lost_in_writing(state) && state.shows(rule) {
+        if to_start.min(to_end) < rounding_tolerance(state) && state.has_quirk(rule) {
             let message = "an arc whose centre is at its start or its end";
             return Err(refuse(rule, FaultKind::BadArc, message));
         }
@@ -38,15 +38,15 @@ impl ArcRules for LinuxCnc {
     /// Quirk rs274.polar-arc-plane. For an arc with a radius outside of the XY plane polar words name no axis of the
     /// plane.
     fn names_axis_of_plane(&self, axes: Axes, words: &Words, state: &State) -> bool {
-        if state.modes.plane != Plane::Xy && state.shows(quirk::rs274::POLAR_ARC_PLANE) {
+        if state.modes.plane != Plane::Xy && state.has_quirk(quirk::rs274::POLAR_ARC_PLANE) {
             return names_axis(axes, words);
         }
         Documented.names_axis_of_plane(axes, words, state)
     }
 
-    /// Quirk rs274.arc-no-radius. A radius of zero that is within what is lost when numbers are written has a centre
-    /// that is no number.
-    fn centre_beside_start(
+    /// Quirk rs274.arc-no-radius. With a radius of zero and half a chord within the rounding tolerance, the arc has a
+    /// centre that is not a number.
+    fn centre_from_radius(
         &self,
         start: InPlane,
         chord: (f64, InPlane),
@@ -57,13 +57,13 @@ impl ArcRules for LinuxCnc {
         let rule = rule::arcs::RADIUS_JUST_TOO_SMALL;
         let (half, _) = chord;
         if radius == 0.0
-            && half <= lost_in_writing(state)
+            && half <= rounding_tolerance(state)
             && state.choices.is(choice::arcs::RadiusJustTooSmall::HalfCircle)
-            && state.shows(quirk::rs274::ARC_NO_RADIUS)
+            && state.has_quirk(quirk::rs274::ARC_NO_RADIUS)
         {
             state.coverage.accepted(rule);
             return Ok((f64::NAN, f64::NAN));
         }
-        Documented.centre_beside_start(start, chord, radius, clockwise, state)
+        Documented.centre_from_radius(start, chord, radius, clockwise, state)
     }
 }

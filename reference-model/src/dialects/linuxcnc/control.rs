@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::values::{count_too_large, known_number, leave, value_behind, with_zeros};
-use super::{LinuxCnc, Shows, skipping};
+use super::values::{count_too_large, known_number, set_returned, value_after, with_zeros};
+use super::{HasQuirk, LinuxCnc, skipping};
 use crate::dialects::quirk;
 use crate::ids::rule;
 use crate::rs274::control::loops::{is_repeat, turns};
@@ -32,7 +32,8 @@ impl ControlRules for LinuxCnc {
         skipping::pass_over(control, target, end, state)
     }
 
-    /// Quirk rs274.ends-in-other-subs. It can be in whichever sub, before a numbered program begins.
+    /// Quirk rs274.ends-in-other-subs. The end of a condition or loop can be in any sub that follows, up to the next
+    /// numbered program.
     fn end_further_on(
         &self,
         control: &Control,
@@ -41,23 +42,26 @@ impl ControlRules for LinuxCnc {
         after: u32,
         state: &mut State,
     ) -> Option<u32> {
-        if state.shows(quirk::rs274::ENDS_IN_OTHER_SUBS) {
+        if state.has_quirk(quirk::rs274::ENDS_IN_OTHER_SUBS) {
             return skipping::end_in_any_sub(control, label, keywords, after, state);
         }
         Documented.end_further_on(control, label, keywords, after, state)
     }
 
-    /// Quirk rs274.ends-in-other-subs. Where a sub ends does not count.
+    /// Quirk rs274.ends-in-other-subs. The search for an end ignores where subs end.
     fn has_computed_subs(&self, control: &Control, after: u32, until: u32, state: &State) -> bool {
-        !state.shows(quirk::rs274::ENDS_IN_OTHER_SUBS)
+        !state.has_quirk(quirk::rs274::ENDS_IN_OTHER_SUBS)
             && Documented.has_computed_subs(control, after, until, state)
     }
 }
 
 impl SubroutineRules for LinuxCnc {
-    /// Quirk rs274.file-with-two-subs. Within a called file the head of another sub is passed over: what follows is
-    /// executed. Quirk rs274.sub-found-later. So it is within a sub of the main program, which nothing has looked at
-    /// where it was found by its call; and its own definition is refused when it is reached.
+    /// Quirk rs274.file-with-two-subs. In a called file the head of another sub has no effect: the block after it is
+    /// executed.
+    ///
+    /// Quirk rs274.sub-found-later. The head of another sub has no effect either in a sub of the main program that a
+    /// call found further on. The definition of the found sub is refused when it is reached.
+    ///
     /// Quirk rs274.sub-reached-again. A definition that is reached a second time, as in a loop, is refused.
     fn define_sub(
         &self,
@@ -69,7 +73,7 @@ impl SubroutineRules for LinuxCnc {
             return Ok(Next::Following);
         }
         let rule = quirk::rs274::SUB_REACHED_AGAIN;
-        if control.subs.get(label) == Some(&control.place) && state.shows(rule) {
+        if control.subs.get(label) == Some(&control.place) && state.has_quirk(rule) {
             let message = format!("{} is known already", o_word(label));
             return Err(refuse(rule, FaultKind::BadBlock, message));
         }
@@ -80,26 +84,26 @@ impl SubroutineRules for LinuxCnc {
         Documented.define_sub(control, label, state)
     }
 
-    /// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined.
+    /// Quirk rs274.value-at-definition. The value of an endsub is evaluated when the sub is defined.
     fn skip_body(
         &self,
         control: &mut Control,
         end: u32,
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if state.shows(quirk::rs274::VALUE_AT_DEFINITION) {
+        if state.has_quirk(quirk::rs274::VALUE_AT_DEFINITION) {
             value_at_definition(control, end, state)?;
         }
         Documented.skip_body(control, end, state)
     }
 
-    /// Quirk rs274.any-endsub. It ends that sub whatever its number.
+    /// Quirk rs274.any-endsub. An endsub ends the sub that is executed, whatever its number or name.
     fn ends_sub(&self, own: &str, label: &str, state: &State) -> bool {
-        state.shows(quirk::rs274::ANY_ENDSUB) || Documented.ends_sub(own, label, state)
+        state.has_quirk(quirk::rs274::ANY_ENDSUB) || Documented.ends_sub(own, label, state)
     }
 
-    /// Quirk rs274.return-after-call. Once something was called, a return in the main program is no error: it keeps
-    /// its value as a sub's would, and the program goes on behind it.
+    /// Quirk rs274.return-after-call. After the first call, a return in the main program is not an error: it sets
+    /// the value parameters like the return of a sub, and the next block is executed.
     fn return_from(
         &self,
         control: &mut Control,
@@ -109,16 +113,17 @@ impl SubroutineRules for LinuxCnc {
         record: &mut Record,
     ) -> Result<Next, StepError> {
         let in_main = state.frame().call.is_none();
-        if in_main && control.memory.has_called && state.shows(quirk::rs274::RETURN_AFTER_CALL) {
+        if in_main && control.memory.has_called && state.has_quirk(quirk::rs274::RETURN_AFTER_CALL)
+        {
             keep_value(values, state)?;
             return Ok(Next::Following);
         }
         Documented.return_from(control, label, values, state, record)
     }
 
-    /// Quirk rs274.value-cleared-at-return. A call clears nothing.
+    /// Quirk rs274.value-cleared-at-return. A call does not clear the value parameters.
     fn clear_value_at_call(&self, state: &mut State) {
-        if !state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+        if !state.has_quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
             Documented.clear_value_at_call(state);
         }
     }
@@ -143,9 +148,9 @@ impl SubroutineRules for LinuxCnc {
         Documented.enter_call(control, frame, first, state)
     }
 
-    /// Quirk rs274.sub-found-later. One that the program defines further on, before a numbered program of the same
-    /// number, is found.
-    fn sub_behind_call(
+    /// Quirk rs274.sub-found-later. A call finds a sub that the program defines further on, before a numbered
+    /// program of the same number.
+    fn sub_after_call(
         &self,
         control: &mut Control,
         label: &str,
@@ -155,7 +160,7 @@ impl SubroutineRules for LinuxCnc {
         let (later, number) = control.further_on(label);
         let first = later.filter(|sub| number.is_none_or(|number| *sub < number));
         let found = if control.is_numbered(label) { first } else { later };
-        if let Some(line) = found.filter(|_| state.shows(quirk::rs274::SUB_FOUND_LATER)) {
+        if let Some(line) = found.filter(|_| state.has_quirk(quirk::rs274::SUB_FOUND_LATER)) {
             let target = SearchTarget::Called { label, arguments };
             state.dialect().pass_over(control, target, later, state)?;
             let sub = Place { line, ..control.place };
@@ -163,17 +168,17 @@ impl SubroutineRules for LinuxCnc {
             control.memory.found_later.insert(sub);
             return Ok(sub);
         }
-        Documented.sub_behind_call(control, label, arguments, state)
+        Documented.sub_after_call(control, label, arguments, state)
     }
 
-    /// Quirk rs274.file-with-two-subs. It can.
+    /// Quirk rs274.file-with-two-subs. A called file can define further subs.
     fn allows_other_subs(&self, state: &State) -> bool {
-        state.shows(quirk::rs274::FILE_WITH_TWO_SUBS) || Documented.allows_other_subs(state)
+        state.has_quirk(quirk::rs274::FILE_WITH_TWO_SUBS) || Documented.allows_other_subs(state)
     }
 
-    /// Quirk rs274.unpassed-arguments-zero. They are zero.
+    /// Quirk rs274.unpassed-arguments-zero. Parameters that a call does not pass are zero.
     fn unpassed_arguments(&self, state: &State) -> [f64; 30] {
-        if state.shows(quirk::rs274::UNPASSED_ARGUMENTS_ZERO) {
+        if state.has_quirk(quirk::rs274::UNPASSED_ARGUMENTS_ZERO) {
             return [0.0; 30];
         }
         Documented.unpassed_arguments(state)
@@ -182,7 +187,7 @@ impl SubroutineRules for LinuxCnc {
     /// Quirk rs274.nine-levels. The main program counts as a level.
     fn most_levels(&self, state: &State) -> u32 {
         let levels = Documented.most_levels(state);
-        if state.shows(quirk::rs274::NINE_LEVELS) { levels - 1 } else { levels }
+        if state.has_quirk(quirk::rs274::NINE_LEVELS) { levels - 1 } else { levels }
     }
 }
 
@@ -192,8 +197,8 @@ impl NumberedRules for LinuxCnc {
         Documented.turns_of_call(programmed, state)
     }
 
-    /// Quirk rs274.fanuc-zero-loops. A call with L0 leaves a call level behind: what follows is executed as if it
-    /// belonged to the subprogram.
+    /// Quirk rs274.fanuc-zero-loops. A call with L0 opens a call level that is not closed: the blocks after it
+    /// are executed as if they were part of the subprogram.
     fn call_no_times(
         &self,
         control: &mut Control,
@@ -201,7 +206,7 @@ impl NumberedRules for LinuxCnc {
         first: Place,
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if !state.shows(quirk::rs274::FANUC_ZERO_LOOPS) {
+        if !state.has_quirk(quirk::rs274::FANUC_ZERO_LOOPS) {
             return Documented.call_no_times(control, label, first, state);
         }
         deeper(rule::fanuc_subs::LEVEL_LIMIT, state)?;
@@ -215,15 +220,15 @@ impl NumberedRules for LinuxCnc {
         Ok(Next::At(back))
     }
 
-    /// Quirk rs274.value-cleared-at-return. It does not clear it.
+    /// Quirk rs274.value-cleared-at-return. A call by M98 does not clear the value of an earlier call.
     fn clear_value_at_numbered_call(&self, state: &mut State) {
-        if !state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+        if !state.has_quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
             Documented.clear_value_at_numbered_call(state);
         }
     }
 
-    /// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it
-    /// is in.
+    /// Quirk rs274.numbers-of-all-files. M98 calls the program of this number that was called first, in whatever file
+    /// it is.
     fn number_of_call(
         &self,
         control: &Control,
@@ -236,7 +241,7 @@ impl NumberedRules for LinuxCnc {
         Documented.number_of_call(control, label, state)
     }
 
-    /// Quirk rs274.value-cleared-at-return. The end clears the value of an earlier call.
+    /// Quirk rs274.value-cleared-at-return. The end of a numbered program clears the value of an earlier call.
     fn end_turn_of_numbered(
         &self,
         control: &Control,
@@ -244,7 +249,7 @@ impl NumberedRules for LinuxCnc {
         record: &mut Record,
     ) -> Result<(), StepError> {
         Documented.end_turn_of_numbered(control, state, record)?;
-        if state.shows(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
+        if state.has_quirk(quirk::rs274::VALUE_CLEARED_AT_RETURN) {
             clear_value(state);
         }
         Ok(())
@@ -260,25 +265,27 @@ impl ConditionRules for LinuxCnc {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if !state.shows(quirk::rs274::LATER_CONDITIONS_EVALUATED) {
+        if !state.has_quirk(quirk::rs274::LATER_CONDITIONS_EVALUATED) {
             return Documented.skip_elseif(control, label, values, state);
         }
         values.iter().try_for_each(|value| evaluate::value_of(value, state).map(|_| ()))?;
         control.at_branch(label, state)
     }
 
-    /// Quirk rs274.fanuc-zero-loops. What is executed can belong to a level left behind, where the labels of the
-    /// program around it are not known.
+    /// Quirk rs274.fanuc-zero-loops. The blocks that are executed can be part of a level that was not closed, in
+    /// which the labels of the surrounding program are unknown.
     fn labels_are_of_call(&self, state: &State) -> bool {
-        let left_behind =
-            state.frame().shares_parameters() && state.shows(quirk::rs274::FANUC_ZERO_LOOPS);
-        !left_behind && Documented.labels_are_of_call(state)
+        let in_unclosed_level =
+            state.frame().shares_parameters() && state.has_quirk(quirk::rs274::FANUC_ZERO_LOOPS);
+        !in_unclosed_level && Documented.labels_are_of_call(state)
     }
 }
 
-/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat ends, which begins
-/// again then. A while tests its condition once more, which changes something only where it is broken.
-/// Quirk rs274.break-remembered. A break of a while is remembered until a do loop tests its condition, which ends then.
+/// Quirk rs274.continue-remembered. A continue in a do loop is remembered until a while or repeat loop ends; that loop
+/// begins again then. A while loop tests its condition again, which makes a difference only after a break.
+///
+/// Quirk rs274.break-remembered. A break of a while loop is remembered until a do loop tests its condition; the do loop
+/// ends then.
 impl LoopRules for LinuxCnc {
     fn leave_while(&self, control: &mut Control, label: &str, end: u32, state: &mut State) -> Next {
         control.memory.continue_remembered = false;
@@ -291,9 +298,9 @@ impl LoopRules for LinuxCnc {
         !ends && Documented.repeats_do(control, condition)
     }
 
-    /// Quirk rs274.repeat-counter-shared. All invocations of a sub share the counter of a repeat. The head takes a turn
-    /// from the counter when it finds one, whichever invocation left it there; a counter that is used up ends the loop
-    /// and is gone, so that the next head that is reached begins again.
+    /// Quirk rs274.repeat-counter-shared. All invocations of a sub share the counter of a repeat. The head counts down
+    /// the existing counter, whichever invocation created it. A counter of zero ends the loop and is removed, so that
+    /// the head creates a new one when it is reached again.
     fn begin_repeat(
         &self,
         control: &mut Control,
@@ -301,7 +308,7 @@ impl LoopRules for LinuxCnc {
         values: &[Expression],
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if !state.shows(quirk::rs274::REPEAT_COUNTER_SHARED) {
+        if !state.has_quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
             return Documented.begin_repeat(control, label, values, state);
         }
         let turns_left = match control.memory.shared_counters.remove(&control.place) {
@@ -316,7 +323,7 @@ impl LoopRules for LinuxCnc {
         Ok(Next::Following)
     }
 
-    /// Quirk rs274.repeat-counter-shared. The head decides.
+    /// Quirk rs274.repeat-counter-shared. The end returns to the head, which tests the counter.
     fn end_turn_of_repeat(
         &self,
         control: &mut Control,
@@ -324,7 +331,7 @@ impl LoopRules for LinuxCnc {
         place: usize,
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if !state.shows(quirk::rs274::REPEAT_COUNTER_SHARED) {
+        if !state.has_quirk(quirk::rs274::REPEAT_COUNTER_SHARED) {
             return Documented.end_turn_of_repeat(control, label, place, state);
         }
         let first = state.frame().open[place].line;
@@ -358,7 +365,7 @@ impl LoopRules for LinuxCnc {
         state: &mut State,
     ) -> Result<Next, StepError> {
         if let Some(Open { structure: Structure::While, line, .. }) = left.first() {
-            control.memory.break_remembered |= state.shows(quirk::rs274::BREAK_REMEMBERED);
+            control.memory.break_remembered |= state.has_quirk(quirk::rs274::BREAK_REMEMBERED);
             if std::mem::take(&mut control.memory.continue_remembered) {
                 return Ok(Next::At(control.line(*line)));
             }
@@ -373,13 +380,13 @@ impl LoopRules for LinuxCnc {
         line: u32,
         state: &mut State,
     ) -> Next {
-        control.memory.continue_remembered = state.shows(quirk::rs274::CONTINUE_REMEMBERED);
+        control.memory.continue_remembered = state.has_quirk(quirk::rs274::CONTINUE_REMEMBERED);
         breaks_skipped(control, label, line, state);
         Documented.continue_do(control, label, line, state)
     }
 
-    /// Quirk rs274.continue-seeks-end. It looks for the end of the loop before that, so that it is refused where there
-    /// is none.
+    /// Quirk rs274.continue-seeks-end. A continue in a while loop first searches for the end of the loop, and is
+    /// refused if there is none.
     fn continue_while(
         &self,
         control: &mut Control,
@@ -387,34 +394,34 @@ impl LoopRules for LinuxCnc {
         first: u32,
         state: &mut State,
     ) -> Result<Next, StepError> {
-        if state.shows(quirk::rs274::CONTINUE_SEEKS_END) {
+        if state.has_quirk(quirk::rs274::CONTINUE_SEEKS_END) {
             control.end_of_skipped(label, &[Keyword::EndWhile], control.place.line, state)?;
         }
         Documented.continue_while(control, label, first, state)
     }
 }
 
-/// Quirks rs274.file-with-two-subs and rs274.sub-found-later. Whether the head of a sub is within another one that is
-/// executed.
+/// Quirks rs274.file-with-two-subs and rs274.sub-found-later. Whether the head of a sub is within another sub that is
+/// being executed.
 fn is_head_within(control: &Control, state: &State) -> bool {
     let quirk = if control.place.file == 0 {
-        state.frame().is_sub() && state.shows(quirk::rs274::SUB_FOUND_LATER)
+        state.frame().is_sub() && state.has_quirk(quirk::rs274::SUB_FOUND_LATER)
     } else {
-        state.shows(quirk::rs274::FILE_WITH_TWO_SUBS)
+        state.has_quirk(quirk::rs274::FILE_WITH_TWO_SUBS)
     };
     state.call_level() > 0 && quirk
 }
 
-/// Quirk rs274.break-remembered. A break that is skipped before line `end` counts.
+/// Quirk rs274.break-remembered. A break that is skipped before line `end` is remembered, too.
 fn breaks_skipped(control: &mut Control, label: &str, end: u32, state: &mut State) {
-    if state.shows(quirk::rs274::BREAK_REMEMBERED) {
+    if state.has_quirk(quirk::rs274::BREAK_REMEMBERED) {
         let skipped = control.find(label, &[Keyword::Break], control.place.line, state);
         control.memory.break_remembered |= skipped.is_some_and(|line| line < end);
     }
 }
 
-/// Quirk rs274.value-at-definition. The value of an endsub is evaluated where the sub is defined; named parameters that
-/// do not exist there count as zero.
+/// Quirk rs274.value-at-definition. The value of an endsub is evaluated when the sub is defined. Named parameters that
+/// do not exist then have the value zero.
 fn value_at_definition(
     control: &mut Control,
     end: u32,
@@ -422,6 +429,6 @@ fn value_at_definition(
 ) -> Result<(), StepError> {
     control.place.line = end;
     let Some(Line::Block(text)) = control.files.line(control.place, state) else { return Ok(()) };
-    let value = value_behind(text, state)?.map(|value| with_zeros(&value, state));
-    leave(value.as_ref(), state)
+    let value = value_after(text, state)?.map(|value| with_zeros(&value, state));
+    set_returned(value.as_ref(), state)
 }

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Effect, PathControlMode, Plane, Position};
 
 use super::path::tolerances_as_numbers;
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -17,13 +17,13 @@ impl CycleRules for LinuxCnc {
     /// Quirk rs274.cycle-dollar. $ in the block of a cycle has no effect.
     /// Quirk rs274.chosen-spindle. Without $ the cycle uses the spindle that an earlier block chose.
     fn spindle_of_cycle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {
-        if word(words, '$').is_none() || state.shows(quirk::rs274::CYCLE_DOLLAR) {
+        if word(words, '$').is_none() || state.has_quirk(quirk::rs274::CYCLE_DOLLAR) {
             return Ok(state.memory.chosen_spindle);
         }
         Documented.spindle_of_cycle(words, state)
     }
 
-    /// Quirk rs274.tap-dwell-kept. A tap without P dwells as the last cycle did that had one.
+    /// Quirk rs274.tap-dwell-kept. A tap without P dwells as long as the last cycle that had a P.
     fn dwell_of_cycle(
         &self,
         kind: Kind,
@@ -36,14 +36,14 @@ impl CycleRules for LinuxCnc {
             state.memory.cycle_dwell = seconds;
         }
         let taps = matches!(kind, Kind::TapLeft | Kind::TapRight);
-        let kept =
-            (taps && state.shows(quirk::rs274::TAP_DWELL_KEPT)).then_some(state.memory.cycle_dwell);
+        let kept = (taps && state.has_quirk(quirk::rs274::TAP_DWELL_KEPT))
+            .then_some(state.memory.cycle_dwell);
         Ok(dwell.or(kept))
     }
 
     /// Quirk rs274.cycle-negative-dwell. A negative dwell is accepted, unless it is -1.
     fn check_cycle_dwell(&self, seconds: f64, state: &State) -> Result<(), StepError> {
-        if whole(seconds) != Some(-1) && state.shows(quirk::rs274::CYCLE_NEGATIVE_DWELL) {
+        if whole(seconds) != Some(-1) && state.has_quirk(quirk::rs274::CYCLE_NEGATIVE_DWELL) {
             return Ok(());
         }
         Documented.check_cycle_dwell(seconds, state)
@@ -52,13 +52,14 @@ impl CycleRules for LinuxCnc {
     /// Quirk rs274.unused-q-minus-one. In a cycle, too, Q-1 counts as no Q.
     fn programmed_peck(&self, words: &Words, state: &State) -> Option<f64> {
         let peck = Documented.programmed_peck(words, state);
-        let is_none = peck == Some(-1.0) && state.shows(quirk::rs274::UNUSED_Q_MINUS_ONE);
+        let is_none = peck == Some(-1.0) && state.has_quirk(quirk::rs274::UNUSED_Q_MINUS_ONE);
         peck.filter(|_| !is_none)
     }
 
-    /// Quirk rs274.cycle-retract-from-initial. R counts from where the series of cycles began.
+    /// Quirk rs274.cycle-retract-from-initial. Incremental R is measured from the level at which the series of cycles
+    /// began.
     fn incremental_retract_from(&self, current: f64, initial: f64, state: &State) -> f64 {
-        if state.shows(quirk::rs274::CYCLE_RETRACT_FROM_INITIAL) {
+        if state.has_quirk(quirk::rs274::CYCLE_RETRACT_FROM_INITIAL) {
             return initial;
         }
         Documented.incremental_retract_from(current, initial, state)
@@ -68,7 +69,7 @@ impl CycleRules for LinuxCnc {
     /// current one. In a series that began above R, the first move in the plane rises to the clear height on its way if
     /// it begins at R or below.
     fn preliminary_motion(&self, cycle: &Cycle, state: &mut State, record: &mut Record) {
-        if !state.shows(quirk::rs274::CYCLE_RISE) {
+        if !state.has_quirk(quirk::rs274::CYCLE_RISE) {
             return Documented.preliminary_motion(cycle, state, record);
         }
         let [_, _, normal] = cycle.axes;
@@ -89,7 +90,7 @@ impl CycleRules for LinuxCnc {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
-        if !state.shows(quirk::rs274::CYCLE_EXACT_PATH) {
+        if !state.has_quirk(quirk::rs274::CYCLE_EXACT_PATH) {
             return Documented.perform_repeats(cycle, places, state, record);
         }
         let path = std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath);
@@ -101,11 +102,11 @@ impl CycleRules for LinuxCnc {
         Ok(())
     }
 
-    /// Quirk rs274.tap-axes. Outside of the XY plane the axes of the point are in another order; the controlled point is
-    /// none the less where it should be.
+    /// Quirk rs274.tap-axes. Outside of the XY plane the reported end point has its axes in another order. The
+    /// controlled point is nevertheless correct.
     fn feed_tap(&self, normal: Axis, to: f64, state: &mut State, record: &mut Record) {
         let plane = state.modes.plane;
-        if !(matches!(plane, Plane::Zx | Plane::Yz) && state.shows(quirk::rs274::TAP_AXES)) {
+        if !(matches!(plane, Plane::Zx | Plane::Yz) && state.has_quirk(quirk::rs274::TAP_AXES)) {
             return Documented.feed_tap(normal, to, state, record);
         }
         *state.position.get_mut(normal) = to;

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{OutputTiming, WaitMode};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::environment::{Awaited, Input};
@@ -14,7 +14,7 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl InputRules for LinuxCnc {
-    /// Quirk linuxcnc.wait-mode-times-out. Under an L above 4 the time-out goes by, whatever the input does.
+    /// Quirk linuxcnc.wait-mode-times-out. With L above 4, M66 always ends with its time-out, whatever the input does.
     fn awaited(
         &self,
         input: Input,
@@ -24,32 +24,32 @@ impl InputRules for LinuxCnc {
         state: &State,
     ) -> Awaited {
         let is_unknown = word(words, 'l').is_some_and(is_above_four);
-        if is_unknown && state.shows(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
+        if is_unknown && state.has_quirk(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
             return Awaited::TimesOut { after: word(words, 'q').unwrap_or(0.0) };
         }
         Documented.awaited(input, mode, timeout, words, state)
     }
 
-    /// Quirk rs274.io-number-rounded. A fraction is rounded.
+    /// Quirk rs274.io-number-rounded. A fractional input number is rounded.
     fn input_number(&self, value: f64, state: &State) -> Option<i32> {
-        if state.shows(quirk::rs274::IO_NUMBER_ROUNDED) {
+        if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
             return rounded(value);
         }
         Documented.input_number(value, state)
     }
 
-    /// Quirk linuxcnc.input-number. Any number is accepted, and where there is no such input zero is read.
+    /// Quirk linuxcnc.input-number. Any input number is accepted; M66 reads zero from an input that does not exist.
     fn has_every_input(&self, state: &State) -> bool {
-        state.shows(quirk::linuxcnc::INPUT_NUMBER) || Documented.has_every_input(state)
+        state.has_quirk(quirk::linuxcnc::INPUT_NUMBER) || Documented.has_every_input(state)
     }
 
-    /// Quirk rs274.wait-mode-any. A mode above 4 waits; what for is not known.
-    /// Quirk linuxcnc.wait-mode-times-out. On the whole controller it does not.
+    /// Quirk rs274.wait-mode-any. L above 4 waits; the awaited level is unknown.
+    /// Quirk linuxcnc.wait-mode-times-out. The whole controller does not wait for a level then.
     fn wait_mode(&self, value: f64, state: &State) -> Result<WaitMode, StepError> {
-        if is_above_four(value) && state.shows(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
+        if is_above_four(value) && state.has_quirk(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
             return Ok(WaitMode::Immediate);
         }
-        if is_above_four(value) && state.shows(quirk::rs274::WAIT_MODE_ANY) {
+        if is_above_four(value) && state.has_quirk(quirk::rs274::WAIT_MODE_ANY) {
             return Ok(WaitMode::Low);
         }
         Documented.wait_mode(value, state)
@@ -57,34 +57,34 @@ impl InputRules for LinuxCnc {
 }
 
 impl OutputRules for LinuxCnc {
-    /// Quirk rs274.output-value-optional. It is -1.
+    /// Quirk rs274.output-value-optional. M67 and M68 without Q output -1.
     fn value_of_no_word(&self, code: u32, state: &State) -> Result<f64, StepError> {
-        if state.shows(quirk::rs274::OUTPUT_VALUE_OPTIONAL) {
+        if state.has_quirk(quirk::rs274::OUTPUT_VALUE_OPTIONAL) {
             return Ok(-1.0);
         }
         Documented.value_of_no_word(code, state)
     }
 
-    /// Quirk rs274.io-number-rounded. A fraction is rounded.
+    /// Quirk rs274.io-number-rounded. A fractional output number is rounded.
     fn output_number(&self, value: f64, state: &State) -> Option<i32> {
-        if state.shows(quirk::rs274::IO_NUMBER_ROUNDED) {
+        if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
             return rounded(value);
         }
         Documented.output_number(value, state)
     }
 
-    /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. The number of no output is
-    /// accepted.
+    /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. The number of an output
+    /// that does not exist is accepted.
     fn has_every_output(&self, timing: OutputTiming, state: &State) -> bool {
         let quirk = match timing {
             OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
             OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
         };
-        state.shows(quirk) || Documented.has_every_output(timing, state)
+        state.has_quirk(quirk) || Documented.has_every_output(timing, state)
     }
 }
 
-/// A number of an input or output, rounded to an integer, halves to the even one.
+/// The number of an input or output, rounded to an integer; halves go to the even one.
 fn rounded(value: f64) -> Option<i32> {
     whole(value.round_ties_even())
 }

@@ -1,4 +1,4 @@
-//! What LinuxCNC remembers and the documents do not need.
+//! State that quirks of LinuxCNC need in addition to the documented state.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,25 +7,25 @@ use gaugeblock_vocabulary::Plane;
 use crate::rs274::modes::Modes;
 use crate::rs274::text::Place;
 
-/// What it remembers besides the modes: no save keeps it, and no restore brings it back.
+/// State outside of the modes: M70 and M73 do not save it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memory {
-    /// Quirk rs274.rest-of-restore-block: whether the rest of the block is dropped.
+    /// Quirk rs274.rest-of-restore-block: whether the rest of the block is not executed.
     pub(super) drops_rest: bool,
-    /// Quirk rs274.chosen-spindle: the spindle that cycles and synchronised moves follow without $.
+    /// Quirk rs274.chosen-spindle: the spindle of cycles and synchronised moves without $.
     pub(super) chosen_spindle: usize,
     /// Quirk rs274.tap-dwell-kept: P of the last canned cycle that had one, seconds.
     pub(super) cycle_dwell: f64,
     /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
     pub(super) plane_before: Option<Plane>,
-    /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion, or before the first block; none
-    /// where that motion was in a sub.
+    /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion, or before the first block; `None`
+    /// if that motion was in a sub.
     pub(super) at_last_motion: Option<Box<Modes>>,
-    /// Quirk linuxcnc.modes-of-last-motion: whether anything has moved.
+    /// Quirk linuxcnc.modes-of-last-motion: whether a motion has been executed.
     pub(super) has_moved: bool,
 }
 
-/// What it remembers with the control of a program, until another one begins.
+/// State of subroutines and loops, from the beginning of a program to that of the next one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ControlMemory {
     /// Quirk rs274.repeat-counter-shared: turns left of each repeat.
@@ -38,15 +38,15 @@ pub(crate) struct ControlMemory {
     pub(super) break_remembered: bool,
     /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
     pub(super) has_called: bool,
-    /// Quirk rs274.sub-found-later: definitions of subs that were found behind their call.
+    /// Quirk rs274.sub-found-later: definitions that a call found further on in the file.
     pub(super) found_later: BTreeSet<Place>,
     /// Quirk rs274.numbers-of-all-files: numbered programs that were called before, by number.
     pub(super) numbers_called: BTreeMap<String, Place>,
 }
 
-/// What it remembers of a file.
+/// State of a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct SourceMemory {
-    /// Quirk rs274.percent-in-file: whether percent lines mean nothing.
+    /// Quirk rs274.percent-in-file: whether percent lines have no meaning.
     pub(super) ignores_percent: bool,
 }

@@ -49,26 +49,26 @@ use crate::dialects::Quirk;
 use crate::rs274::dialect::Dialect;
 use crate::rs274::state::State;
 
-/// LinuxCNC under the quirks of the run.
+/// LinuxCNC with the quirks that the options of the run select.
 #[derive(Debug)]
 pub(super) struct LinuxCnc;
 
 impl Dialect for LinuxCnc {}
 
-/// Which quirks a run has.
-trait Shows {
-    /// Whether it has a quirk.
-    fn shows(&self, quirk: Quirk) -> bool;
+/// Whether the options of a run select a quirk.
+trait HasQuirk {
+    /// Whether this quirk is selected.
+    fn has_quirk(&self, quirk: Quirk) -> bool;
 }
 
-impl Shows for Choices {
-    fn shows(&self, quirk: Quirk) -> bool {
+impl HasQuirk for Choices {
+    fn has_quirk(&self, quirk: Quirk) -> bool {
         self.deviations.has(quirk)
     }
 }
 
-impl Shows for State {
-    fn shows(&self, quirk: Quirk) -> bool {
-        self.choices.shows(quirk)
+impl HasQuirk for State {
+    fn has_quirk(&self, quirk: Quirk) -> bool {
+        self.choices.has_quirk(quirk)
     }
 }

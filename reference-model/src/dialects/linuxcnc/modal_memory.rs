@@ -1,26 +1,26 @@
-//! What LinuxCNC remembers with the modes.
+//! State of LinuxCNC's quirks that M70 and M73 save together with the modes.
 
 use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::LengthUnit;
 
-/// What it remembers with the modes, and saves and restores with them.
+/// State that is saved and restored together with the modes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ModalMemory(Option<Box<Remembered>>);
 
 /// The values themselves.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Remembered {
-    /// F as it was programmed, in the length unit of that time.
+    /// F as it was programmed, in the length unit that was active then.
     pub(super) feed_number: f64,
     /// The length unit in which the tool offset was programmed.
     pub(super) tool_offset_unit: LengthUnit,
     /// The length unit in which the tolerances of G64 were programmed.
     pub(super) tolerance_unit: LengthUnit,
-    /// Spindles whose brake a speed has released since they were stopped.
+    /// Spindles whose brake an S word has released since they were stopped.
     pub(super) brake_released: BTreeSet<usize>,
-    /// Spindles that the interpreter takes for stopped, however they turn.
-    pub(super) taken_for_stopped: BTreeSet<usize>,
+    /// Spindles that the interpreter regards as stopped, even if they turn.
+    pub(super) regarded_as_stopped: BTreeSet<usize>,
 }
 
 /// The values before the first block.
@@ -29,7 +29,7 @@ static AT_START: Remembered = Remembered {
     tool_offset_unit: LengthUnit::Millimetre,
     tolerance_unit: LengthUnit::Millimetre,
     brake_released: BTreeSet::new(),
-    taken_for_stopped: BTreeSet::new(),
+    regarded_as_stopped: BTreeSet::new(),
 };
 
 impl ModalMemory {

@@ -1,6 +1,6 @@
 //! Quirks of the modes before the first block.
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -9,7 +9,7 @@ use crate::rs274::modes::ModesRules;
 impl ModesRules for LinuxCnc {
     /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch.
     fn initial_blend_tolerance(&self, choices: &Choices) -> f64 {
-        if choices.shows(quirk::linuxcnc::INITIAL_TOLERANCE) {
+        if choices.has_quirk(quirk::linuxcnc::INITIAL_TOLERANCE) {
             return 0.0254;
         }
         Documented.initial_blend_tolerance(choices)

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::Position;
 
 use super::program_end::without_local_offset;
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -13,40 +13,40 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl OffsetRules for LinuxCnc {
-    /// Quirk rs274.same-system-kept. The system in force is not read again.
+    /// Quirk rs274.same-system-kept. Selecting the active coordinate system does not read its parameters again.
     fn select_system(&self, system: u32, state: &mut State) {
         let same = system == state.modes.work_offset;
-        if !(same && state.shows(quirk::rs274::SAME_SYSTEM_KEPT)) {
+        if !(same && state.has_quirk(quirk::rs274::SAME_SYSTEM_KEPT)) {
             Documented.select_system(system, state);
         }
     }
 
-    /// Quirk rs274.calculate-without-axes. It needs none.
+    /// Quirk rs274.calculate-without-axes. G10 L20 needs no axis word.
     fn check_calculated_axes(&self, words: &Words, state: &State) -> Result<(), StepError> {
-        if state.shows(quirk::rs274::CALCULATE_WITHOUT_AXES) {
+        if state.has_quirk(quirk::rs274::CALCULATE_WITHOUT_AXES) {
             return Ok(());
         }
         Documented.check_calculated_axes(words, state)
     }
 
-    /// Quirk rs274.origin-number-cut. A fraction of a half or more of P is cut off.
+    /// Quirk rs274.origin-number-cut. P of G10 L2 with a fraction of 0.5 or more is rounded down.
     fn programmed_system(&self, words: &Words, state: &State) -> Option<f64> {
-        let cuts = state.shows(quirk::rs274::ORIGIN_NUMBER_CUT);
+        let cuts = state.has_quirk(quirk::rs274::ORIGIN_NUMBER_CUT);
         let is_cut = |number: f64| cuts && number - number.floor() >= 0.5;
         let number = Documented.programmed_system(words, state)?;
         Some(if is_cut(number) { number.floor() } else { number })
     }
 
-    /// Quirk rs274.rotation-under-local-offset.
+    /// Quirk rs274.rotation-under-local-offset. G10 L2 rotates the active system without the local offset.
     fn reload_turned_system(&self, state: &mut State) {
         without_local_offset(|state| Documented.reload_turned_system(state), state);
     }
 }
 
 impl LocalOffsetRules for LinuxCnc {
-    /// Quirk rs274.position-omitted-axes. They keep theirs.
+    /// Quirk rs274.position-omitted-axes. Axes without a word in the block of G92 keep their local offset.
     fn offset_without_word(&self, before: Position, state: &State) -> Position {
-        if state.shows(quirk::rs274::POSITION_OMITTED_AXES) {
+        if state.has_quirk(quirk::rs274::POSITION_OMITTED_AXES) {
             return before;
         }
         Documented.offset_without_word(before, state)

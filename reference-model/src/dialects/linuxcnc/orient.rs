@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::Pin;
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -15,9 +15,11 @@ use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 impl OrientRules for LinuxCnc {
-    /// Quirk rs274.orient-without-angle. Without R the angle is zero if P is there, and else the spindle turns nowhere.
+    /// Quirk rs274.orient-without-angle. Without R and with P the angle is zero. Without both the spindle is not
+    /// oriented.
     /// Quirk rs274.orient-without-timeout. Without Q the run does not wait.
-    /// Quirk rs274.orient-forgets-turning. After M19 every spindle is taken for stopped, until it is started again.
+    /// Quirk rs274.orient-forgets-turning. After M19 the interpreter regards every spindle as stopped, until the
+    /// spindle is started again.
     fn orient(
         &self,
         words: &Words,
@@ -26,19 +28,19 @@ impl OrientRules for LinuxCnc {
     ) -> Result<(), StepError> {
         let has = |letter| word(words, letter).is_some();
         let spindles = spindles(words, state)?;
-        let angle = if !has('r') && state.shows(quirk::rs274::ORIENT_WITHOUT_ANGLE) {
+        let angle = if !has('r') && state.has_quirk(quirk::rs274::ORIENT_WITHOUT_ANGLE) {
             has('p').then_some(state.machine.orient_offset)
         } else {
             Some(angle(words, state)?)
         };
         let direction = direction(words, state)?;
-        let timeout = if !has('q') && state.shows(quirk::rs274::ORIENT_WITHOUT_TIMEOUT) {
+        let timeout = if !has('q') && state.has_quirk(quirk::rs274::ORIENT_WITHOUT_TIMEOUT) {
             None
         } else {
             Some(timeout(words, state)?)
         };
-        if state.shows(quirk::rs274::ORIENT_FORGETS_TURNING) {
-            state.modes.memory.get_mut().taken_for_stopped =
+        if state.has_quirk(quirk::rs274::ORIENT_FORGETS_TURNING) {
+            state.modes.memory.get_mut().regarded_as_stopped =
                 state.all_spindles().into_iter().collect();
         }
         if let Some(angle) = angle {
@@ -51,16 +53,16 @@ impl OrientRules for LinuxCnc {
         }
     }
 
-    /// Quirk linuxcnc.orient-while-locked. A spindle that is locked is not asked again.
+    /// Quirk linuxcnc.orient-while-locked. No orientation is requested of a spindle that is locked already.
     fn request_orientation(&self, place: usize, state: &mut State) {
         let pin = u16::try_from(place).map(Pin::SpindleLocked);
         let locked = pin.is_ok_and(|pin| state.environment.level(pin) != 0.0);
-        if !locked || !state.shows(quirk::linuxcnc::ORIENT_WHILE_LOCKED) {
+        if !locked || !state.has_quirk(quirk::linuxcnc::ORIENT_WHILE_LOCKED) {
             Documented.request_orientation(place, state);
         }
     }
 
-    /// Quirk linuxcnc.speed-releases-brake. A speed has released it.
+    /// Quirk linuxcnc.speed-releases-brake. An S word has released the brake.
     fn applies_brake(&self, place: usize, locked: bool, state: &State) -> bool {
         let released = state.modes.memory.get().brake_released.contains(&place);
         (locked || !released) && Documented.applies_brake(place, locked, state)

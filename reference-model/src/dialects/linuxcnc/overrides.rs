@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, Switch};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -11,27 +11,27 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl OverrideRules for LinuxCnc {
-    /// Quirk rs274.override-dollar. M48 and M49 do not use $, which is another code's then.
+    /// Quirk rs274.override-dollar. M48 and M49 do not use $; another code of the block can.
     fn spindle_word(&self, words: &Words, state: &State) -> Option<f64> {
-        let both = words.m.iter().any(|code| [48, 49].contains(code));
-        if both && state.shows(quirk::rs274::OVERRIDE_DOLLAR) {
+        let overrides_both = words.m.iter().any(|code| [48, 49].contains(code));
+        if overrides_both && state.has_quirk(quirk::rs274::OVERRIDE_DOLLAR) {
             return None;
         }
         Documented.spindle_word(words, state)
     }
 
-    /// Quirk rs274.speed-override-dollar. M51 takes no $0, nor what is rounded toward that.
+    /// Quirk rs274.speed-override-dollar. M51 refuses $0, and each $ between -1 and 1.
     fn overridden_spindle(&self, value: f64, state: &mut State) -> Result<usize, StepError> {
         let rule = quirk::rs274::SPEED_OVERRIDE_DOLLAR;
-        if value.trunc() == 0.0 && state.shows(rule) {
+        if value.trunc() == 0.0 && state.has_quirk(rule) {
             return Err(refuse(rule, FaultKind::SpindleOutOfRange, "M51 with $0"));
         }
         Documented.overridden_spindle(value, state)
     }
 
-    /// Quirk rs274.override-any-p. Any P but zero enables.
+    /// Quirk rs274.override-any-p. Each P other than zero enables the override.
     fn switch(&self, value: f64, state: &State) -> Result<Switch, StepError> {
-        if state.shows(quirk::rs274::OVERRIDE_ANY_P) {
+        if state.has_quirk(quirk::rs274::OVERRIDE_ANY_P) {
             return Ok(if value == 0.0 { Switch::Off } else { Switch::On });
         }
         Documented.switch(value, state)

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FeedMode};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -13,7 +13,7 @@ impl ParameterRules for LinuxCnc {
     /// Quirk rs274.feed-name-number: `_feed` is F as it was programmed, whatever the length unit was.
     /// Quirk rs274.feed-name-inverse-time: under inverse time it is the feed rate of the last move.
     fn feed_parameter(&self, state: &State) -> f64 {
-        let by_number = state.shows(if state.modes.feed_mode == FeedMode::InverseTime {
+        let by_number = state.has_quirk(if state.modes.feed_mode == FeedMode::InverseTime {
             quirk::rs274::FEED_NAME_INVERSE_TIME
         } else {
             quirk::rs274::FEED_NAME_NUMBER
@@ -26,21 +26,21 @@ impl ParameterRules for LinuxCnc {
 
     /// Quirk rs274.last-parameter. The greatest number of a parameter is 5601.
     fn last_parameter(&self, choices: &Choices) -> u32 {
-        if choices.shows(quirk::rs274::LAST_PARAMETER) {
+        if choices.has_quirk(quirk::rs274::LAST_PARAMETER) {
             return 5601;
         }
         Documented.last_parameter(choices)
     }
 
-    /// Quirk rs274.hal-assignment. A name of the form of a HAL item or an INI entry, where there is no such thing, can
-    /// be assigned.
+    /// Quirk rs274.hal-assignment. A parameter whose name has the form of a HAL item or an INI entry can be assigned if
+    /// the item or entry does not exist.
     fn may_assign_outside(&self, _name: &str, state: &State) -> bool {
-        state.shows(quirk::rs274::HAL_ASSIGNMENT)
+        state.has_quirk(quirk::rs274::HAL_ASSIGNMENT)
     }
 
     /// Quirk rs274.dynamic-compensation-code. `_ccomp` is the same for G41.1 and G42.1 as for G41 and G42.
     fn compensation_parameter(&self, state: &State) -> f64 {
-        if !state.shows(quirk::rs274::DYNAMIC_COMPENSATION_CODE) {
+        if !state.has_quirk(quirk::rs274::DYNAMIC_COMPENSATION_CODE) {
             return Documented.compensation_parameter(state);
         }
         match state.modes.compensation {
@@ -52,7 +52,7 @@ impl ParameterRules for LinuxCnc {
 
     /// Quirk rs274.zero-tool-offset-off. `_tool_offset` is 1 while an offset is not zero.
     fn tool_offset_parameter(&self, state: &State) -> f64 {
-        if !state.shows(quirk::rs274::ZERO_TOOL_OFFSET_OFF) {
+        if !state.has_quirk(quirk::rs274::ZERO_TOOL_OFFSET_OFF) {
             return Documented.tool_offset_parameter(state);
         }
         let has_offset = state.modes.tool_offset.to_array().iter().any(|offset| offset.abs() > 0.0);
@@ -61,7 +61,7 @@ impl ParameterRules for LinuxCnc {
 
     /// Quirk rs274.selected-tool-zero. `_selected_tool` is 0 before the first T.
     fn selected_tool_parameter(&self, state: &State) -> f64 {
-        if state.shows(quirk::rs274::SELECTED_TOOL_ZERO) {
+        if state.has_quirk(quirk::rs274::SELECTED_TOOL_ZERO) {
             return f64::from(state.selected_tool.max(0));
         }
         Documented.selected_tool_parameter(state)

@@ -1,4 +1,4 @@
-//! What `rs274` reads of a line that it passes over on the way to a label.
+//! Reads a line that `rs274` skips while it searches for a label: some of its content is checked.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -8,23 +8,23 @@ use crate::rs274::state::State;
 use crate::rs274::syntax::{Keyword, OWord, Parser};
 use crate::rs274::text::condense;
 
-/// What counts of such a line.
+/// The part of a skipped line that matters.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum PassedOver {
-    /// Nothing.
+    /// No part.
     Nothing,
     /// A label and its keyword; what follows them is not read.
     OWord(OWord),
-    /// A label without a keyword, and how that is refused where it is no label either.
+    /// A label without a keyword, and the refusal for a search in which such a label is an error.
     WithoutKeyword(StepError),
     /// M98.
     NumberedCall,
 }
 
-/// What counts of a line that is passed over; no rule is reached.
+/// Reads a skipped line. No rule counts as covered.
 ///
 /// # Errors
-/// The line is too long, a comment is not closed, or a line number, label or keyword is none.
+/// The line is too long, a comment is not closed, or a line number, label or keyword is invalid.
 pub(super) fn passed_over(line: &str, state: &mut State) -> Result<PassedOver, StepError> {
     let before = state.coverage.set_muted(true);
     let mut room = std::mem::take(&mut state.room);

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, PathControlMode};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -12,7 +12,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl PathRules for LinuxCnc {
-    /// Quirk rs274.path-under-compensation. The path control mode stays as it is while the cutter is compensated.
+    /// Quirk rs274.path-under-compensation. G61, G61.1 and G64 are refused while the cutter is compensated.
     fn select_path(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         path_under(state.modes.compensation, state)?;
         Documented.select_path(words, state)?;
@@ -24,19 +24,20 @@ impl PathRules for LinuxCnc {
     }
 }
 
-/// Quirk rs274.path-under-compensation. A path control mode is refused under this compensation.
+/// Quirk rs274.path-under-compensation. Refuses a path control mode if `compensation` is on.
 pub(super) fn path_under(compensation: Compensation, state: &State) -> Result<(), StepError> {
     let rule = quirk::rs274::PATH_UNDER_COMPENSATION;
-    if compensation != Compensation::Off && state.shows(rule) {
+    if compensation != Compensation::Off && state.has_quirk(rule) {
         let message = "a path control mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     Ok(())
 }
 
-/// Quirk rs274.tolerance-unit. G64 is programmed again with the numbers of its tolerances, in whatever unit.
+/// Quirk rs274.tolerance-unit. G64 is programmed again with its tolerances as numbers: a change of the length unit
+/// since then changes the lengths.
 pub(super) fn tolerances_as_numbers(state: &mut State) {
-    if state.shows(quirk::rs274::TOLERANCE_UNIT) {
+    if state.has_quirk(quirk::rs274::TOLERANCE_UNIT) {
         let modes = &mut state.modes;
         let unit = &mut modes.memory.get_mut().tolerance_unit;
         let factor = unit_size(modes.units) / unit_size(*unit);

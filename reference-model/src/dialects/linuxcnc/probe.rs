@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion, Position};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -11,7 +11,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl ProbeRules for LinuxCnc {
-    /// Quirk rs274.probe-per-revolution. Under feed per revolution probing is refused.
+    /// Quirk rs274.probe-per-revolution. In G95 mode probing is refused.
     fn check_probe_feed(
         &self,
         motion: Motion,
@@ -19,16 +19,16 @@ impl ProbeRules for LinuxCnc {
         state: &State,
     ) -> Result<(), StepError> {
         let rule = quirk::rs274::PROBE_PER_REVOLUTION;
-        if state.modes.feed_mode == FeedMode::PerRevolution && state.shows(rule) {
+        if state.modes.feed_mode == FeedMode::PerRevolution && state.has_quirk(rule) {
             return Err(refuse(rule, FaultKind::Probe, "probing under feed per revolution"));
         }
         Documented.check_probe_feed(motion, words, state)
     }
 
-    /// Quirk rs274.probe-same-point. G38.3 and G38.5 may lead to where the controlled point is.
+    /// Quirk rs274.probe-same-point. G38.3 and G38.5 may end where they start.
     fn probes_in_place(&self, motion: Motion, end: Position, state: &State) -> bool {
         let silent = matches!(motion, Motion::ProbeToward | Motion::ProbeAway);
-        !(silent && state.shows(quirk::rs274::PROBE_SAME_POINT))
+        !(silent && state.has_quirk(quirk::rs274::PROBE_SAME_POINT))
             && Documented.probes_in_place(motion, end, state)
     }
 }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::program_end::ProgramEndRules;
@@ -10,46 +10,47 @@ use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 impl ProgramEndRules for LinuxCnc {
-    /// Quirk rs274.spindle-mode-at-end. The spindles turn by revolutions per minute again.
-    /// Quirk rs274.feed-zero-at-end. The feed rate is zero.
+    /// Quirk rs274.spindle-mode-at-end. The program end selects G97 for all spindles.
+    /// Quirk rs274.feed-zero-at-end. The program end sets the feed rate to zero.
     fn reset_at_end(&self, state: &mut State) {
         Documented.reset_at_end(state);
-        if state.shows(quirk::rs274::SPINDLE_MODE_AT_END) {
+        if state.has_quirk(quirk::rs274::SPINDLE_MODE_AT_END) {
             for spindle in &mut state.modes.spindles {
                 spindle.mode = SpindleMode::Rpm;
                 spindle.limit = SpindleLimit::None;
             }
         }
-        if state.shows(quirk::rs274::FEED_ZERO_AT_END) {
+        if state.has_quirk(quirk::rs274::FEED_ZERO_AT_END) {
             state.modes.feed_rate = 0.0;
         }
     }
 
+    /// Quirk rs274.rotation-under-local-offset. The program end rotates back to G54 without the local offset.
     fn select_first_system(&self, state: &mut State) {
         without_local_offset(|state| Documented.select_first_system(state), state);
     }
 
-    /// Quirk rs274.speed-override-at-end. The speed overrides stay as they are.
+    /// Quirk rs274.speed-override-at-end. The program end does not change the speed overrides.
     fn enable_overrides_at_end(&self, state: &mut State) {
-        if state.shows(quirk::rs274::SPEED_OVERRIDE_AT_END) {
+        if state.has_quirk(quirk::rs274::SPEED_OVERRIDE_AT_END) {
             state.modes.feed_override = Switch::On;
             return;
         }
         Documented.enable_overrides_at_end(state);
     }
 
-    /// Quirk linuxcnc.auto-after-program-end. It stays in auto mode.
+    /// Quirk linuxcnc.auto-after-program-end. The controller stays in auto mode.
     fn change_mode_at_end(&self, state: &mut State, record: &mut Record) {
-        if !state.shows(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
+        if !state.has_quirk(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
             Documented.change_mode_at_end(state, record);
         }
     }
 }
 
-/// Quirk rs274.rotation-under-local-offset. When G10 L2 turns the system in force, or the program end turns back to
-/// G54, the point is turned without the local offset, which it keeps as it was.
+/// Quirk rs274.rotation-under-local-offset. When G10 L2 rotates the active system, or the program end returns to
+/// the rotation of G54, the controlled point is rotated as if the local offset were zero. The offset does not change.
 pub(super) fn without_local_offset(turn: fn(&mut State), state: &mut State) {
-    if !state.shows(quirk::rs274::ROTATION_UNDER_LOCAL_OFFSET) {
+    if !state.has_quirk(quirk::rs274::ROTATION_UNDER_LOCAL_OFFSET) {
         return turn(state);
     }
     let local = std::mem::take(&mut state.modes.g92_offset);

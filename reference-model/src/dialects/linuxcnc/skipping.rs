@@ -1,11 +1,11 @@
-//! Quirks of what is passed over on the way to a label: rs274 looks for an end, a sub or a number by reading line after
-//! line, and minds some of what it reads.
+//! Quirks of lines that rs274 skips. It searches for an end, a sub or a numbered program line by line, and checks part
+//! of each line that it reads.
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::Shows;
+use super::HasQuirk;
 use super::passed_over::{PassedOver, passed_over};
-use super::values::{count_too_large, known_number, leave, value_behind, with_zeros};
+use super::values::{count_too_large, known_number, set_returned, value_after, with_zeros};
 use crate::dialects::{Quirk, quirk};
 use crate::ids::rule;
 use crate::math;
@@ -19,22 +19,22 @@ use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Keyword, Label};
 use crate::rs274::text::Line;
 
-/// Without any of these, what is passed over is not looked at.
+/// If a run has none of these quirks, skipped lines are not read.
 const QUIRKS: [Quirk; 3] =
     [quirk::rs274::SKIPPED_IS_READ, quirk::rs274::SKIPPED_LABELS, quirk::rs274::NUMBER_IN_SUB];
 
-/// The lines behind this block and before line `end` are passed over; all of the file, where there is no end.
+/// Skips the lines after this block and before line `end`, or up to the end of the file.
 ///
 /// Quirk rs274.skipped-is-read. Their length, comments, line numbers, O-words and blocks that begin with M98 are
-/// checked. Quirk rs274.skipped-labels. So is a label that is the one of the condition or loop whose end is looked
-/// for. Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another one.
+/// checked. Quirk rs274.skipped-labels. Blocks with the label of the condition or loop whose end is searched for are
+/// checked, too. Quirk rs274.number-in-sub. A number alone within a sub counts as the beginning of another sub.
 pub(super) fn pass_over(
     control: &mut Control,
     target: SearchTarget<'_>,
     end: Option<u32>,
     state: &mut State,
 ) -> Result<(), StepError> {
-    if !QUIRKS.iter().any(|quirk| state.shows(*quirk)) {
+    if !QUIRKS.iter().any(|quirk| state.has_quirk(*quirk)) {
         return Ok(());
     }
     match target {
@@ -48,7 +48,7 @@ pub(super) fn pass_over(
     }
 }
 
-/// The same, line by line.
+/// Reads the skipped lines one by one.
 fn read_over(
     control: &mut Control,
     target: SearchTarget<'_>,
@@ -62,14 +62,14 @@ fn read_over(
             None | Some(Line::End) => break,
             Some(Line::Nothing) => {}
             Some(Line::Block(text)) => {
-                minded(text, target, state).inspect_err(|_| control.place = place)?;
+                check_skipped_line(text, target, state).inspect_err(|_| control.place = place)?;
             }
         }
     }
     Ok(())
 }
 
-/// On the way to the numbered program that M98 calls; for one that was called before there is no search.
+/// Skips lines on the way to the numbered program that M98 calls. A program that was called before is not searched for.
 fn to_numbered(control: &mut Control, label: &str, state: &mut State) -> Result<(), StepError> {
     if is_called_before(control, label) || known_number(control, label, state).is_some() {
         return Ok(());
@@ -84,17 +84,17 @@ fn is_called_before(control: &Control, label: &str) -> bool {
     begins.iter().any(|line| control.called.contains(&control.line(line + 1)))
 }
 
-/// Line of the next program or sub of this file with a number, in whichever scope.
+/// Line of the next program or sub of this file with this number, in any sub.
 fn next_of_number(control: &Control, label: &str) -> Option<u32> {
     let fits = |mark: &&Mark| {
         mark.label.as_deref() == Some(label)
             && matches!(mark.keyword, Keyword::ProgramNumber | Keyword::Sub)
     };
-    marks_behind(control, control.place.line).iter().find(fits).map(|mark| mark.line)
+    marks_after(control, control.place.line).iter().find(fits).map(|mark| mark.line)
 }
 
 /// Quirk rs274.ends-in-other-subs. Line of the next block after `after` with this label and one of these keywords,
-/// in whichever sub, before a numbered program begins.
+/// in any sub, up to the next numbered program.
 pub(super) fn end_in_any_sub(
     control: &Control,
     label: &str,
@@ -102,7 +102,7 @@ pub(super) fn end_in_any_sub(
     after: u32,
     state: &mut State,
 ) -> Option<u32> {
-    let mut later = marks_behind(control, after)
+    let mut later = marks_after(control, after)
         .iter()
         .take_while(|mark| mark.keyword != Keyword::ProgramNumber)
         .filter(|mark| keywords.contains(&mark.keyword));
@@ -110,12 +110,13 @@ pub(super) fn end_in_any_sub(
 }
 
 /// The O-words of this file after a line.
-fn marks_behind(control: &Control, line: u32) -> &[Mark] {
+fn marks_after(control: &Control, line: u32) -> &[Mark] {
     let marks = &control.files.labels(control.place.file).marks;
     &marks[marks.partition_point(|mark| mark.line <= line)..]
 }
 
-/// On the way to a sub that is behind its call: what is evaluated there is evaluated as within the sub.
+/// Skips lines on the way to a sub that is defined after its call. Expressions on the way are evaluated as within the
+/// sub.
 fn to_called(
     control: &mut Control,
     (label, arguments): (&str, &[f64]),
@@ -131,14 +132,18 @@ fn to_called(
     passed_over
 }
 
-/// A line that is passed over.
-fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(), StepError> {
-    let reads = state.shows(quirk::rs274::SKIPPED_IS_READ);
+/// Checks a skipped line, as far as rs274 does.
+fn check_skipped_line(
+    text: &str,
+    target: SearchTarget<'_>,
+    state: &mut State,
+) -> Result<(), StepError> {
+    let reads = state.has_quirk(quirk::rs274::SKIPPED_IS_READ);
     let in_sub = matches!(target, SearchTarget::EndSub { .. });
     let read = match passed_over(text, state) {
         Ok(read) => read,
         Err(error) if reads && !is_passable(&error, text) => return Err(error),
-        Err(error) if reads => return comments_behind(&error, text, state),
+        Err(error) if reads => return check_comments_after(&error, text, state),
         Err(_) => return Ok(()),
     };
     let word = match read {
@@ -165,13 +170,13 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
     };
     match target {
         SearchTarget::Structure { label: own, ends }
-            if label.as_deref() == Some(own) && state.shows(quirk::rs274::SKIPPED_LABELS) =>
+            if label.as_deref() == Some(own) && state.has_quirk(quirk::rs274::SKIPPED_LABELS) =>
         {
             own_label(word.keyword, ends)
         }
         SearchTarget::EndSub { .. }
             if word.keyword == Keyword::ProgramNumber
-                && state.shows(quirk::rs274::NUMBER_IN_SUB) =>
+                && state.has_quirk(quirk::rs274::NUMBER_IN_SUB) =>
         {
             let message = "a number alone within a sub that is defined";
             Err(refuse(quirk::rs274::NUMBER_IN_SUB, FaultKind::NestedSub, message))
@@ -183,14 +188,14 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
         SearchTarget::EndSub { label: own }
             if label.as_deref() == Some(own)
                 && word.keyword == Keyword::Return
-                && state.shows(quirk::rs274::VALUE_AT_DEFINITION) =>
+                && state.has_quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(true, text, state)
         }
         SearchTarget::Called { label: own, .. }
             if label.as_deref() == Some(own)
                 && matches!(word.keyword, Keyword::EndSub | Keyword::Return)
-                && state.shows(quirk::rs274::VALUE_AT_DEFINITION) =>
+                && state.has_quirk(quirk::rs274::VALUE_AT_DEFINITION) =>
         {
             returned(false, text, state)
         }
@@ -201,46 +206,47 @@ fn minded(text: &str, target: SearchTarget<'_>, state: &mut State) -> Result<(),
     }
 }
 
-/// Quirk rs274.value-at-definition. A return of the sub that is defined, and an endsub or return of the one that is
-/// sought behind its call, leaves its value. In the former, named parameters that do not exist count as zero.
+/// Quirk rs274.value-at-definition. A skipped return of a sub that is being defined sets the value parameters. So does
+/// a skipped endsub or return of a sub that is searched for after its call. In a definition, named parameters that do
+/// not exist have the value zero.
 fn returned(in_definition: bool, text: &str, state: &mut State) -> Result<(), StepError> {
-    let value = value_behind(text, state)?;
+    let value = value_after(text, state)?;
     let value = value.map(|value| if in_definition { with_zeros(&value, state) } else { value });
-    leave(value.as_ref(), state)
+    set_returned(value.as_ref(), state)
 }
 
-/// What is wrong with a line and passes all the same: a right parenthesis without a comment.
+/// Whether an error of a skipped line is ignored: a right parenthesis outside of a comment is.
 fn is_passable(error: &StepError, text: &str) -> bool {
-    !matches!(error, StepError::Refused(_)) || behind_parenthesis(error, text).is_some()
+    !matches!(error, StepError::Refused(_)) || after_parenthesis(error, text).is_some()
 }
 
-/// What stands behind a right parenthesis that is passed is read for its comments.
-fn comments_behind(error: &StepError, text: &str, state: &mut State) -> Result<(), StepError> {
-    let mut rest = behind_parenthesis(error, text).map(str::to_owned);
-    while let Some(behind) = rest.take() {
-        // What begins with a parenthesis has no O-word: a letter takes its place.
-        let line = format!("x{behind}");
+/// Checks the comments after a right parenthesis that is ignored.
+fn check_comments_after(error: &StepError, text: &str, state: &mut State) -> Result<(), StepError> {
+    let mut rest = after_parenthesis(error, text).map(str::to_owned);
+    while let Some(after) = rest.take() {
+        // The rest of the line cannot begin with an O-word; a letter before it prevents that.
+        let line = format!("x{after}");
         if let Err(error) = passed_over(&line, state) {
-            let Some(behind) = behind_parenthesis(&error, &line) else { return Err(error) };
-            rest = Some(behind.to_owned());
+            let Some(after) = after_parenthesis(&error, &line) else { return Err(error) };
+            rest = Some(after.to_owned());
         }
     }
     Ok(())
 }
 
-/// The text behind the right parenthesis that is refused, if it is one that is.
-fn behind_parenthesis<'a>(error: &StepError, text: &'a str) -> Option<&'a str> {
+/// The text after the refused right parenthesis; `None` for another error.
+fn after_parenthesis<'a>(error: &StepError, text: &'a str) -> Option<&'a str> {
     let StepError::Refused(refusal) = error else { return None };
     let span = refusal.span?;
     let part = text.get(span.start as usize..span.end as usize);
     text.get(span.end as usize..).filter(|_| part == Some(")"))
 }
 
-/// The P and L of an M98 are read, and must be numbers of programs and of turns.
+/// Checks P and L of a skipped M98: the number of the program and the count of turns.
 fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     let block = syntax::parse(text, state)?;
     let words = match evaluate::words(&block, state) {
-        // Whether an E has its code is not asked here.
+        // It is not checked that a code uses E.
         Err(StepError::Refused(refusal)) if refusal.rule == rule::text::WORD_LETTERS => {
             return Ok(());
         }
@@ -261,8 +267,9 @@ fn numbered_call(text: &str, state: &mut State) -> Result<(), StepError> {
     count_too_large(turns, state)
 }
 
-/// The label whose end is looked for, before that end: what could not begin there, or end there, is refused.
-/// A while or do may be named by break and continue, and a condition has any number of further branches.
+/// Checks a block with the label whose end is searched for, before that end. Blocks that cannot be within the condition
+/// or loop of this label are refused. Break and continue may name a while or do; a condition has any number of
+/// branches.
 fn own_label(keyword: Keyword, ends: &[Keyword]) -> Result<(), StepError> {
     let of_loop = ends.iter().any(|end| matches!(end, Keyword::While | Keyword::EndWhile));
     let of_condition = ends.contains(&Keyword::EndIf);

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use gaugeblock_vocabulary::{ControllerMode, End, Position, SpindleLimit, SpindleMode};
 
-use super::spindle::{set_released, speed_while_standing};
-use super::{LinuxCnc, Shows};
+use super::spindle::{release_brake_by_speed, set_released};
+use super::{HasQuirk, LinuxCnc};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::control::{Control, Frame};
@@ -16,23 +16,23 @@ use crate::rs274::state::State;
 use crate::rs274::task::TaskRules;
 
 impl TaskRules for LinuxCnc {
-    /// Quirk rs274.stored-rotation. Where the machine is at the start is told without the stored rotation.
+    /// Quirk rs274.stored-rotation. The position at the start is reported without the stored rotation.
     fn stand_at_start(&self, state: &mut State) {
         Documented.stand_at_start(state);
-        if state.shows(quirk::rs274::STORED_ROTATION) {
-            let seen = Modes { rotation: 0.0, ..state.modes.clone() };
-            state.position = seen.program_point(Position::default());
+        if state.has_quirk(quirk::rs274::STORED_ROTATION) {
+            let unrotated = Modes { rotation: 0.0, ..state.modes.clone() };
+            state.position = unrotated.program_point(Position::default());
         }
-        if state.shows(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
+        if state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
             state.memory.at_last_motion = Some(Box::new(state.modes.clone()));
         }
     }
 
-    /// Quirk rs274.surface-limit-zero. Surface speed that is limited to zero is reported as revolutions per minute.
+    /// Quirk rs274.surface-limit-zero. G96 with a limit of zero is reported as G97.
     fn reported_modes<'s>(&self, state: &'s State) -> Cow<'s, Modes> {
         let limited = |spindle: &Spindle| spindle.limit == SpindleLimit::Rpm(0.0);
         let any = state.modes.spindles.iter().any(limited);
-        if !any || !state.shows(quirk::rs274::SURFACE_LIMIT_ZERO) {
+        if !any || !state.has_quirk(quirk::rs274::SURFACE_LIMIT_ZERO) {
             return Documented.reported_modes(state);
         }
         let mut modes = state.modes.clone();
@@ -43,16 +43,16 @@ impl TaskRules for LinuxCnc {
         Cow::Owned(modes)
     }
 
-    /// Quirk linuxcnc.returned-value-kept. It is still there.
+    /// Quirk linuxcnc.returned-value-kept. The next program can read the value that the last one returned.
     fn forget_returned_value(&self, state: &mut State) {
-        if !state.shows(quirk::linuxcnc::RETURNED_VALUE_KEPT) {
+        if !state.has_quirk(quirk::linuxcnc::RETURNED_VALUE_KEPT) {
             Documented.forget_returned_value(state);
         }
     }
 
-    /// Quirk linuxcnc.modes-of-last-motion. An abort brings back the modes that were in force at the last motion, or
-    /// at the beginning where nothing has moved, then without the speeds; but not the motion mode itself, and none
-    /// where that motion was in a sub.
+    /// Quirk linuxcnc.modes-of-last-motion. An abort restores the modes that were active at the last motion, except the
+    /// motion mode. If no motion was executed, it restores the modes of the beginning, except the speeds too. If the
+    /// last motion was in a sub, it restores nothing.
     fn change_modes_at_abort(&self, state: &mut State) -> bool {
         let Some(modes) = state.memory.at_last_motion.clone() else {
             return Documented.change_modes_at_abort(state);
@@ -68,40 +68,40 @@ impl TaskRules for LinuxCnc {
             if !state.memory.has_moved {
                 state.modes.spindles[place].speed = spindle.speed;
             } else if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
-                speed_while_standing(place, state);
+                release_brake_by_speed(place, state);
             }
         }
         true
     }
 
-    /// Quirk linuxcnc.auto-while-running. A request for the mode that a program runs in drops the program.
+    /// Quirk linuxcnc.auto-while-running. A request for auto mode while a program runs in it aborts the program.
     fn request_same_mode(&self, is_running: bool, state: &State) -> Result<(), StepError> {
         let auto = state.modes.controller_mode == ControllerMode::Auto;
-        if is_running && auto && state.shows(quirk::linuxcnc::AUTO_WHILE_RUNNING) {
+        if is_running && auto && state.has_quirk(quirk::linuxcnc::AUTO_WHILE_RUNNING) {
             return Err(StepError::Ended(End::Aborted));
         }
         Documented.request_same_mode(is_running, state)
     }
 
-    /// Quirk linuxcnc.cycle-start-while-paused. It is refused.
+    /// Quirk linuxcnc.cycle-start-while-paused. Cycle start is refused while the program pauses at M60.
     fn goes_on_after_pallets(&self, state: &State) -> bool {
-        !state.shows(quirk::linuxcnc::CYCLE_START_WHILE_PAUSED)
+        !state.has_quirk(quirk::linuxcnc::CYCLE_START_WHILE_PAUSED)
             && Documented.goes_on_after_pallets(state)
     }
 
-    /// Quirk rs274.fanuc-changes-at-end. What a subprogram changed of #1 to #30 is lost: they are those at the last
-    /// O-word call.
+    /// Quirk rs274.fanuc-changes-at-end. When a subprogram ends, #1 to #30 get the values that they had at the last
+    /// O-word call: changes by the subprogram are lost.
     fn arguments_left(&self, called: &Frame, control: &Control, choices: &Choices) -> [f64; 30] {
-        if choices.shows(quirk::rs274::FANUC_CHANGES_AT_END) {
+        if choices.has_quirk(quirk::rs274::FANUC_CHANGES_AT_END) {
             return control.memory.at_last_call;
         }
         Documented.arguments_left(called, control, choices)
     }
 }
 
-/// Quirk linuxcnc.modes-of-last-motion. Something moves, in the modes that are in force.
-pub(super) fn moved(state: &mut State) {
-    if state.shows(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
+/// Quirk linuxcnc.modes-of-last-motion. Records the active modes at a motion.
+pub(super) fn record_modes_at_motion(state: &mut State) {
+    if state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
         let in_main = state.call_level() == 0;
         state.memory.at_last_motion = in_main.then(|| Box::new(state.modes.clone()));
         state.memory.has_moved = true;

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -14,7 +14,7 @@ use crate::rs274::text::{Line, Source, TextRules, within};
 impl TextRules for LinuxCnc {
     /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
     fn check_line_length(&self, line: &str, choices: &Choices) -> Result<(), StepError> {
-        if choices.shows(quirk::rs274::SHORTER_LINES) {
+        if choices.has_quirk(quirk::rs274::SHORTER_LINES) {
             return within(252, line.len());
         }
         Documented.check_line_length(line, choices)
@@ -22,13 +22,13 @@ impl TextRules for LinuxCnc {
 
     /// Quirk rs274.lone-return. A carriage return alone does not end a line.
     fn with_line_feeds(&self, text: &str, choices: &Choices) -> String {
-        if choices.shows(quirk::rs274::LONE_RETURN) {
+        if choices.has_quirk(quirk::rs274::LONE_RETURN) {
             return text.replace("\r\n", "\n");
         }
         Documented.with_line_feeds(text, choices)
     }
 
-    /// Quirk rs274.percent-in-file. In a file that a program without percent lines calls they mean nothing.
+    /// Quirk rs274.percent-in-file. If the main program has no percent lines, those of a called file have no meaning.
     fn percent_line<'a>(&self, line: &'a str, source: &Source, state: &mut State) -> Line<'a> {
         if source.memory.ignores_percent {
             return Line::Block(line);
@@ -36,10 +36,10 @@ impl TextRules for LinuxCnc {
         Documented.percent_line(line, source, state)
     }
 
-    /// Quirk rs274.percent-in-file. Its percent lines count as the main program begins: where that begins with one,
-    /// the first one ends the called file.
+    /// Quirk rs274.percent-in-file. If the main program begins with a percent line, the first percent line of a called
+    /// file ends that file.
     fn begin_called_file(&self, called: &mut Source, main: &Source, choices: &Choices) {
-        if !choices.shows(quirk::rs274::PERCENT_IN_FILE) {
+        if !choices.has_quirk(quirk::rs274::PERCENT_IN_FILE) {
             return Documented.begin_called_file(called, main, choices);
         }
         called.first = 0;
@@ -52,11 +52,11 @@ impl SyntaxRules for LinuxCnc {
     /// Quirk rs274.comment-before-o-word. A comment at the beginning of a block is followed by neither an O-word nor
     /// M98.
     fn check_after_comment(&self, parser: &Parser<'_>) -> Result<(), StepError> {
-        if !parser.choices.shows(quirk::rs274::COMMENT_BEFORE_O_WORD) {
+        if !parser.choices.has_quirk(quirk::rs274::COMMENT_BEFORE_O_WORD) {
             return Documented.check_after_comment(parser);
         }
         let is_number = |next: char| next.is_numeric();
-        let calls = parser.sees("m98") && !parser.peek_behind(3).is_some_and(is_number);
+        let calls = parser.sees("m98") && !parser.peek_after(3).is_some_and(is_number);
         let (kind, message) = match parser.peek() {
             Some('o') => (FaultKind::BadCharacter, "an O-word after a comment"),
             Some('m') if calls => (FaultKind::UnknownCode, "M98 after a comment"),
@@ -65,15 +65,15 @@ impl SyntaxRules for LinuxCnc {
         Err(parser.refuse(quirk::rs274::COMMENT_BEFORE_O_WORD, kind, message))
     }
 
-    /// Quirk rs274.comment-before-o-word.
+    /// Quirk rs274.comment-before-o-word. An O-word after a comment is refused.
     fn o_word_may_follow_comment(&self, choices: &Choices) -> bool {
-        !choices.shows(quirk::rs274::COMMENT_BEFORE_O_WORD)
+        !choices.has_quirk(quirk::rs274::COMMENT_BEFORE_O_WORD)
     }
 
-    /// Quirk rs274.semicolon-plain. The comment that may be active is the last one in parentheses: one behind a
-    /// semicolon is never active, and does not silence an active comment before it.
+    /// Quirk rs274.semicolon-plain. Only the last comment in parentheses can be active. A semicolon comment is never
+    /// active, and does not make an active comment before it inactive.
     fn active_comment(&self, comments: Vec<Comment>, choices: &Choices) -> Option<Comment> {
-        if choices.shows(quirk::rs274::SEMICOLON_PLAIN) {
+        if choices.has_quirk(quirk::rs274::SEMICOLON_PLAIN) {
             return comments.into_iter().rfind(|comment| !comment.semicolon);
         }
         Documented.active_comment(comments, choices)
@@ -81,16 +81,16 @@ impl SyntaxRules for LinuxCnc {
 
     /// Quirk rs274.repeated-signs. A number may have any number of signs; each further minus sign negates.
     fn second_sign_is_allowed(&self, choices: &Choices) -> bool {
-        choices.shows(quirk::rs274::REPEATED_SIGNS)
+        choices.has_quirk(quirk::rs274::REPEATED_SIGNS)
     }
 
     /// Quirk rs274.empty-name. A named parameter may have no name.
     fn empty_name_is_allowed(&self, choices: &Choices) -> bool {
-        choices.shows(quirk::rs274::EMPTY_NAME)
+        choices.has_quirk(quirk::rs274::EMPTY_NAME)
     }
 
     /// Quirk rs274.exists-numbered. EXISTS of a numbered parameter is accepted.
     fn exists_takes_numbered(&self, choices: &Choices) -> bool {
-        choices.shows(quirk::rs274::EXISTS_NUMBERED)
+        choices.has_quirk(quirk::rs274::EXISTS_NUMBERED)
     }
 }

@@ -2,8 +2,8 @@
 
 use gaugeblock_vocabulary::{FaultKind, Motion, Position, Switch};
 
-use super::spindle::choose;
-use super::{LinuxCnc, Shows};
+use super::spindle::choose_spindle;
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -26,26 +26,26 @@ impl ThreadingRules for LinuxCnc {
         record: &mut Record,
     ) -> Result<(), StepError> {
         let rule = quirk::rs274::SYNCHRONISED_FEED_WORD;
-        if has_axis_words(words) && word(words, 'f').is_some() && state.shows(rule) {
+        if has_axis_words(words) && word(words, 'f').is_some() && state.has_quirk(rule) {
             return Err(refuse(rule, FaultKind::UnusedWord, "F with a synchronised move"));
         }
         Documented.move_synchronised(motion, words, state, record)
     }
 
-    /// Quirk rs274.chosen-spindle. A $ chooses the spindle of later blocks without one.
+    /// Quirk rs274.chosen-spindle. A $ selects the spindle of later blocks without $.
     fn selected_spindle(&self, words: &Words, state: &mut State) -> Result<usize, StepError> {
         if word(words, '$').is_none() {
             return Ok(state.memory.chosen_spindle);
         }
         let place = Documented.selected_spindle(words, state)?;
-        choose(place, state);
+        choose_spindle(place, state);
         Ok(place)
     }
 
-    /// Quirk rs274.chosen-spindle. It is spindle 0 where $ is left out, since nothing that the controller reports says
-    /// which one it was.
+    /// Quirk rs274.chosen-spindle. Spindle 0 is reported if the block has no $: the controller does not report which
+    /// spindle it used.
     fn reported_spindle(&self, place: usize, words: &Words, state: &State) -> usize {
-        if word(words, '$').is_none() && state.shows(quirk::rs274::CHOSEN_SPINDLE) {
+        if word(words, '$').is_none() && state.has_quirk(quirk::rs274::CHOSEN_SPINDLE) {
             return 0;
         }
         Documented.reported_spindle(place, words, state)
@@ -53,7 +53,7 @@ impl ThreadingRules for LinuxCnc {
 }
 
 impl ThreadRules for LinuxCnc {
-    /// Quirk rs274.thread-negative-springs. With a negative H the last pass is left out.
+    /// Quirk rs274.thread-negative-springs. With a negative H the last pass is not cut.
     fn cut_passes(
         &self,
         thread: &Thread,
@@ -77,8 +77,8 @@ impl ThreadRules for LinuxCnc {
         }
     }
 
-    /// Quirk rs274.thread-clearance. A last traverse leads to the end of the drive line, even from there.
-    /// Quirk rs274.thread-other-axes. It leads to where X and Y, or polar words, of the block say.
+    /// Quirk rs274.thread-clearance. A last traverse leads to the end of the drive line, even if it starts there.
+    /// Quirk rs274.thread-other-axes. The last traverse leads to the X and Y, or polar words, of the block.
     fn leave_thread(
         &self,
         thread: &Thread,
@@ -86,9 +86,9 @@ impl ThreadRules for LinuxCnc {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
-        let other = state.shows(quirk::rs274::THREAD_OTHER_AXES)
+        let other = state.has_quirk(quirk::rs274::THREAD_OTHER_AXES)
             && ['x', 'y', '@', '^'].iter().any(|letter| word(words, *letter).is_some());
-        if other || state.shows(quirk::rs274::THREAD_CLEARANCE) {
+        if other || state.has_quirk(quirk::rs274::THREAD_CLEARANCE) {
             state.position = thread.start;
             let end = Position { z: thread.end, ..end_point(words, state)? };
             traverse(end, state, record);
@@ -96,9 +96,9 @@ impl ThreadRules for LinuxCnc {
         Documented.leave_thread(thread, words, state, record)
     }
 
-    /// Quirk rs274.thread-long-taper. The tapers and the slide of a thread lead down along Z where it leads nowhere.
+    /// Quirk rs274.thread-long-taper. If a thread has no length along Z, its tapers and its slide lead down.
     fn thread_direction(&self, way: f64, state: &State) -> f64 {
-        if way == 0.0 && state.shows(quirk::rs274::THREAD_LONG_TAPER) {
+        if way == 0.0 && state.has_quirk(quirk::rs274::THREAD_LONG_TAPER) {
             return -1.0;
         }
         Documented.thread_direction(way, state)
@@ -107,41 +107,42 @@ impl ThreadRules for LinuxCnc {
     /// Quirk rs274.thread-clearance. A pass begins and ends as much further out than the drive line as it is less deep
     /// than the last one.
     fn clearance_of_pass(&self, thread: &Thread, depth: f64, state: &State) -> f64 {
-        if state.shows(quirk::rs274::THREAD_CLEARANCE) {
+        if state.has_quirk(quirk::rs274::THREAD_CLEARANCE) {
             return thread.full - depth;
         }
         Documented.clearance_of_pass(thread, depth, state)
     }
 
-    /// Quirk rs274.thread-clearance. It traverses there even from there.
+    /// Quirk rs274.thread-clearance. A pass begins with a traverse to the drive line, even if it starts there.
     fn begin_pass(&self, line: Position, state: &mut State, record: &mut Record) {
-        if state.shows(quirk::rs274::THREAD_CLEARANCE) {
+        if state.has_quirk(quirk::rs274::THREAD_CLEARANCE) {
             return traverse(line, state, record);
         }
         Documented.begin_pass(line, state, record);
     }
 
-    /// Quirk rs274.thread-feed-override. The feed override is disabled meanwhile, and enabled after the pass, whatever
-    /// it was before.
+    /// Quirk rs274.thread-feed-override. The feed override is disabled during a pass and enabled after it, even if it
+    /// was disabled before.
     fn feed_pass(&self, thread: &Thread, pass: &Pass, state: &mut State, record: &mut Record) {
-        let quirk = state.shows(quirk::rs274::THREAD_FEED_OVERRIDE);
-        if quirk {
+        let disables = state.has_quirk(quirk::rs274::THREAD_FEED_OVERRIDE);
+        if disables {
             state.modes.feed_override = Switch::Off;
         }
         Documented.feed_pass(thread, pass, state, record);
-        if quirk {
+        if disables {
             state.modes.feed_override = Switch::On;
         }
     }
 
     /// Quirk rs274.thread-long-taper. No taper is too long.
     fn is_long_taper(&self, taper: f64, way: f64, state: &State) -> bool {
-        !state.shows(quirk::rs274::THREAD_LONG_TAPER) && Documented.is_long_taper(taper, way, state)
+        !state.has_quirk(quirk::rs274::THREAD_LONG_TAPER)
+            && Documented.is_long_taper(taper, way, state)
     }
 
-    /// Quirk rs274.thread-any-plane. G76 is in whatever plane is selected.
+    /// Quirk rs274.thread-any-plane. G76 is accepted in any plane.
     fn check_thread_plane(&self, state: &State) -> Result<(), StepError> {
-        if state.shows(quirk::rs274::THREAD_ANY_PLANE) {
+        if state.has_quirk(quirk::rs274::THREAD_ANY_PLANE) {
             return Ok(());
         }
         Documented.check_thread_plane(state)
@@ -149,21 +150,21 @@ impl ThreadRules for LinuxCnc {
 
     /// Quirk rs274.thread-other-axes. X and Y, and polar words, can be in the block.
     fn takes_axis_word(&self, letter: char, state: &State) -> bool {
-        matches!(letter, 'x' | 'y' | '@' | '^') && state.shows(quirk::rs274::THREAD_OTHER_AXES)
+        matches!(letter, 'x' | 'y' | '@' | '^') && state.has_quirk(quirk::rs274::THREAD_OTHER_AXES)
             || Documented.takes_axis_word(letter, state)
     }
 
     /// Quirk rs274.thread-negative-springs. H can be negative.
     fn not_negative(&self, state: &State) -> &'static str {
-        if state.shows(quirk::rs274::THREAD_NEGATIVE_SPRINGS) {
+        if state.has_quirk(quirk::rs274::THREAD_NEGATIVE_SPRINGS) {
             return "pjk";
         }
         Documented.not_negative(state)
     }
 
-    /// Quirk rs274.thread-low-degression. An R of less than 1 is as good as 1.
+    /// Quirk rs274.thread-low-degression. R below 1 counts as 1.
     fn thread_degression(&self, programmed: f64, state: &State) -> Result<f64, StepError> {
-        if state.shows(quirk::rs274::THREAD_LOW_DEGRESSION) {
+        if state.has_quirk(quirk::rs274::THREAD_LOW_DEGRESSION) {
             return Ok(programmed.max(1.0));
         }
         Documented.thread_degression(programmed, state)

@@ -1,6 +1,6 @@
 //! Quirks of tools and the tool table.
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::tool_change::ToolChangeRules;
@@ -10,9 +10,9 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl ToolChangeRules for LinuxCnc {
-    /// Quirk rs274.tool-number-rounded. A fraction is rounded.
+    /// Quirk rs274.tool-number-rounded. A fractional tool number is rounded.
     fn tool_number(&self, value: f64, state: &State) -> Option<i32> {
-        if state.shows(quirk::rs274::TOOL_NUMBER_ROUNDED) {
+        if state.has_quirk(quirk::rs274::TOOL_NUMBER_ROUNDED) {
             return whole(value.round_ties_even());
         }
         Documented.tool_number(value, state)
@@ -20,9 +20,9 @@ impl ToolChangeRules for LinuxCnc {
 }
 
 impl ToolTableRules for LinuxCnc {
-    /// Quirk rs274.tool-entry-under-compensation. It can be changed then.
+    /// Quirk rs274.tool-entry-under-compensation. G10 can change the tool table while the cutter is compensated.
     fn check_entry_under_compensation(&self, state: &State) -> Result<(), StepError> {
-        if state.shows(quirk::rs274::TOOL_ENTRY_UNDER_COMPENSATION) {
+        if state.has_quirk(quirk::rs274::TOOL_ENTRY_UNDER_COMPENSATION) {
             return Ok(());
         }
         Documented.check_entry_under_compensation(state)

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind};
 
-use super::{LinuxCnc, Shows};
+use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
@@ -11,18 +11,17 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl UnitsAndPlanesRules for LinuxCnc {
-    /// Quirk rs274.retract-under-compensation.
+    /// Quirk rs274.retract-under-compensation. G98 and G99 are refused while the cutter is compensated.
     fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         retract_under_compensation(state)?;
         Documented.select_retract(words, state)
     }
 }
 
-/// Quirk rs274.retract-under-compensation. The return mode of canned cycles stays as it is while the cutter is
-/// compensated.
+/// Quirk rs274.retract-under-compensation. Refuses a change of the return mode while the cutter is compensated.
 pub(super) fn retract_under_compensation(state: &State) -> Result<(), StepError> {
     let rule = quirk::rs274::RETRACT_UNDER_COMPENSATION;
-    if state.modes.compensation != Compensation::Off && state.shows(rule) {
+    if state.modes.compensation != Compensation::Off && state.has_quirk(rule) {
         let message = "a return mode is selected while the cutter is compensated";
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }

@@ -1,8 +1,8 @@
-//! Values, labels and counts, as quirks of control read them.
+//! Reads values, numbers of programs and counts for the quirks of subroutines and loops.
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::Shows;
+use super::HasQuirk;
 use crate::dialects::quirk;
 use crate::ids::rule;
 use crate::rs274::control::{Control, Place};
@@ -12,8 +12,8 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{self, Expression, Parameter};
 
-/// The value after an endsub or a return; what follows the value is not read.
-pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
+/// The value after an endsub or a return. The rest of the block is not read.
+pub(super) fn value_after(text: &str, state: &mut State) -> Result<Option<Expression>, StepError> {
     let word = match syntax::parse(text, state) {
         Ok(block) => block.o_word,
         Err(StepError::Refused(refusal)) if refusal.rule == rule::control::UNRELATED_WORDS => {
@@ -24,8 +24,8 @@ pub(super) fn value_behind(text: &str, state: &mut State) -> Result<Option<Expre
     Ok(word.and_then(|word| word.arguments.into_iter().next()))
 }
 
-/// A value is left as if a sub had returned it; none, where there is none.
-pub(super) fn leave(value: Option<&Expression>, state: &mut State) -> Result<(), StepError> {
+/// Sets the value parameters as if a sub had returned this value.
+pub(super) fn set_returned(value: Option<&Expression>, state: &mut State) -> Result<(), StepError> {
     let value = value.map(|value| evaluate::value_of(value, state)).transpose()?;
     state.parameters.returned = value.unwrap_or(0.0);
     state.parameters.has_returned = value.is_some();
@@ -56,17 +56,16 @@ pub(super) fn with_zeros(expression: &Expression, state: &State) -> Expression {
     }
 }
 
-/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, whichever file it
-/// stands in.
+/// Quirk rs274.numbers-of-all-files. The numbered program of this number that was called first, in any file.
 pub(super) fn known_number(control: &Control, label: &str, state: &State) -> Option<Place> {
     let first = control.memory.numbers_called.get(label).copied();
-    first.filter(|_| state.shows(quirk::rs274::NUMBERS_OF_ALL_FILES))
+    first.filter(|_| state.has_quirk(quirk::rs274::NUMBERS_OF_ALL_FILES))
 }
 
-/// Quirk rs274.fanuc-count-too-large. L of M98 is refused, as if it were negative, from 2147483648 on.
+/// Quirk rs274.fanuc-count-too-large. L of M98 is refused from 2147483648 on, like a negative L.
 pub(super) fn count_too_large(turns: f64, state: &State) -> Result<(), StepError> {
     let rule = quirk::rs274::FANUC_COUNT_TOO_LARGE;
-    if turns.round() > f64::from(i32::MAX) && state.shows(rule) {
+    if turns.round() > f64::from(i32::MAX) && state.has_quirk(rule) {
         return Err(refuse(rule, FaultKind::WordOutOfRange, "L of M98 is too large"));
     }
     Ok(())

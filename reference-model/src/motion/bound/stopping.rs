@@ -1,14 +1,14 @@
-//! How far and how long a motion goes on at least when it is asked to stop.
+//! The least distance and time in which a motion can stop.
 
 use crate::motion::curve::Curve;
 use crate::motion::envelope::Envelope;
 use crate::motion::route::{CornerTolerance, Route};
 use crate::motion::vector::{AxisVector, direction, distance, dot, length, minus};
 
-/// Shares of the speed with which a blend is left that it may be entered with.
+/// Speeds at the entry of a blend that are tried, relative to the speed at its exit.
 const ENTERED: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
 
-/// Points of a blend of which the one nearest to the corner is sought.
+/// Points of a blend among which the nearest one to the corner is searched.
 const POINTS: u32 = 64;
 
 /// The angle of an arc in one step, radians.
@@ -17,14 +17,14 @@ const STEP: f64 = 0.005;
 /// Distance along the path, and time, until rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::motion) struct Stop {
-    /// Millimetres, and degrees alike.
+    /// Millimetres or degrees.
     pub(in crate::motion) distance: f64,
     /// Seconds.
     pub(in crate::motion) seconds: f64,
 }
 
 impl Stop {
-    /// The longer of both in everything.
+    /// The maximum of both, in distance and in time.
     pub(in crate::motion) fn most(self, other: Self) -> Self {
         Self {
             distance: self.distance.max(other.distance),
@@ -33,13 +33,13 @@ impl Stop {
     }
 }
 
-/// A distance in which a motion at a point of a route can stop on it, from a speed, however its corners are rounded.
+/// A distance in which a motion at a point of a route can stop from a speed, however its corners are rounded.
 ///
-/// The point brakes as hard as the axis that is loaded most allows, with what turning leaves of its acceleration. How
-/// long the blend at a corner is, only who plans it knows. Where turning into the other leg takes all of the
-/// acceleration, it is so short that it ends within [`Blend::inner`]: there the speed is steady, and no higher than
-/// the longest blend is passed with. Where a blend is twice as long, half of the acceleration is left: so much brakes
-/// as far as the longest blend reaches. Beyond the end of the route there is nothing to stop on.
+/// The motion brakes as hard as its most loaded axis allows, with the acceleration that turning leaves. The length of
+/// the blend at a corner is a decision of the planner. The shortest blend needs all of the acceleration to turn, and
+/// ends within [`Blend::inner`]: there the speed is constant, and not above that of the longest blend. On a blend of
+/// twice that length half of the acceleration is left; it brakes up to the end of the longest blend. The route ends the
+/// distance.
 pub(in crate::motion) fn stopping(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -68,14 +68,14 @@ pub(in crate::motion) fn stopping(
     Stop { seconds: stop.seconds.max(seconds), ..stop }
 }
 
-/// What it takes to stop from a velocity on the blend that a motion may be on at a point of a route; nothing where it
-/// is on none.
+/// The distance and time to stop from a velocity on a blend, if the motion can be on a blend at this point of the
+/// route; zero if it cannot.
 ///
-/// On a blend that takes all of the acceleration the velocity goes evenly from that along one leg to that along the
-/// other, so that its shares along both tell how much is left of the blend. Where it is left as fast as it was
-/// entered, their sum is the speed at its end: in the middle the path is slower, and nobody can brake before that. It
-/// may be left faster or slower, since an axis that turns little has to change its speed less then. No blend is left
-/// faster than the longest one that is entered with the same share of that speed.
+/// On a blend that needs all of the acceleration, the velocity changes linearly from that along one leg to that along
+/// the other. Its components along both legs therefore give the remaining part of the blend. If exit and entry speed
+/// are equal, the sum of the components is the speed at the exit: the middle of the blend is slower, and the motion
+/// cannot brake earlier. The exit speed can differ from the entry speed, since an axis that turns little then changes
+/// its speed less. It is at most that of the longest blend with the same relative entry speed.
 pub(in crate::motion) fn stopping_on_blend(
     route: &Route<'_>,
     envelope: &Envelope,
@@ -100,20 +100,20 @@ pub(in crate::motion) fn stopping_on_blend(
     stops.fold(Stop::default(), Stop::most)
 }
 
-/// How a motion stops at least, if nothing is known but so many legs.
+/// The least stop of a motion if only the next legs are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::motion) enum Shortest {
-    /// In no less than this.
+    /// It needs at least this distance and time.
     Within(Stop),
-    /// It comes to where a blend may begin, no slower than so: how a blend brakes, nobody knows but who plans it.
+    /// It reaches a place where a blend may begin, at least at this speed. How the blend brakes is a decision of the
+    /// planner.
     Rounds { place: (usize, f64), speed: f64 },
 }
 
-/// How a motion at a point of a route stops from a speed, if nothing is known but so many legs.
+/// The least stop of a motion at a point of a route, if only the first `legs` legs are known.
 ///
-/// What is left of the speed at the end of the last of them is braked as hard as it is there. A leg that nobody knows
-/// of yet may be one on which braking takes longer, and it must not count. A corner that is not rounded costs
-/// nothing.
+/// If the motion still has speed at the end of the last known leg, it is assumed to brake as hard as there: braking on
+/// an unknown leg may take longer, but must not count. A corner that is not rounded takes no distance.
 pub(in crate::motion) fn shortest_stopping(
     route: &Route<'_>,
     envelope: &Envelope,

@@ -1,4 +1,4 @@
-//! When each corner of the path is passed, and when the motion may have rested there.
+//! Determines when each corner of the path is passed, and when the motion may have rested there.
 
 use super::matching::Matching;
 use super::record::Record;
@@ -6,22 +6,22 @@ use crate::math;
 use crate::motion::route::{Corner, CornerTolerance, Route};
 use crate::motion::vector::{AxisVector, distance, from_segment};
 
-/// How a corner is passed: the samples that can stand for points on both sides of it.
+/// The pass of a corner: the samples that match points on both sides of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct CornerPass {
-    /// The first sample that can stand for the corner or for a point behind it.
+    /// The first sample that matches the corner or a point after it.
     pub(super) first: usize,
-    /// The last sample that can stand for the corner or for a point before it; the one before `first` where none can
-    /// do both.
+    /// The last sample that matches the corner or a point before it; the one before `first` if no sample matches both
+    /// sides.
     pub(super) last: usize,
-    /// First and last sample at it.
+    /// First and last sample at the corner.
     pub(super) at: Option<(usize, usize)>,
-    /// Whether a later sample can stand for points behind it alone, so that it was passed for sure.
+    /// Whether a later sample matches only points after the corner: then the corner was certainly passed.
     pub(super) passed: bool,
-    /// Where the motion has run back from it and come again: the first sample of the last time, and first and last
-    /// sample at it then.
+    /// If the motion ran back and came to the corner again: the first sample of the last time, and the first and last
+    /// sample at the corner then.
     again: Option<(usize, Option<(usize, usize)>)>,
-    /// The same where nobody knows which of both movements the motion was on before it ran back.
+    /// The same, if it is unknown on which of both legs the motion was before it ran back.
     perhaps: Option<(usize, Option<(usize, usize)>)>,
 }
 
@@ -32,19 +32,19 @@ impl CornerPass {
         (self.first.saturating_sub(1)..=self.last).filter(move |sample| sample + 1 < samples)
     }
 
-    /// The last time that the motion comes to it, before it goes on.
+    /// The last time that the motion comes to the corner before it continues.
     pub(super) fn latest(self) -> Self {
         self.again.map_or(self, |(first, at)| Self { first, at, again: None, ..self })
     }
 
-    /// The times that may be the last one before it goes on.
+    /// The times that may be the last one before the motion continues.
     pub(super) fn times(self) -> impl Iterator<Item = Self> {
         let perhaps = self.perhaps.map(|(first, at)| Self { first, at, ..self });
         std::iter::once(self.latest()).chain(perhaps)
     }
 
-    /// Whether an abort ends the record before any sample stands for points behind it alone: what was asked for there
-    /// is perhaps not done.
+    /// Whether an abort ends the record before a sample matches only points after the corner. The requests at the
+    /// corner may not have been executed then.
     pub(super) fn is_aborted(self, record: &Record<'_>) -> bool {
         record.requests.aborted.is_some() && self.last + 1 == record.points.len()
     }
@@ -91,9 +91,9 @@ impl CornerPass {
 
     /// First and last of the samples that may be the nearest one.
     ///
-    /// Between two samples the motion may have been as near, since it is a·h²/8 from their chord at most. And where
-    /// it comes near more than once, nobody knows which time is the corner's, if one is no farther away than the
-    /// other and the way to the next sample, or than the corner may be missed by.
+    /// Between two samples the motion may have been as near, since it is at most a·h²/8 from their chord. If the motion
+    /// comes near more than once, a time counts if its distance is at most the least one plus the distance to the next
+    /// sample, or at most the tolerance of the corner.
     fn near(&self, record: &Record<'_>, corner: &Corner) -> (usize, usize) {
         let missed = match corner.tolerance {
             CornerTolerance::Within(tolerance) => tolerance,
@@ -128,7 +128,7 @@ impl CornerPass {
         (first, last)
     }
 
-    /// The first sample that stands for a point behind it alone; the last of all where there is none.
+    /// The first sample that matches only points after the corner; the last sample if there is none.
     pub(super) fn after(&self, record: &Record<'_>) -> usize {
         (self.last + 1).min(record.points.len() - 1)
     }
@@ -136,9 +136,9 @@ impl CornerPass {
 
 /// The first visit of each corner, `None` for one that is not reached.
 ///
-/// Where a sample can stand for points on both sides of a corner, all of the documents' readings allow either. So a
-/// visit is a span of samples and no single one: what is asked for at the corner must happen within it. The work is
-/// linear in samples and corners while a sample can stand for a few legs only.
+/// A sample can match points on both sides of a corner, and the documents allow either. A visit is therefore a span of
+/// samples; requests at the corner must be executed within it. The work is linear in samples and corners as long as a
+/// sample matches few legs.
 pub(super) fn corner_passes(
     record: &Record<'_>,
     route: &Route<'_>,
@@ -174,7 +174,7 @@ pub(super) fn corner_passes(
         };
         let at = at_since(first);
         let back = (first..after).rev().find(|sample| !can_be_behind(*sample));
-        // Who may have been on the way behind it has perhaps begun that.
+        // A motion that may have been after the corner may have begun the next leg.
         let begun = |back: &usize| (first..*back).any(|s| can_be_behind(s) && !is_at(s));
         let again = back.filter(|back| !begun(back)).map(|back| (back + 1, at_since(back + 1)));
         let returns = (first..after).rev().find(|sample| record.backwards[*sample]);

@@ -29,7 +29,7 @@ fn missed(
     Ok(findings)
 }
 
-/// How far each sample is off the legs for which it can stand; nothing where that is not known.
+/// The distance of each sample from the legs that it matches; `None` if it is unknown.
 pub(super) fn deviations(record: &Record<'_>) -> Vec<f64> {
     let Ok((route, matching)) = &record.matched else { return Vec::new() };
     let off = |(point, (first, last)): (&AxisVector, &(usize, usize))| {

@@ -1,4 +1,4 @@
-//! The laws of motion: what every trajectory must satisfy, whoever planned it.
+//! The laws of motion: what every trajectory must satisfy, whatever planner computed it.
 //!
 //! Samples of any controller are held against the programmed path, the limits of the machine, and what an operator
 //! did. Each law is a section with the id of its rule; it answers with what is broken, where and by how much, or with
@@ -12,7 +12,8 @@
 //! | `rest` | exact stops, ends, dwells |
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
-//! | `record`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners are passed |
+//! | `record`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners
+//! are passed |
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;

@@ -10,16 +10,16 @@ use crate::motion::bound::{Shortest, Stop, shortest_stopping, stopping};
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, direction, distance, minus};
 
-/// Within so many cycles what was asked for is in force.
+/// Servo cycles within which a request takes effect.
 const CYCLES: usize = 2;
 /// The angle of an arc between two of its points, radians.
 const STEP: f64 = 0.005;
 
 impl Record<'_> {
-    /// Whether something holds the motion at a sample: the operator, the feed stop where M53 lets it, an override or
-    /// an adaptive feed of zero where M50 and M52 let them (section 11.6.12: zero is as good as a feed hold). That is
-    /// said of the adaptive feed; of an override of the feed nobody says that it acts on rapid moves, which have one
-    /// of their own (section 13.3.4.17).
+    /// Whether the motion is held at a sample: by the operator, by the feed stop if M53 enables it, or by a feed
+    /// override or adaptive feed of zero if M50 or M52 enables it. Section 11.6.12 says of the adaptive feed that zero
+    /// is a feed hold. No section says that the feed override acts on rapid moves, which have an override of their own
+    /// (section 13.3.4.17).
     pub(super) fn holds(&self, sample: usize) -> bool {
         let requests = &self.requests;
         let Ok((route, matching)) = &self.matched else { return requests.hold[sample] };
@@ -166,8 +166,8 @@ fn carried(
     (0..9).map(axis).fold(0.0, f64::max)
 }
 
-/// Rule trajectory.reserve. At each instant the elements that the planner was given suffice to stop on, so that it
-/// may be starved at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
+/// Rule trajectory.reserve. At each instant the motion can stop within the elements that the planner has received, so
+/// that the input may end at any cycle (section 2.3.1.3: never at such a speed that it cannot come to an exact stop).
 ///
 /// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than
 /// at the first of them: from there the speed has to suffice. On the way through a blend each axis has to stop by
@@ -192,8 +192,8 @@ pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::StoppingDistance);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
         let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
-        // Who runs back stops on what has been passed; and so does who may do so, where the path comes back along
-        // itself.
+        // A motion that runs back stops on elements that it has passed. So does one that may run back, if the path
+        // returns along itself.
         let earlier = matching.legs[sample].0 < place.leg;
         if behind < place || record.backwards[sample] && earlier {
             continue;

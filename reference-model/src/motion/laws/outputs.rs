@@ -1,4 +1,4 @@
-//! When outputs switch.
+//! The law of outputs: when they switch.
 
 use std::collections::BTreeMap;
 
@@ -13,11 +13,11 @@ use crate::ids::choice::trajectory::MotionStart;
 use crate::motion::route::{Corner, CornerTolerance, Route, Task};
 use crate::motion::vector::{count, distance};
 
-/// A change of an output that the path asks for.
+/// A change of an output that the path requests.
 #[derive(Clone, Debug)]
 struct Expected {
     value: f64,
-    /// First and last of the samples that may show it first: those of one time, or of several in order.
+    /// First and last of the samples that may be the first with the new value, for each time at which it may happen.
     when: Vec<(usize, usize)>,
     /// Whether the point of the change was passed for sure.
     certain: bool,
@@ -45,12 +45,12 @@ impl Expected {
     }
 }
 
-/// Rule trajectory.outputs. An output of M62, M63 or M67 switches at the start of the next motion (sections 11.6.15
-/// and 11.6.17): in the sample that is nearest to the corner, or a cycle beside it; where the motion rests at the
-/// corner, beside the last sample there. Where a blend is a motion's start is a choice. Of several settings before
-/// that motion the latest counts; one without a motion after it never switches. An output of M64, M65 or M68 switches
-/// at once: while the motion rests where it was programmed. Nothing else switches. A value that lasts for no time may
-/// be missing, and so may what an abort came before.
+/// Rule trajectory.outputs. An output of M62, M63 or M67 switches at the start of the next motion (sections 11.6.15 and
+/// 11.6.17): in the sample that is nearest to the corner, or one cycle before or after it; if the motion rests at the
+/// corner, within a cycle of the last sample there. Where a blend is a motion's start is a choice. Of several settings
+/// before that motion the latest counts; one without a motion after it never switches. An output of M64, M65 or M68
+/// switches at once: while the motion rests where it was programmed. Nothing else switches. A value that lasts for no
+/// time may be missing, and so may what an abort came before.
 pub(super) fn outputs(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -75,8 +75,8 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
         if let Column::Output(pin) = column {
             recorded = true;
             let values = record.samples.column(*column).unwrap_or_default();
-            let asked = expected.remove(pin).unwrap_or_default();
-            compare(*pin, &values, &asked, &mut findings);
+            let requested = expected.remove(pin).unwrap_or_default();
+            compare(*pin, &values, &requested, &mut findings);
         }
     }
     if recorded { findings.verdict() } else { Verdict::NotApplicable }
@@ -147,8 +147,7 @@ fn ask(
 }
 
 /// First and last of the samples with which the motion from a corner may start: where it comes nearest, or does so
-/// after the corner before, or by the next one. Far beside the path nobody knows by its place which movement a sample
-/// belongs to.
+/// after the corner before, or by the next one. Far from the path, the position of a sample does not determine its leg.
 ///
 /// Choice trajectory.motion-start. At a rounded corner it starts nearest to the corner, or where the blend has ended:
 /// at the first sample on its own path. Elsewhere these are the same.
@@ -178,7 +177,7 @@ fn start(
     };
     let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
     let blend_ends = |near: usize| {
-        // Who stands at the corner itself is on the path.
+        // A sample at the corner itself is on the path.
         let on_path = |sample: &usize| record.is_at(*sample, &corner.at) || on_path(sample);
         (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near)
     };
@@ -186,12 +185,12 @@ fn start(
     (first, blend_ends(near.1))
 }
 
-/// The samples that may show an output first that switches while the motion rests at a corner.
+/// The samples that may be the first with the new value of an output that switches while the motion rests at a corner.
 ///
-/// A sample at the corner may, of any time that the motion stays there; where the rest lies between two samples, the
-/// second of these. Where samples are farther apart than servo cycles, the rest may outlast the last sample there;
-/// and where the motion runs back from there, which no output holds up, the next sample is the first one that can
-/// show what has switched at the last.
+/// Each sample at the corner may be, for each time that the motion rests there. If the rest is between two samples, the
+/// second one may be. If samples are farther apart than servo cycles, the rest may last longer than the last sample
+/// there. If the motion runs back from the corner, for which it does not wait for outputs, the value of the last moment
+/// is first in the next sample.
 fn at_once(record: &Record<'_>, corner: &Corner, pass: CornerPass) -> Vec<(usize, usize)> {
     if pass.at.is_some() {
         let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));
@@ -208,14 +207,14 @@ fn at_once(record: &Record<'_>, corner: &Corner, pass: CornerPass) -> Vec<(usize
     vec![(first + 1, last + 1)]
 }
 
-/// Holds the changes of a pin against those that are asked for, one after the other.
-fn compare(pin: Pin, values: &[f64], asked: &[Expected], findings: &mut Findings) {
+/// Compares the changes of a pin with the requested ones, one after the other.
+fn compare(pin: Pin, values: &[f64], requested: &[Expected], findings: &mut Findings) {
     let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
     let changes = values.windows(2).enumerate().filter(|(_, pair)| !same(pair[0], pair[1]));
     let mut changes = changes.map(|(sample, pair)| (sample + 1, pair[1])).peekable();
     let mut now = values.first().copied().unwrap_or(0.0);
-    for (place, wanted) in asked.iter().enumerate() {
-        let brief = asked.get(place + 1).is_some_and(|next| next.first() <= wanted.last());
+    for (place, wanted) in requested.iter().enumerate() {
+        let brief = requested.get(place + 1).is_some_and(|next| next.first() <= wanted.last());
         let next = changes.peek().copied();
         if same(wanted.value, now) {
             continue;

@@ -27,7 +27,7 @@ pub(super) struct Record<'a> {
     pub(super) points: Vec<AxisVector>,
     /// Seconds between samples.
     pub(super) period: f64,
-    /// What was asked for, sample by sample.
+    /// The requests, sample by sample.
     pub(super) requests: Requests,
     /// How far a position may be off because of how it is computed and written.
     pub(super) slack: f64,
@@ -39,7 +39,7 @@ pub(super) struct Record<'a> {
     pub(super) matched: Result<(Route<'a>, Matching), String>,
 }
 
-/// What an operator and the inputs ask for, sample by sample.
+/// The requests of the operator and the inputs, sample by sample.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Requests {
     pub(super) feed_override: Vec<f64>,
@@ -195,7 +195,7 @@ fn bulge(points: &[AxisVector], envelope: &Envelope, period: f64) -> f64 {
 /// the integral of 1/√(1 - u⁴) from 0 to 1.
 const TURNING: f64 = 1.311_028_777;
 
-/// Where the path may be followed backwards: while the adaptive feed asks for it, and as long afterwards as it takes
+/// Where the path may be followed backwards: while the adaptive feed requests it, and as long afterwards as it takes
 /// to stop.
 fn backwards(
     points: &[AxisVector],

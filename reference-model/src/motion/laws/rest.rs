@@ -11,12 +11,12 @@ use crate::motion::vector::{AxisVector, count, distance};
 
 const RELATIVE: f64 = 1e-9;
 
-/// Rule trajectory.stop. The motion rests at the end of each element that asks for it: under exact stop (G61.1,
+/// Rule trajectory.stop. The motion rests at the end of each element that requires it: under exact stop (G61.1,
 /// section 11.5.36: movement stops at the end of each segment), before a dwell (section 2.5.2.7), a wait, a probe,
 /// and an output at once, which breaks blending (section 11.6.15).
 ///
 /// The moment of rest may lie between two samples: then the times that both are away from the point at least fit into
-/// a period. Only samples count that can stand for points on both sides of the corner, and rests come in the order of
+/// a period. Only samples count that match points on both sides of the corner, and rests come in the order of
 /// the corners.
 pub(super) fn stop(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
@@ -110,10 +110,10 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
     findings.verdict()
 }
 
-/// Rule trajectory.dwell. The axes stand for the time of a dwell (G4), to the cycle more or less; at least so long
-/// where something else is waited for or held there too, or where the planner does not know yet how it goes on. An
-/// abort ends it. Who runs back out of it makes the rest of it, or all, when the motion has come again. Where the
-/// motion rests more than once that may be it, one rest of the right length is enough.
+/// Rule trajectory.dwell. The axes rest for the time of a dwell (G4), within a cycle. They rest at least that long if
+/// the motion also waits or is held there, or if the planner does not have the next element yet. An abort ends the
+/// dwell. After the motion has run back out of a dwell and returned, it makes the rest of the dwell, or all of it. If
+/// several rests can be the dwell, one of the right length is enough.
 pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -210,8 +210,7 @@ impl Rest {
     }
 }
 
-/// All rests at a corner: those of which samples tell, then those for which there is time between two that are away
-/// from the corner.
+/// All rests at a corner: those with samples at the corner, then those that fit between two samples away from it.
 fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest> {
     let rest = |(first, last): (usize, usize)| {
         let least = count(last - first) * record.period;
@@ -232,12 +231,12 @@ fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest
     pass.stays(record, corner).map(rest).chain(between).collect()
 }
 
-/// Whether the motion is asked to run back while a corner is passed.
+/// Whether a reversal of the motion is requested while a corner is passed.
 fn runs_back(record: &Record<'_>, pass: CornerPass) -> bool {
     record.requests.adaptive[pass.first..=pass.after(record)].iter().any(|factor| *factor < 0.0)
 }
 
-/// Whether somebody holds the motion while a corner is passed.
+/// Whether the motion is held while a corner is passed.
 fn is_held(record: &Record<'_>, pass: CornerPass) -> bool {
     (pass.first.saturating_sub(1)..=pass.after(record)).any(|sample| record.holds(sample))
 }

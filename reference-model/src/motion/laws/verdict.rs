@@ -110,7 +110,7 @@ pub enum Verdict {
         /// The largest share.
         share: Option<f64>,
     },
-    /// The program asks for nothing that it could be held to.
+    /// The program requests nothing that the law applies to.
     NotApplicable,
     /// It does not hold.
     Violated(Vec<Violation>),

@@ -6,13 +6,13 @@ use gaugeblock_vocabulary::{Axis, Effect, Plane, Position, Settings};
 use super::frame::{axes, normal, on_machine, settled};
 use crate::math;
 
-/// An arc that ends less than so many degrees after its start, or before it, ends where it starts: it is a full circle.
+/// An arc whose end is less than this angle from its start, degrees, is a full circle.
 const SAME_DIRECTION: f64 = 1e-7;
 
-/// What an arc is on the machine, from where it stands.
+/// The shape of an arc in machine coordinates, from the position `here`.
 ///
 /// Rules arcs.direction, arcs.turns and arcs.full-circle. The sign of the turns is the direction, seen from the
-/// positive end of the axis that stands on the plane; each turn after the first is a full circle; ends that coincide
+/// positive end of the normal axis; each turn after the first is a full circle; ends that coincide
 /// are a full circle too.
 pub(super) fn shape(here: Position, effect: &Effect, settings: &Settings) -> Shape {
     let Effect::ArcFeed { end: program_end, first_centre, second_centre, turns } = effect else {

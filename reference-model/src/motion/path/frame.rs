@@ -43,9 +43,9 @@ fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
     [x * cosine - y * sine, x * sine + y * cosine]
 }
 
-/// The same point, but that an axis which differs by what offsets lose in rounding stands where it stood.
+/// The point `after`. An axis that differs from `before` only by the rounding of offsets keeps its old coordinate.
 ///
-/// Otherwise an axis that no word moves would move by a last digit whenever an offset changes.
+/// Without this, an axis that no word moves would move by a last digit whenever an offset changes.
 pub(super) fn settled(before: Position, after: Position) -> Position {
     let mut settled = after;
     for axis in Axis::ALL.iter().copied() {
@@ -69,7 +69,7 @@ pub(super) fn axes(plane: Plane) -> Option<(Axis, Axis)> {
     }
 }
 
-/// The direction that stands on a plane, in machine coordinates. It turns with the coordinate system.
+/// The direction of the normal axis of a plane, in machine coordinates. It rotates with the coordinate system.
 pub(super) fn normal(plane: Plane, settings: &Settings) -> [f64; 3] {
     let degrees = settings.rotation.unwrap_or(0.0);
     let in_xy = |x: f64, y: f64| {

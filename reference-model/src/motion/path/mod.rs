@@ -1,4 +1,4 @@
-//! The path that a program asks for: effects with the settings in force, in machine coordinates.
+//! The path that a program requests: effects with the active settings, in machine coordinates.
 //!
 //! An outcome has program coordinates in the active length unit; here offsets, rotation, tool offset, units, planes
 //! and feed modes are resolved. What breaks the path (a dwell, a wait, an output that switches at once) is an element
@@ -19,10 +19,10 @@ use gaugeblock_vocabulary::{
 use crate::motion::curve::{Counted, Curve};
 pub use same::{Difference, differ};
 
-/// The path that an outcome asks for, from where the machine stands before: machine coordinates, millimetres and
+/// The path that an outcome requests, from the position of the machine before it: machine coordinates, millimetres and
 /// degrees.
 ///
-/// An arc that no circle describes, and a spline, whose control points an outcome does not show, are curves of which
+/// An arc that no circle describes, and a spline, whose control points an outcome does not have, are curves of which
 /// only the end is known. So is a rigid tap, which overshoots by what the spindle needs to reverse.
 pub fn programmed(outcome: &Outcome, start: Position) -> ProgrammedPath {
     let mut walk = Walk {
@@ -54,7 +54,7 @@ struct Walk {
     pitch: Option<(u8, f64)>,
     /// Outputs that wait for the next motion, one setting for each.
     waiting: Vec<OutputChange>,
-    /// What was asked for so far.
+    /// The path so far.
     path: ProgrammedPath,
 }
 
@@ -94,7 +94,7 @@ impl Walk {
             Effect::SetAnalogOutput { output, to, timing } => {
                 self.output((*output, Pin::AnalogOut), *to, *timing, block);
             }
-            // The axes stand until these are done, and how long that takes is nobody's promise.
+            // The axes rest until these are done; no document limits the time that they take.
             Effect::PromptTool { .. }
             | Effect::ChangeTool { .. }
             | Effect::WaitOrient { .. }
@@ -182,8 +182,8 @@ impl Walk {
     }
 
     /// Rules feed.per-minute, feed.inverse-time and feed.per-revolution. G94 counts lengths or degrees a minute, G93
-    /// gives the whole move a part of a minute, G95 counts lengths a turn of the spindle. Which spindle G95 follows
-    /// no setting shows: it is taken for the first.
+    /// gives the whole move a part of a minute, G95 counts lengths a turn of the spindle. No
+    /// setting reports which spindle G95 follows: the first one is assumed.
     fn feed(&self, shape: &Shape) -> Feed {
         let rate = self.settings.feed_rate.unwrap_or(0.0);
         let turns_only = Curve::of(self.here, shape)

@@ -98,8 +98,8 @@ impl fmt::Display for Written {
 /// Rules modal-groups.g-code-out-of-range and modal-groups.m-code-out-of-range. G codes end at 99, M codes at 199.
 /// Rules modal-groups.unknown-g-code and modal-groups.unknown-m-code. The language does not have every number below.
 fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepError> {
-    let mut codes = Vec::with_capacity(words.g.len() + words.m.len());
-    for number in &words.g {
+    let mut codes = Vec::with_capacity(words.g_tenths.len() + words.m.len());
+    for number in &words.g_tenths {
         let text = Written::G(*number);
         let rule = if *number > 999 {
             rule::modal_groups::G_CODE_OUT_OF_RANGE
@@ -217,7 +217,7 @@ fn axis_words_once(
     let Some((motion, _)) = user(ModalGroup::Motion) else {
         let offset = user(ModalGroup::ToolLength).filter(|_| has_axis_words(words));
         return match offset {
-            Some((offset, _)) if words.g.contains(&530) => {
+            Some((offset, _)) if words.g_tenths.contains(&530) => {
                 let message = format!("G53 in a block with {offset}");
                 Err(refuse(rule::tool::DYNAMIC_LENGTH_WITH_MOTION, FaultKind::AxisWords, message))
             }

@@ -14,7 +14,7 @@ use crate::rs274::state::State;
 
 /// Refuses a code without a word that it needs.
 pub(super) fn check(words: &Words, state: &State) -> Result<(), StepError> {
-    words.g.iter().try_for_each(|code| match code {
+    words.g_tenths.iter().try_for_each(|code| match code {
         40 => dwell(words),
         431 => state.dialect().check_dynamic_length(words, state),
         520 => axis_word(rule::offsets::LOCAL_NEEDS_AXES, "G52", words),

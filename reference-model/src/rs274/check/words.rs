@@ -26,7 +26,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     state.coverage.accepted(rule::modal_groups::UNUSED_WORD);
     state.coverage.accepted(rule::modal_groups::UNUSED_ARC_WORD);
-    if words.g.contains(&640)
+    if words.g_tenths.contains(&640)
         && words.letters.contains_key(&'q')
         && !words.letters.contains_key(&'p')
     {
@@ -84,9 +84,9 @@ fn one_meaning_of_p(words: &Words, state: &State) -> Result<(), StepError> {
         return Ok(());
     }
     let uses = |code: &&Code| code.words.contains('p');
-    let by_g = words.g.iter().filter_map(|code| g_code(*code)).filter(uses).count();
+    let by_g = words.g_tenths.iter().filter_map(|code| g_code(*code)).filter(uses).count();
     let by_m = words.m.iter().filter_map(|code| m_code(*code)).filter(uses).count();
-    let without_code = !words.g.iter().any(|code| [20, 30].contains(code));
+    let without_code = !words.g_tenths.iter().any(|code| [20, 30].contains(code));
     let by_g = by_g + usize::from(without_code && by_arc('p', words, state));
     if by_g > 1 || by_g == 1 && by_m > 0 {
         let why = "two codes of the block use P, and nothing says whose it is";
@@ -108,7 +108,7 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
         named && !state.machine.axes.contains(axis)
     });
     let Some(axis) = absent else { return Ok(()) };
-    let origin = words.g.contains(&100);
+    let origin = words.g_tenths.contains(&100);
     let rule = if origin { rule::offsets::SET_UNKNOWN_AXIS } else { rule::motion::NO_SUCH_AXIS };
     let message = format!("the machine has no axis {}", axis.word().to_uppercase());
     Err(refuse(rule, FaultKind::NoSuchAxis, message))
@@ -119,7 +119,7 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
     let repeated = moves_by_axis_words(words).then(|| motion_code(state.modes.motion));
-    let mut by_g = words.g.iter().copied().chain(repeated);
+    let mut by_g = words.g_tenths.iter().copied().chain(repeated);
     let mut by_m = words.m.iter().copied();
     serves_speed
         || by_g.any(|code| state.dialect().is_used_by_g(letter, code, words, state))
@@ -130,10 +130,11 @@ fn is_used(letter: char, words: &Words, state: &State) -> bool {
 /// Whether an axis word stands beside G10 L0, which takes none, and beside no other code that uses it.
 fn beside_reload(letter: char, words: &Words, state: &State) -> bool {
     let kind = kind_of_offset_data(words);
-    if !words.g.contains(&100) || kind != Some(0) {
+    if !words.g_tenths.contains(&100) || kind != Some(0) {
         return false;
     }
-    let users = words.g.iter().filter_map(|code| g_code(*code)).filter(|code| code.axis_words);
+    let users =
+        words.g_tenths.iter().filter_map(|code| g_code(*code)).filter(|code| code.axis_words);
     users.count() == 1 && !state.dialect().is_used_by_offset_data(letter, kind, state)
 }
 
@@ -147,16 +148,16 @@ fn polar(words: &Words) -> Result<(), StepError> {
     if !words.letters.keys().any(|letter| matches!(letter, '@' | '^')) {
         return Ok(());
     }
-    if words.g.iter().any(|code| [280, 300].contains(code)) {
+    if words.g_tenths.iter().any(|code| [280, 300].contains(code)) {
         let why = "whether polar words can name the point by way of which G28 and G30 go";
         return Err(StepError::Unspecified(why.to_owned()));
     }
-    if words.g.contains(&530) {
+    if words.g_tenths.contains(&530) {
         let why = "what the angle and distance of polar words are in machine coordinates";
         return Err(StepError::Unspecified(why.to_owned()));
     }
     let offset = |code: &u32| [100, 431, 432, 520, 920].contains(code);
-    let Some(code) = words.g.iter().find(|code| offset(code)) else { return Ok(()) };
+    let Some(code) = words.g_tenths.iter().find(|code| offset(code)) else { return Ok(()) };
     let message = format!("polar words with {}", g_text(*code));
     Err(refuse(rule::motion::POLAR_MOVES_ONLY, FaultKind::AxisWords, message))
 }
@@ -172,7 +173,7 @@ fn by_arc(letter: char, words: &Words, state: &State) -> bool {
 /// (H), path-control.unused-tolerance, overrides.both-unused-p, overrides.feed-takes-no-dollar.
 fn unused(letter: char, words: &Words, state: &mut State) -> StepError {
     let m = |codes: &[u32]| words.m.iter().any(|code| codes.contains(code));
-    let exact = words.g.iter().any(|code| [610, 611].contains(code));
+    let exact = words.g_tenths.iter().any(|code| [610, 611].contains(code));
     let rule = match letter {
         'i' | 'j' | 'k' => rule::modal_groups::UNUSED_ARC_WORD,
         'd' => rule::spindle::UNUSED_LIMIT,

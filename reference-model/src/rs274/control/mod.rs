@@ -171,7 +171,7 @@ impl Control {
 
     /// A block without control: a numbered program cannot begin after it.
     pub fn begin(&mut self, words: &Words) {
-        let empty = words.g.is_empty() && words.m.is_empty() && words.letters.is_empty();
+        let empty = words.g_tenths.is_empty() && words.m.is_empty() && words.letters.is_empty();
         self.begun |= !empty || !words.settings.is_empty();
     }
 

@@ -115,7 +115,8 @@ impl Control {
     ) -> Result<Next, StepError> {
         enabled(state)?;
         let own = |letter: &char| matches!(letter, 'p' | 'l') && words.m == [98];
-        let alone = words.m.len() == 1 && words.g.is_empty() && words.letters.keys().all(own);
+        let alone =
+            words.m.len() == 1 && words.g_tenths.is_empty() && words.letters.keys().all(own);
         if !alone {
             let why = "M98 or M99 in a block with other words";
             return Err(StepError::Unspecified(why.to_owned()));

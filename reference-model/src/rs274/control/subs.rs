@@ -112,7 +112,7 @@ pub(crate) trait SubroutineRules {
     /// Rule subroutines.unknown-sub. A call of a sub that neither the program nor a file defines is refused.
     ///
     /// Rule fanuc-subs.mixed-o-call. A numbered subprogram is called by M98 only.
-    fn sub_behind_call(
+    fn sub_after_call(
         &self,
         control: &mut Control,
         label: &str,
@@ -284,7 +284,7 @@ impl Control {
         if let Some(sub) = self.in_file(label, state)? {
             return Ok(sub);
         }
-        state.dialect().sub_behind_call(self, label, arguments, state)
+        state.dialect().sub_after_call(self, label, arguments, state)
     }
 
     /// Rules subroutines.file-call, subroutines.file-numbered, subroutines.file-name-case. A sub that the program

@@ -11,7 +11,7 @@ impl EnvironmentState {
         self.feed_input(NAMES[0]).unwrap_or(1.0)
     }
 
-    /// Whether the feed stop input asks for a stop now.
+    /// Whether the feed stop input requests a stop now.
     pub fn feed_stop(&self) -> bool {
         self.feed_input(NAMES[1]).unwrap_or(0.0) != 0.0
     }

@@ -26,13 +26,13 @@ pub use state::EnvironmentState;
 pub(crate) use state::Orientation;
 use state::{Stub, Synchronised};
 
-/// The named environment that answers as the stand-alone interpreter's stubs do.
+/// The name of the environment that behaves like the stubs of the interpreter program `rs274`.
 const STAND_ALONE: &str = "stand-alone rs274";
 
 impl EnvironmentState {
     /// The environment before the first block: all outputs are off.
     ///
-    /// Choice orient.brake-otherwise: whether the brake of a spindle that stands is applied.
+    /// Choice orient.brake-otherwise: whether the brake of a stopped spindle is applied.
     pub fn new(environment: &Environment, spindles: usize, choices: &Choices) -> Self {
         let braked = choices.is(choice::orient::BrakeOtherwise::WhileStanding);
         let brakes = (0..if braked { spindles } else { 0 })
@@ -54,7 +54,7 @@ impl EnvironmentState {
         state
     }
 
-    /// Whether everything outside answers as the stand-alone interpreter's stubs do.
+    /// Whether the environment behaves like the stubs of the interpreter program `rs274`.
     pub fn is_stand_alone(&self) -> bool {
         self.scenario.name.as_deref() == Some(STAND_ALONE)
     }
@@ -69,7 +69,7 @@ impl EnvironmentState {
         self.scenario.tool_change_time.max(0.0)
     }
 
-    /// Whether a person changes the tools, asked by a prompt.
+    /// Whether a person changes the tools, after a prompt.
     pub fn tools_are_changed_by_hand(&self) -> bool {
         self.scenario.manual_tool_change
     }
@@ -126,8 +126,8 @@ impl EnvironmentState {
         }
     }
 
-    /// Gives an output a value when the next motion begins. Of several values the last one counts; tells whether there
-    /// was an earlier one.
+    /// Gives an output a value when the next motion begins. Of several values the last one counts; returns whether
+    /// there was an earlier one.
     pub fn set_with_motion(&mut self, pin: Pin, value: f64) -> bool {
         self.awaiting_motion.insert(pin, value).is_some()
     }

@@ -38,7 +38,7 @@ impl EnvironmentState {
         self.orienting.remove(&spindle);
     }
 
-    /// When the next of the spindles that are on their way comes to its angle.
+    /// When the next spindle that is being oriented reaches its angle.
     pub(crate) fn next_orientation(&self) -> Option<f64> {
         let done = self.orienting.values().filter_map(|orientation| orientation.done());
         done.reduce(f64::min).map(|time| time.max(self.time))
@@ -49,7 +49,7 @@ impl EnvironmentState {
         self.is_asked = is_asked;
     }
 
-    /// Spindles that stand at their angle by now, each with the time at which it got there.
+    /// Spindles that have reached their angle by now, each with the time at which it did.
     pub(crate) fn oriented(&self) -> Vec<(usize, f64)> {
         let done =
             self.orienting.iter().filter_map(|(spindle, begun)| Some((*spindle, begun.done()?)));

@@ -45,7 +45,7 @@ impl EnvironmentState {
         }
     }
 
-    /// Whether the controller learns that the probe changed: the stand-alone interpreter has no probe.
+    /// Whether the controller learns that the probe changed: the interpreter program `rs274` has no probe.
     pub(crate) fn reports_contact(&self) -> bool {
         !self.is_stand_alone()
     }

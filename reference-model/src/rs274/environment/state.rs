@@ -28,7 +28,7 @@ pub struct EnvironmentState {
     pub(super) probed: Option<Probed>,
     /// What a program sees of HAL.
     pub(super) synchronised: Synchronised,
-    /// What stands for the machine where there is none.
+    /// The stub in place of a machine.
     pub(super) stub: Stub,
 }
 

@@ -1,4 +1,4 @@
-//! What the stand-alone interpreter has in place of a machine: a point that follows what it is told.
+//! The stub of the interpreter program `rs274` in place of a machine: a point that follows the reported moves.
 //!
 //! It is told of moves, coordinate systems and local offsets, but not of tool offsets, nor of how a coordinate system
 //! is turned. Where the interpreter asks for the point, after M6, M61 and G10 L0, it gets one that those have not
@@ -14,7 +14,7 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl EnvironmentState {
-    /// The block that is executed asks the machine where it stands once it is through.
+    /// The executed block queries the position of the machine at its end.
     pub(crate) fn machine_is_asked(&mut self) {
         self.stub.asked = true;
     }
@@ -28,23 +28,23 @@ pub(crate) fn answer(input: Input, read: f64) -> f64 {
     }
 }
 
-/// How a block has moved the stub of a machine.
+/// How a block moves the stub of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BlockMotion {
-    /// There was none.
+    /// The block has no motion.
     None,
-    /// It follows them.
+    /// The stub follows the moves.
     Moves,
-    /// A spline leads it to X0 Y0 of the program, wherever that ends.
+    /// A spline leads the stub to X0 Y0 of the program, wherever the spline ends.
     Spline,
-    /// A spline of three control points leads it where X and Y have no numbers.
+    /// After a spline of three control points, X and Y of the stub are not numbers.
     NoPoint,
 }
 
-/// A block is through: where it moved the stub has followed, and where it asked the stub has answered.
+/// The end of a block: the stub follows its moves, and answers its query of the position.
 ///
 /// # Errors
-/// The stub is asked for a point that has no numbers.
+/// The block queries a position that is not a number.
 pub(crate) fn after_block(motion: BlockMotion, state: &mut State) -> Result<(), StepError> {
     let asked = std::mem::take(&mut state.environment.stub.asked);
     if !state.environment.is_stand_alone() {
@@ -79,12 +79,12 @@ fn stands_at(point: Position, state: &State) -> Stands {
     Stands { point, offset: offset(state), units: state.modes.units }
 }
 
-/// Where the controlled point is after probing: where a machine stops. The stub backs off a hundredth of an inch from
-/// the programmed point, as far as linear axes have moved, on the way that begins where the stub stands.
+/// The controlled point after probing. With a machine it is where the machine stops. The stub retracts 0.01 inch from
+/// the programmed point, along the linear axes, toward its position before the move.
 ///
 /// # Errors
-/// The way has no length, and a spline has led the stub where memory says that nobody has written: then the way may
-/// have one all the same.
+/// The move has no length, and the position of the stub after a spline is known except for a rounding error: the
+/// direction of the retraction is unknown.
 pub(crate) fn after_probing(
     programmed: Position,
     stops_at: Position,
@@ -105,7 +105,7 @@ pub(crate) fn after_probing(
     let way = linear.map(|axis| programmed.get(axis) - from.get(axis));
     let length = math::hypotenuse(math::hypotenuse(way[0], way[1]), way[2]);
     let mut end = programmed;
-    // A spline led it to X0 Y0 but for numbers that nobody knows.
+    // After a spline the stub is at X0 Y0, except for an unknown rounding error.
     if length == 0.0 && state.environment.stub.led {
         let why = "in which direction a machine's stub retracts from where a spline has led it";
         return Err(StepError::Unspecified(why.to_owned()));
@@ -118,7 +118,7 @@ pub(crate) fn after_probing(
     Ok(end)
 }
 
-/// Where the stub stands, active length unit; X and Y are as they were before they were lost.
+/// The position of the stub, active length unit; X and Y are the last ones that are numbers.
 fn coordinates(state: &State) -> Position {
     let Stands { point, offset: known, units } = state.environment.stub.stands;
     let offset = offset(state);
@@ -131,7 +131,7 @@ fn coordinates(state: &State) -> Position {
     each(point, offset, |point, offset| point - offset)
 }
 
-/// The offsets that it is told of.
+/// The offsets that are reported to the stub.
 fn offset(state: &State) -> Position {
     each(state.modes.g5x_offset, state.modes.g92_offset, |system, local| system + local)
 }

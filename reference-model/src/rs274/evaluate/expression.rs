@@ -103,9 +103,9 @@ fn exists(parameter: &Parameter, state: &mut State) -> Result<f64, StepError> {
     Ok(f64::from(u8::from(exists)))
 }
 
-/// Rule expressions.arctangent. ATAN tells all four quadrants apart.
+/// Rule expressions.arctangent. ATAN distinguishes all four quadrants.
 /// Choice expressions.arctangent-range: above -180 up to 180 degrees, or from 0 to below 360.
-/// Choice expressions.negative-zero: whether a zero has a sign, which tells a quadrant.
+/// Choice expressions.negative-zero: whether a zero has a sign, which selects a quadrant.
 fn arc_tangent(opposite: f64, adjacent: f64, state: &mut State) -> f64 {
     state.coverage.accepted(rule::expressions::ARCTANGENT);
     state.coverage.accepted(rule::expressions::ANGLES);

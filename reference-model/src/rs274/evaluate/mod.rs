@@ -54,7 +54,7 @@ fn read_word(word: &Word, words: &mut Words, state: &mut State) -> Result<(), St
         state.coverage.accepted(rule::expressions::READ_BEFORE_EXECUTION);
     }
     match word.letter {
-        'g' => words.g.push(codes::g_code(word, value, state)?),
+        'g' => words.g_tenths.push(codes::g_code(word, value, state)?),
         'm' => words.m.push(codes::m_code(word, value, state)?),
         letter => {
             let earlier = words.letters.insert(letter, value);
@@ -89,18 +89,19 @@ fn read_setting(setting: &Setting, state: &mut State) -> Result<(Name, f64), Ste
 
 /// How values are read.
 pub(crate) trait EvaluationRules {
-    /// Rule modal-groups.repeated-letter. Whether a letter may stand twice: it is refused. `earlier` is the first value.
+    /// Rule modal-groups.repeated-letter. Whether a letter may occur twice: it is refused. `earlier` is the first
+    /// value.
     fn letter_may_be_repeated(&self, _letter: char, _earlier: f64, _choices: &Choices) -> bool {
         false
     }
 
-    /// Rule parameters.setting-last. A setting takes effect behind the values of its line: before its own value is read
+    /// Rule parameters.setting-last. A setting takes effect after the values of its line: before its own value is read
     /// nothing is done.
     fn begin_setting(&self, _name: &Name, _state: &mut State) {}
 
     /// Rule text.word-letters. E is not a letter of the table: only G76 and M66 to M68 have it.
     fn takes_e(&self, words: &Words, _state: &State) -> bool {
-        words.m.iter().any(|code| (66..=68).contains(code)) || words.g.contains(&760)
+        words.m.iter().any(|code| (66..=68).contains(code)) || words.g_tenths.contains(&760)
     }
 
     /// Rule modal-groups.code-close-to-integer. The integer that ten times the number of a G code means.

@@ -90,7 +90,7 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, StepError> {
 }
 
 /// Rule expressions.power. Two asterisks raise the number on the left to the power on the right.
-/// Rule expressions.power-domain. A power that is no real number is refused.
+/// Rule expressions.power-domain. A power that is not a real number is refused.
 fn power(base: f64, exponent: f64) -> Result<f64, StepError> {
     let value = math::power(base, exponent);
     if !value.is_finite() {

@@ -1,3 +1,5 @@
+//! Tests the evaluation of words, expressions and settings.
+
 use super::*;
 use crate::rs274::refusal::Refusal;
 use crate::rs274::syntax::parse;
@@ -80,7 +82,7 @@ fn what_has_no_value_is_refused() {
 #[test]
 fn codes_are_close_to_integers() {
     let words = words("g17.000005 g38.2 m2.00005 x1", &mut State::under(&[])).expect("words");
-    assert_eq!(words.g, [170, 382]);
+    assert_eq!(words.g_tenths, [170, 382]);
     assert_eq!(words.m, [2]);
     assert_eq!(refused("g17.0001"), "numbers.not-near-integer");
     assert_eq!(refused("m3.5"), "numbers.not-near-integer");

@@ -9,7 +9,7 @@ use crate::rs274::text::Comment;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
     /// G codes in tenths and in the order of the text: 10 is G1, 382 is G38.2.
-    pub g: Vec<u32>,
+    pub g_tenths: Vec<u32>,
     /// M codes in the order of the text.
     pub m: Vec<u32>,
     /// The other words by letter: lower case, `$`, `@`, `^`.

@@ -1,7 +1,7 @@
 //! G2 and G3: arcs and helices.
 //!
-//! A centre and an end point, or a radius and an end point. In both formats the block says no more than a circle in the
-//! selected plane, and how often it is gone round.
+//! A block gives a centre and an end point, or a radius and an end point. Both formats define a circle in the selected
+//! plane and a number of turns.
 
 use gaugeblock_vocabulary::{
     Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane, Position,
@@ -24,12 +24,12 @@ pub(crate) type InPlane = (f64, f64);
 pub(crate) struct Axes {
     first: Axis,
     second: Axis,
-    /// The one that the circle goes round, and a helix along.
+    /// The axis at right angles to the plane; a helix moves along it.
     normal: Axis,
 }
 
 impl Axes {
-    /// Where a position stands in the plane.
+    /// The coordinates of a position in the plane.
     fn in_plane(self, position: Position) -> InPlane {
         (position.get(self.first), position.get(self.second))
     }
@@ -37,8 +37,9 @@ impl Axes {
 
 /// Moves along an arc.
 ///
-/// Rule arcs.direction. G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis that stands
-/// on the plane. Rule arcs.helix. That axis goes to its own word meanwhile, and so do rotary axes (arcs.rotary-axes).
+/// Rule arcs.direction. G2 goes clockwise and G3 counterclockwise, seen from the positive end of the normal
+/// axis. Rule arcs.helix. The normal axis moves to its own word at the same time, and so do rotary axes
+/// (arcs.rotary-axes).
 ///
 /// # Errors
 /// An arc that its words do not describe.
@@ -58,7 +59,7 @@ pub(super) fn perform(
         Some(radius) => centre_of_radius(axes, radius, clockwise, end, words, state)?,
         None => centre_of_offsets(axes, end, words, state)?,
     };
-    accepted(axes, start, end, state);
+    report_accepted(axes, start, end, state);
     state.modes.motion = motion;
     state.position = end;
     let turns = if clockwise { -turns } else { turns };
@@ -83,11 +84,11 @@ fn axes(state: &mut State) -> Result<Axes, StepError> {
     Ok(Axes { first, second, normal })
 }
 
-/// How often the arc is gone round, 1 for up to a full circle.
+/// The number of turns, 1 for up to a full circle.
 ///
-/// Rule arcs.turns. P is the number of turns, begun ones too; without P it is 1.
-/// Rule arcs.turns-integer. It must be an integer.
-/// Rule arcs.turns-below-one. What fewer than one are is a choice.
+/// Rule arcs.turns. P is the number of turns, including a partial one; without P it is 1.
+/// Rule arcs.turns-integer. P must be an integer.
+/// Rule arcs.turns-below-one. Whether P below 1 is refused or counts as 1 is a choice.
 fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     let Some(number) = word(words, 'p') else { return Ok(1) };
     let rule = rule::arcs::TURNS_INTEGER;
@@ -105,7 +106,7 @@ fn turns(words: &Words, state: &mut State) -> Result<i32, StepError> {
     Ok(turns)
 }
 
-/// The letter of a centre's offset along an axis.
+/// The letter of the offset of the centre along an axis.
 fn offset_letter(axis: Axis) -> char {
     match axis {
         Axis::Y => 'j',
@@ -115,7 +116,7 @@ fn offset_letter(axis: Axis) -> char {
 }
 
 /// Rule arcs.one-format. An arc has a centre or a radius, not both.
-/// Rule arcs.other-offset. The axis that stands on the plane has no offset.
+/// Rule arcs.other-offset. The normal axis has no offset.
 fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
     let offsets = "ijk".chars().any(|offset| word(words, offset).is_some());
     if offsets && word(words, 'r').is_some() {
@@ -130,11 +131,11 @@ fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
     Ok(())
 }
 
-/// The centre in program coordinates, as its offsets give it.
+/// The centre in program coordinates, from its offsets.
 ///
-/// Rule arcs.centre. An offset counts from the start of the arc; one that is left out is zero.
-/// Rule arcs.centre-absolute. In absolute arc distance mode it counts from the zero of its axis.
-/// Rule arcs.full-circle. Without axis words the arc is a full circle, as it is where it ends at its start.
+/// Rule arcs.centre. An offset is measured from the start of the arc; an omitted offset is zero.
+/// Rule arcs.centre-absolute. In absolute arc distance mode it is measured from the zero of its axis.
+/// Rule arcs.full-circle. An arc without axis words, or that ends at its start, is a full circle.
 /// Rule arcs.diameter-centre. Whether I is a diameter in diameter mode is a choice.
 ///
 /// # Errors
@@ -151,8 +152,8 @@ fn centre_of_offsets(
         if diameter {
             state.coverage.accepted(rule::arcs::DIAMETER_CENTRE);
         }
-        let halved = diameter && state.choices.is(choice::arcs::DiameterCentre::Diameter);
-        Some(if halved { offset / 2.0 } else { offset })
+        let is_halved = diameter && state.choices.is(choice::arcs::DiameterCentre::Diameter);
+        Some(if is_halved { offset / 2.0 } else { offset })
     };
     let offsets = (offset(axes.first), offset(axes.second));
     if let (None, None) = offsets {
@@ -176,17 +177,17 @@ fn centre_of_offsets(
     Ok(centre)
 }
 
-/// How far apart two points of the plane are.
+/// The distance between two points of the plane.
 fn distance(from: InPlane, to: InPlane) -> f64 {
     math::hypotenuse(to.0 - from.0, to.1 - from.1)
 }
 
-/// What a controller may do otherwise with an arc.
+/// Operations on arcs that a dialect can replace.
 pub(crate) trait ArcRules {
-    /// How far the radii of an arc may be apart: always, and where it is more than a thousandth of them. Active length
-    /// unit.
+    /// The tolerances for the difference between the radius at the start and the radius at the end, active length unit.
+    /// The first one applies to every arc, the second one if the difference is more than a thousandth of the radius.
     ///
-    /// Choice arcs.small-tolerance: the manual has two numbers for the smaller one.
+    /// Choice arcs.small-tolerance: the manual has two numbers for the second one.
     fn radius_tolerances(&self, state: &State) -> (f64, f64) {
         let fine = state.choices.is(choice::arcs::SmallTolerance::Fine);
         match (state.modes.units, fine) {
@@ -197,8 +198,8 @@ pub(crate) trait ArcRules {
         }
     }
 
-    /// Rule arcs.zero-radius. Whether there is an arc about the point itself is a choice. The radius is that at the
-    /// start and that at the end.
+    /// Rule arcs.zero-radius. Whether an arc whose centre is its start is accepted is a choice. `to_start` and `to_end`
+    /// are the radii at the start and at the end.
     fn check_radius(
         &self,
         to_start: f64,
@@ -225,7 +226,7 @@ pub(crate) trait ArcRules {
     ///
     /// Rule arcs.radius. The circle has this radius and goes through both points.
     /// Rule arcs.radius-sign. A positive radius is that of the shorter arc, a negative one of the longer.
-    fn centre_beside_start(
+    fn centre_from_radius(
         &self,
         start: InPlane,
         chord: (f64, InPlane),
@@ -237,8 +238,8 @@ pub(crate) trait ArcRules {
         if half > radius.abs() {
             short_radius(radius, half, state)?;
         }
-        let centre = centre_beside_chord(start, chord, radius, clockwise);
-        has_numbers(centre, radius)?;
+        let centre = centre_from_chord(start, chord, radius, clockwise);
+        check_finite(centre, radius)?;
         state.coverage.accepted(rule::arcs::RADIUS);
         state.coverage.accepted(rule::arcs::RADIUS_SIGN);
         Ok(centre)
@@ -251,11 +252,11 @@ pub(crate) fn names_axis(axes: Axes, words: &Words) -> bool {
 }
 
 /// Rule arcs.radius-too-small. A radius of less than half the chord is refused.
-/// Rule arcs.radius-just-too-small. Where it misses what numbers lose when they are written, that is a choice. No
-/// circle has a radius of zero, and no number that is written is rounded to it.
+/// Rule arcs.radius-just-too-small. Whether it is refused if it is too small by no more than the rounding tolerance is
+/// a choice. A radius of zero is always refused: rounding does not make a radius zero.
 fn short_radius(radius: f64, half: f64, state: &mut State) -> Result<(), StepError> {
     let rule = rule::arcs::RADIUS_JUST_TOO_SMALL;
-    let just = radius != 0.0 && half - radius.abs() <= lost_in_writing(state);
+    let just = radius != 0.0 && half - radius.abs() <= rounding_tolerance(state);
     if just && state.choices.is(choice::arcs::RadiusJustTooSmall::HalfCircle) {
         state.coverage.accepted(rule);
         return Ok(());
@@ -271,17 +272,18 @@ fn short_radius(radius: f64, half: f64, state: &mut State) -> Result<(), StepErr
     Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message))
 }
 
-/// What numbers lose when they are written, active length unit.
-pub(crate) fn lost_in_writing(state: &State) -> f64 {
+/// The rounding tolerance of written numbers, active length unit: 0.00005 inch, half of the fourth decimal, and the
+/// same length in millimetres.
+pub(crate) fn rounding_tolerance(state: &State) -> f64 {
     match state.modes.units {
         LengthUnit::Inch => 0.000_05,
         LengthUnit::Millimetre => 0.001_27,
     }
 }
 
-/// Rule arcs.unequal-radii. There is a centre that has a distance from the ends of the arc; what is no finite number
-/// is none.
-fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
+/// Rule arcs.unequal-radii. Refuses a centre or radius that is not a finite number: it has no equal distance from the
+/// ends of the arc.
+fn check_finite(centre: InPlane, radius: f64) -> Result<(), StepError> {
     if [centre.0, centre.1, radius].into_iter().all(f64::is_finite) {
         return Ok(());
     }
@@ -289,7 +291,7 @@ fn has_numbers(centre: InPlane, radius: f64) -> Result<(), StepError> {
     Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message))
 }
 
-/// Rule arcs.unequal-radii. The centre is as far from the end as from the start, but for a tolerance.
+/// Rule arcs.unequal-radii. The distances of the centre from the start and from the end are equal, within a tolerance.
 fn same_radius(
     start: InPlane,
     centre: InPlane,
@@ -297,7 +299,7 @@ fn same_radius(
     state: &mut State,
 ) -> Result<(), StepError> {
     let (to_start, to_end) = (distance(centre, start), distance(centre, end));
-    has_numbers(centre, to_start.max(to_end))?;
+    check_finite(centre, to_start.max(to_end))?;
     let (large, small) = state.dialect().radius_tolerances(state);
     let apart = (to_start - to_end).abs();
     if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
@@ -329,31 +331,32 @@ fn centre_of_radius(
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));
     }
-    state.dialect().centre_beside_start(start, half_chord(start, end), radius, clockwise, state)
+    state.dialect().centre_from_radius(start, half_chord(start, end), radius, clockwise, state)
 }
 
-/// Half of the way from a start to an end: how long it is, and its parts along the axes. The whole may be too long
-/// for a number.
+/// Half of the chord from a start to an end: its length and its components. The whole chord can be too long for a
+/// number.
 fn half_chord(start: InPlane, end: InPlane) -> (f64, InPlane) {
     let half = (end.0 / 2.0 - start.0 / 2.0, end.1 / 2.0 - start.1 / 2.0);
     (math::hypotenuse(half.0, half.1), half)
 }
 
-/// The centre lies beside the middle of the chord: at the left when the shorter arc goes counterclockwise.
-fn centre_beside_chord(
+/// The centre, from half of the chord and the radius. It is on the perpendicular through the middle of the chord, on
+/// the left if the shorter arc goes counterclockwise.
+fn centre_from_chord(
     start: InPlane,
     (half, (along, across)): (f64, InPlane),
     radius: f64,
     clockwise: bool,
 ) -> InPlane {
-    let beside = math::other_leg(radius.abs(), half);
-    let left = if clockwise == (radius < 0.0) { beside } else { -beside };
-    let aside = |part: f64| math::portion(left, part, half);
-    (start.0 + along - aside(across), start.1 + across + aside(along))
+    let distance = math::other_leg(radius.abs(), half);
+    let to_left = if clockwise == (radius < 0.0) { distance } else { -distance };
+    let scaled = |component: f64| math::portion(to_left, component, half);
+    (start.0 + along - scaled(across), start.1 + across + scaled(along))
 }
 
-/// The rules that an accepted arc follows.
-fn accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
+/// Reports the rules that an accepted arc covers.
+fn report_accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
     let mut rules = vec![
         rule::arcs::DIRECTION,
         rule::arcs::PLANE,
@@ -366,11 +369,11 @@ fn accepted(axes: Axes, start: Position, end: Position, state: &mut State) {
     if axes.in_plane(start) == axes.in_plane(end) {
         rules.push(rule::arcs::FULL_CIRCLE);
     }
-    let other = |axis: &Axis| start.get(*axis).to_bits() != end.get(*axis).to_bits();
-    if other(&axes.normal) {
+    let moves = |axis: &Axis| start.get(*axis).to_bits() != end.get(*axis).to_bits();
+    if moves(&axes.normal) {
         rules.push(rule::arcs::HELIX);
     }
-    if [Axis::A, Axis::B, Axis::C].iter().any(other) {
+    if [Axis::A, Axis::B, Axis::C].iter().any(moves) {
         rules.push(rule::arcs::ROTARY_AXES);
         rules.push(rule::motion::ROTARY_AXES);
     }

@@ -27,7 +27,7 @@ pub(crate) trait CompensationRules {
 /// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool,
 /// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let compensation = words.g.iter().find_map(|code| match code {
+    let compensation = words.g_tenths.iter().find_map(|code| match code {
         410 => Some(Compensation::Left),
         411 => Some(Compensation::DynamicLeft),
         420 => Some(Compensation::Right),

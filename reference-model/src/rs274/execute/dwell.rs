@@ -11,14 +11,14 @@ use crate::rs274::task::Record;
 
 /// Waits.
 ///
-/// Rule dwell.seconds. P is the time in seconds; fractions count, and zero is no fault (dwell.zero-time).
+/// Rule dwell.seconds. P is the time in seconds; it may have a fraction and may be zero (dwell.zero-time).
 /// Rule dwell.changes-nothing. Nothing else is affected.
 ///
 /// # Errors
 /// Rule dwell.negative-time.
 ///
 /// # Panics
-/// There is no P, which the check asks for: a fault of the model.
+/// P is missing although the check requires it: a fault of the model.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let seconds = word(words, 'p').expect("check: G4 has P");
     state.dialect().check_dwell(seconds, state)?;

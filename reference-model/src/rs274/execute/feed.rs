@@ -10,16 +10,16 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
-/// What a controller may do otherwise with the feed.
+/// Operations on the feed that a dialect can replace.
 pub(crate) trait FeedRules {
     /// Selects the feed mode.
     ///
     /// Rules feed.inverse-time, feed.per-minute, feed.per-revolution. Rule feed.per-revolution-spindle. The $ of G95
     /// names a spindle of the machine.
     fn select_feed_mode(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
-        let (mode, rule) = if words.g.contains(&930) {
+        let (mode, rule) = if words.g_tenths.contains(&930) {
             (FeedMode::InverseTime, rule::feed::INVERSE_TIME)
-        } else if words.g.contains(&940) {
+        } else if words.g_tenths.contains(&940) {
             (FeedMode::PerMinute, rule::feed::PER_MINUTE)
         } else {
             (FeedMode::PerRevolution, rule::feed::PER_REVOLUTION)

@@ -163,7 +163,7 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
     Ok(number)
 }
 
-/// Rule inputs.mode-optional. Without L there is no wait.
+/// Rule inputs.mode-optional. Without L, M66 does not wait.
 fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
         state.coverage.accepted(rule::inputs::MODE_OPTIONAL);

@@ -26,7 +26,7 @@ pub(crate) trait LocalOffsetRules {
 /// # Errors
 /// Those of G52 and G92.
 pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let code = |wanted: &[u32]| words.g.iter().copied().find(|code| wanted.contains(code));
+    let code = |wanted: &[u32]| words.g_tenths.iter().copied().find(|code| wanted.contains(code));
     match code(&[520, 920]) {
         Some(520) => shift(words, state)?,
         Some(_) => name_point(words, state)?,

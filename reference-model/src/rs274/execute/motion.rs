@@ -1,4 +1,4 @@
-//! G0, G1, G2, G3, G80, and axis words alone.
+//! G0, G1, G2, G3, G80, and axis words alone. G codes are in tenths: 530 is G53.
 
 use gaugeblock_vocabulary::{
     Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Position, SpindleMode, SpindleTurn,
@@ -19,16 +19,16 @@ use crate::rs274::task::Record;
 
 /// Moves, or sets the motion mode.
 ///
-/// Rule cycles.cancelled-by-motion. Any other motion ends a row of canned cycles.
+/// Rule cycles.cancelled-by-motion. Any other motion ends a series of canned cycles.
 ///
 /// # Errors
-/// A move that the modes in force do not allow.
+/// A move that the active modes do not allow.
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if !cycles::is_cycle(state.modes.motion) {
         state.series = None;
     }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
-    let programmed = words.g.iter().any(|code| motion_mode(*code).is_some());
+    let programmed = words.g_tenths.iter().any(|code| motion_mode(*code).is_some());
     state.coverage.accepted(if programmed {
         rule::motion::MODE_CHANGE
     } else {
@@ -42,7 +42,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
             rule::arcs::MODE_HOLDS
         });
     }
-    if words.g.contains(&530) {
+    if words.g_tenths.contains(&530) {
         state.dialect().check_machine_coordinates(motion, words, state)?;
     }
     if state.curve.open.is_some() && !is_spline(motion) {
@@ -102,7 +102,7 @@ fn cancel(words: &Words, programmed: bool, state: &mut State) -> Result<(), Step
 
 /// Whether the axis words of a block are the motion's.
 fn moves_by(words: &Words) -> bool {
-    let others = words.g.iter().filter_map(|code| g_code(*code));
+    let others = words.g_tenths.iter().filter_map(|code| g_code(*code));
     !others.filter(|code| code.group != Some(ModalGroup::Motion)).any(|code| code.axis_words)
 }
 
@@ -128,7 +128,8 @@ pub(crate) trait MotionRules {
         record.effect(state, effect);
     }
 
-    /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before (offsets.machine-motion).
+    /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before
+    /// (offsets.machine-motion).
     /// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.
     fn check_machine_coordinates(
         &self,
@@ -150,7 +151,7 @@ pub(crate) trait MotionRules {
             return Err(refuse(rule, FaultKind::CompensationActive, message));
         }
         state.dialect().check_machine_distance(state)?;
-        if !words.g.iter().any(|code| [0, 10].contains(code)) {
+        if !words.g_tenths.iter().any(|code| [0, 10].contains(code)) {
             state.coverage.accepted(rule::offsets::MACHINE_MOTION);
         }
         state.coverage.accepted(rule::offsets::MACHINE_COORDINATES);
@@ -246,7 +247,7 @@ fn move_to(
     if is_arc(motion) {
         return arc::perform(motion, words, state, record);
     }
-    let end = if words.g.contains(&530) {
+    let end = if words.g_tenths.contains(&530) {
         machine_end_point(words, state)
     } else {
         end_point(words, state)?

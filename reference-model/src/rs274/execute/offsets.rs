@@ -51,7 +51,7 @@ pub(crate) trait OffsetRules {
 /// # Errors
 /// Rule offsets.select-under-compensation.
 pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let system = words.g.iter().find_map(|code| match code {
+    let system = words.g_tenths.iter().find_map(|code| match code {
         540 | 550 | 560 | 570 | 580 | 590 => Some((code - 530) / 10),
         591..=593 => Some(code - 584),
         _ => None,
@@ -103,9 +103,9 @@ pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(
     if has_axis_words(words) && state.modes.motion != Motion::None {
         state.coverage.accepted(rule::modal_groups::MOTION_SUSPENDED);
     }
-    if words.g.iter().any(|code| [280, 281, 300, 301].contains(code)) {
+    if words.g_tenths.iter().any(|code| [280, 281, 300, 301].contains(code)) {
         positions::perform(words, state, record)?;
-    } else if words.g.contains(&100) {
+    } else if words.g_tenths.contains(&100) {
         set(words, state, record)?;
     }
     local_offset::change(words, state)

@@ -12,7 +12,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
-/// What a controller may do otherwise with M19.
+/// Operations of M19 that a dialect can replace.
 pub(crate) trait OrientRules {
     /// Turns a spindle to an angle.
     ///
@@ -47,7 +47,7 @@ pub(crate) trait OrientRules {
 
     /// Whether the brake of a spindle is applied: of one that is locked.
     ///
-    /// Rule orient.brake-otherwise. Whether it is applied to any other spindle that stands is a choice.
+    /// Rule orient.brake-otherwise. Whether it is applied to any other stopped spindle is a choice.
     fn applies_brake(&self, place: usize, locked: bool, state: &State) -> bool {
         let stands = !turns(place, state) && state.environment.orientation(place).is_none();
         locked || stands && state.choices.is(choice::orient::BrakeOtherwise::WhileStanding)
@@ -177,7 +177,7 @@ fn begin(place: usize, angle: f64, direction: OrientDirection, state: &mut State
     state.dialect().request_orientation(place, state);
 }
 
-/// Rule orient.timeout. A spindle that does not stand at its angle within Q seconds is an error.
+/// Rule orient.timeout. A spindle that does not reach its angle within Q seconds is an error.
 /// Rule orient.fault. So is a fault that its encoder reports.
 fn wait(
     place: usize,

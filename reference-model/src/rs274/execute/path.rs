@@ -8,17 +8,17 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
-/// What a controller may do otherwise with the path control mode.
+/// Operations on the path control mode that a dialect can replace.
 pub(crate) trait PathRules {
     /// Selects the path control mode.
     ///
-    /// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while it
-    /// is active (path-control.repeated).
+    /// Rules path-control.exact-path, path-control.exact-stop, path-control.continuous. A mode may be programmed while
+    /// it is active (path-control.repeated).
     fn select_path(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         let before = state.modes.path;
-        let (path, rule) = if words.g.contains(&610) {
+        let (path, rule) = if words.g_tenths.contains(&610) {
             (PathControlMode::ExactPath, rule::path_control::EXACT_PATH)
-        } else if words.g.contains(&611) {
+        } else if words.g_tenths.contains(&611) {
             (PathControlMode::ExactStop, rule::path_control::EXACT_STOP)
         } else {
             (PathControlMode::Continuous, rule::path_control::CONTINUOUS)
@@ -58,7 +58,8 @@ fn tolerances(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or counts as no tolerance, is a choice.
+/// Rule path-control.negative-tolerance. Whether a tolerance below zero is refused, or counts as no tolerance, is a
+/// choice.
 fn tolerance(letter: char, words: &Words, state: &mut State) -> Result<Option<f64>, StepError> {
     let rule = rule::path_control::NEGATIVE_TOLERANCE;
     match word(words, letter) {

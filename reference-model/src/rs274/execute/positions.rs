@@ -18,7 +18,7 @@ const G28_POSITION: u32 = 5161;
 /// The parameter with X of the position of G30, machine unit.
 pub(super) const G30_POSITION: u32 = 5181;
 
-/// What a controller may do otherwise with positions of the machine; active length unit.
+/// Operations on positions of the machine that a dialect can replace; active length unit.
 pub(crate) trait MachinePositionRules {
     /// Where on the machine G53, G28, G30 and M6 lead for a machine coordinate: there.
     fn reached(&self, _axis: Axis, coordinate: f64, _state: &State) -> f64 {
@@ -44,7 +44,7 @@ pub(crate) trait MachinePositionRules {
 
 /// Whether a block goes to a stored position.
 pub(crate) fn moves(words: &Words) -> bool {
-    words.g.iter().any(|code| [280, 300].contains(code))
+    words.g_tenths.iter().any(|code| [280, 300].contains(code))
 }
 
 /// Goes to a stored position, or stores where the machine is.
@@ -63,7 +63,7 @@ pub(super) fn perform(
         let rule = rule::positions::UNDER_COMPENSATION;
         return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
-    let second = words.g.iter().any(|code| [300, 301].contains(code));
+    let second = words.g_tenths.iter().any(|code| [300, 301].contains(code));
     let first = if second { G30_POSITION } else { G28_POSITION };
     if second {
         state.coverage.accepted(rule::positions::SECOND);
@@ -85,7 +85,7 @@ pub(super) fn perform(
 }
 
 /// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and
-/// an axis that the machine does not have stands at zero.
+/// the position of an axis that the machine does not have is zero.
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     let machine = state.dialect().measured(machine, state);

@@ -30,13 +30,13 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) {
     record.effect(state, Effect::ProgramEnd {});
 }
 
-/// What a controller may do otherwise at the program end.
+/// Operations of the program end that a dialect can replace.
 pub(crate) trait ProgramEndRules {
     /// The list of effects, in its order.
     ///
     /// Rules program-end.work-offset, program-end.plane, program-end.distance, program-end.feed-mode,
-    /// program-end.overrides, program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant. On
-    /// a machine with several spindles it is a choice which of them stop. Rules program-end.kept and
+    /// program-end.overrides, program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant.
+    /// On a machine with several spindles it is a choice which of them stop. Rules program-end.kept and
     /// program-end.feed-kept. What the list leaves out stays. Rule offsets.local-persists. So does the local offset.
     fn reset_at_end(&self, state: &mut State) {
         for rule in [

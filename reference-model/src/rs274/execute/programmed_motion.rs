@@ -14,14 +14,15 @@ use crate::rs274::state::State;
 /// Rule motion.mode-holds. Axis words alone repeat the motion mode, unless a code of the block uses them.
 pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
     let programmed =
-        words.g.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
-    if words.g.contains(&53) {
+        words.g_tenths.iter().filter(|code| **code != 800).find_map(|code| motion_mode(*code));
+    if words.g_tenths.contains(&53) {
         return Some(Motion::Nurbs);
     }
-    let cancelled = words.g.contains(&800);
+    let cancelled = words.g_tenths.contains(&800);
     programmed.or(cancelled.then_some(Motion::None)).or_else(|| {
-        let implied =
-            moves_by_axis_words(words) || by_offsets_alone(words, state) || words.g.contains(&530);
+        let implied = moves_by_axis_words(words)
+            || by_offsets_alone(words, state)
+            || words.g_tenths.contains(&530);
         implied.then_some(state.modes.motion)
     })
 }

@@ -181,8 +181,8 @@ fn same_spindles(a: &Modes, b: &Modes, same: impl Fn(&Spindle, &Spindle) -> bool
     a.spindles.iter().zip(&b.spindles).all(|(a, b)| same(a, b))
 }
 
-/// Rule saved-state.orientation-not-saved. What is saved is M3, M4 or M5: a spindle that stood at an angle does not
-/// turn.
+/// Rule saved-state.orientation-not-saved. Only M3, M4 and M5 are saved: a spindle that was oriented at the save is
+/// stopped.
 pub(crate) fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
     match (saved, now) {
         (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,

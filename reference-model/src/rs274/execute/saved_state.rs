@@ -38,7 +38,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// What a controller may do otherwise with its saved state.
+/// Operations on the saved state that a dialect can replace.
 pub(crate) trait SavedStateRules {
     /// M72 restores what is saved at its level, as the end of a sub with M73 does.
     fn restore_in_block(&self, saved: &Modes, state: &mut State) -> Result<(), StepError> {

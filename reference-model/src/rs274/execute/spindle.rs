@@ -24,7 +24,7 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
         let message = format!("the spindle speed S must not be negative: {speed}");
         return Err(refuse(rule::spindle::SPEED_NEGATIVE, FaultKind::WordOutOfRange, message));
     }
-    let surface = words.g.contains(&960);
+    let surface = words.g_tenths.contains(&960);
     let spindles = state.dialect().spindles_of_speed(words, state)?;
     if surface {
         surface_speed(words, speed, state)?;
@@ -34,14 +34,14 @@ pub fn set_speed(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(StepError::Unspecified("a limit of G96 below zero".to_owned()));
     }
     let limit = limit.map_or(SpindleLimit::None, SpindleLimit::Rpm);
-    if words.g.contains(&970) {
+    if words.g_tenths.contains(&970) {
         rpm_mode(speed, state)?;
     }
     for place in spindles {
         let spindle = &mut state.modes.spindles[place];
         if surface {
             *spindle = Spindle { mode: SpindleMode::SurfaceSpeed, limit, ..*spindle };
-        } else if words.g.contains(&970) {
+        } else if words.g_tenths.contains(&970) {
             *spindle = Spindle { mode: SpindleMode::Rpm, limit, ..*spindle };
         }
         if let Some(speed) = speed {
@@ -164,7 +164,7 @@ fn one(number: f64, state: &mut State) -> Result<usize, StepError> {
     Ok(place)
 }
 
-/// What a controller may do otherwise with its spindles.
+/// Operations on spindles that a dialect can replace.
 pub(crate) trait SpindleRules {
     /// The spindles whose mode and speed a block sets: the one that $ names, or spindle 0.
     fn spindles_of_speed(&self, words: &Words, state: &mut State) -> Result<Vec<usize>, StepError> {

@@ -1,4 +1,4 @@
-//! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane.
+//! G5, G5.1, and the blocks between G5.2 and G5.3: splines in the XY plane. G codes are in tenths: 52 is G5.2.
 
 use gaugeblock_vocabulary::{Compensation, Distance, Effect, FaultKind, FeedMode, Motion, Plane};
 
@@ -23,8 +23,8 @@ const DEFAULT_ORDER: u32 = 3;
 /// Moves along a cubic or quadratic spline.
 ///
 /// Rule splines.cubic. I and J lead from the start to the first control point, P and Q from the end to the second one.
-/// Rule splines.cubic-continued. Without I and J a G5 goes on in the direction in which the one before ended.
-/// Rule splines.quadratic. I and J of G5.1 lead from the start to the control point; one that is left out is zero.
+/// Rule splines.cubic-continued. Without I and J a G5 begins in the direction in which the last one ended.
+/// Rule splines.quadratic. I and J of G5.1 lead from the start to the control point; an omitted one is zero.
 ///
 /// # Errors
 /// Rules splines.plane, splines.xy-only, splines.cubic-end-direction, splines.cubic-half-direction,
@@ -163,24 +163,24 @@ pub(super) fn nurbs(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let closes = words.g.contains(&53);
-    let opens = words.g.contains(&52);
-    let open = |what: &str| StepError::Unspecified(what.to_owned());
+    let closes = words.g_tenths.contains(&53);
+    let opens = words.g_tenths.contains(&52);
+    let unspecified = |what: &str| StepError::Unspecified(what.to_owned());
     if state.modes.plane != Plane::Xy || state.modes.distance == Distance::Incremental {
-        return Err(open("a NURBS in another plane than XY, or in increments"));
+        return Err(unspecified("a NURBS in another plane than XY, or in increments"));
     }
     let is_open = state.curve.open.is_some();
     if opens && is_open {
-        return Err(open("a G5.2 in an open data block"));
+        return Err(unspecified("a G5.2 in an open data block"));
     }
     if closes && !is_open {
-        return Err(open("a G5.3 without an open data block"));
+        return Err(unspecified("a G5.3 without an open data block"));
     }
     if closes && has_axis_words(words) {
-        return Err(open("a G5.3 with a point"));
+        return Err(unspecified("a G5.3 with a point"));
     }
     if state.modes.feed_mode == FeedMode::InverseTime {
-        return Err(open("which block of a NURBS has the F of inverse time"));
+        return Err(unspecified("which block of a NURBS has the F of inverse time"));
     }
     let at_opening = state.choices.is(choice::splines::NurbsFeed::AtOpening);
     if at_opening != closes {
@@ -197,17 +197,17 @@ pub(super) fn nurbs(
         nurbs.order = whole(order)
             .and_then(|order| u32::try_from(order).ok())
             .filter(|order| *order > 1)
-            .ok_or_else(|| open("a NURBS of an order below two"))?;
+            .ok_or_else(|| unspecified("a NURBS of an order below two"))?;
     }
     if state.dialect().control_point_weight(words, state)? <= 0.0 {
-        return Err(open("a control point whose weight is not positive"));
+        return Err(unspecified("a control point whose weight is not positive"));
     }
     if has_axis_words(words) {
         if word(words, 'x').is_none() || word(words, 'y').is_none() {
-            return Err(open("a control point without X or without Y"));
+            return Err(unspecified("a control point without X or without Y"));
         }
         if "zabcuvw".chars().any(|axis| word(words, axis).is_some()) {
-            return Err(open("another axis in a NURBS"));
+            return Err(unspecified("another axis in a NURBS"));
         }
         nurbs.points.push(end_point(words, state)?);
     } else {

@@ -13,7 +13,7 @@ use crate::rs274::task::Record;
 /// Pauses the program, or ends it.
 ///
 /// Rule pause.always. M0 pauses the program.
-/// Rule pause.optional. M1 pauses it while the optional-stop switch is on, and does nothing otherwise.
+/// Rule pause.optional. M1 pauses it only while the optional-stop switch is on.
 /// Rule pause.last-in-block. Everything else of the block comes before.
 /// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
 /// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.

@@ -113,7 +113,7 @@ pub(crate) fn machine_end_point(words: &Words, state: &mut State) -> Position {
 /// Rule motion.polar. @ is the distance from the XY origin, ^ the angle counterclockwise from the X axis.
 /// Rule motion.polar-partial. A word that is left out keeps its value.
 /// Rule motion.polar-incremental. In incremental mode both are added to those of the current point.
-/// Rule motion.polar-mixed. X and Y have no place beside them.
+/// Rule motion.polar-mixed. A block with polar words has no X and Y.
 pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>, StepError> {
     let (distance, angle) = (word(words, '@'), word(words, '^'));
     if distance.is_none() && angle.is_none() {

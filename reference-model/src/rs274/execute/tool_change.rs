@@ -13,7 +13,7 @@ use crate::rs274::task::Record;
 /// Puts the selected tool into the spindle.
 ///
 /// Rule tool.change. The tool in the spindle is then the one that T selected last, on the same line or before; none
-/// is selected any more. Rule tool.change-stops-spindle. The spindle stands afterwards. Rule tool.change-keeps.
+/// is selected any more. Rule tool.change-stops-spindle. The spindle is stopped afterwards. Rule tool.change-keeps.
 /// Nothing else changes: coolant flows on, and the length offset stays (tool.change-keeps-length).
 ///
 /// # Errors

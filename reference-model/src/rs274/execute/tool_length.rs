@@ -32,7 +32,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// What a controller may do otherwise with tool length compensation.
+/// Operations on tool length compensation that a dialect can replace.
 pub(crate) trait ToolLengthRules {
     /// The offset that a block turns on, or none.
     fn programmed_tool_offset(
@@ -40,12 +40,12 @@ pub(crate) trait ToolLengthRules {
         words: &Words,
         state: &mut State,
     ) -> Result<Option<Position>, StepError> {
-        Ok(if words.g.contains(&490) {
+        Ok(if words.g_tenths.contains(&490) {
             state.coverage.accepted(rule::tool::LENGTH_OFF);
             None
-        } else if words.g.contains(&431) {
+        } else if words.g_tenths.contains(&431) {
             Some(dynamic(words, state))
-        } else if words.g.contains(&432) {
+        } else if words.g_tenths.contains(&432) {
             Some(state.dialect().additional_tool_offset(words, state)?)
         } else {
             Some(of_tool(words, state)?)

@@ -15,7 +15,7 @@ use crate::rs274::state::State;
 /// Rule units-planes.plane-under-compensation, a choice: another one of the planes in which the cutter can be
 /// compensated, or of the third beside them, while it is.
 pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
-    let plane = words.g.iter().find_map(|code| match code {
+    let plane = words.g_tenths.iter().find_map(|code| match code {
         170 => Some((Plane::Xy, rule::units_planes::PLANE)),
         180 => Some((Plane::Zx, rule::units_planes::PLANE)),
         190 => Some((Plane::Yz, rule::units_planes::PLANE)),
@@ -43,7 +43,7 @@ pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
 ///
 /// Rules units-planes.diameter and units-planes.radius. G7 makes X words diameters, and G8 radii.
 pub fn select_units(words: &Words, state: &mut State) {
-    for code in &words.g {
+    for code in &words.g_tenths {
         let rule = match code {
             200 => {
                 use_units(LengthUnit::Inch, state);
@@ -113,7 +113,7 @@ fn convert_feed(before: LengthUnit, state: &mut State) {
 /// offsets count from. The distance mode and the arc distance mode do not influence each other, and changing them
 /// keeps the position.
 pub fn select_distance(words: &Words, state: &mut State) {
-    for code in &words.g {
+    for code in &words.g_tenths {
         let rule = match code {
             900 => {
                 state.modes.distance = Distance::Absolute;
@@ -138,11 +138,11 @@ pub fn select_distance(words: &Words, state: &mut State) {
     }
 }
 
-/// What a controller may do otherwise with these modes.
+/// Operations on these modes that a dialect can replace.
 pub(crate) trait UnitsAndPlanesRules {
     /// G98 and G99: where canned cycles return to.
     fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
-        let r_plane = words.g.contains(&990);
+        let r_plane = words.g_tenths.contains(&990);
         state.modes.retract = if r_plane { ReturnMode::RPlane } else { ReturnMode::OldZ };
         Ok(())
     }

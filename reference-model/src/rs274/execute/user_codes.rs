@@ -53,7 +53,7 @@ pub fn perform(
 }
 
 /// Rule user-codes.arguments. An argument is the number as text.
-/// Choice user-codes.missing-argument: what stands for a word that is not there.
+/// Choice user-codes.missing-argument: the value that replaces a missing word.
 fn argument(letter: char, words: &Words, state: &mut State) -> String {
     match word(words, letter) {
         Some(value) => {

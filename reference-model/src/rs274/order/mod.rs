@@ -15,7 +15,7 @@ use super::state::State;
 use super::task::Record;
 use crate::ids::rule;
 
-/// What a controller may do otherwise with the order of a block.
+/// Operations of the order of execution that a dialect can replace.
 pub(crate) trait OrderRules {
     /// The phases of a block that is executed.
     fn phases(&self, words: &Words, _state: &mut State) -> Phases {
@@ -77,7 +77,7 @@ pub(crate) fn fault_after(
 
 /// A block has gone through all its phases: the rules about their order are reached.
 ///
-/// Rule order.words-in-any-order. Words act phase by phase, in whichever order they stand.
+/// Rule order.words-in-any-order. Words act phase by phase, whatever their order in the text.
 pub fn completed(words: &Words, phases: Phases, state: &mut State) {
     if phases.count() > 0 {
         state.coverage.accepted(rule::order::WORDS_IN_ANY_ORDER);
@@ -90,7 +90,7 @@ pub fn completed(words: &Words, phases: Phases, state: &mut State) {
     }
 }
 
-/// Does what a block asks for in one phase.
+/// Executes one phase of a block.
 fn perform_phase(
     phase: Phase,
     words: &Words,

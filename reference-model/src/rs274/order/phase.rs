@@ -146,7 +146,7 @@ impl Phase {
         }
     }
 
-    /// The phase of a word that is no code.
+    /// The phase of a word that is not a code.
     fn of_letter(letter: char) -> Option<Self> {
         match letter {
             'f' => Some(Self::FeedRate),
@@ -175,7 +175,7 @@ impl Phases {
 
     /// Those in which a block has something to do.
     pub fn of(words: &Words) -> Self {
-        let by_g = words.g.iter().filter_map(|number| Phase::of_g(*number));
+        let by_g = words.g_tenths.iter().filter_map(|number| Phase::of_g(*number));
         let by_m = words.m.iter().filter_map(|number| Phase::of_m(*number));
         let by_letters = words.letters.keys().filter_map(|letter| Phase::of_letter(*letter));
         let comment = words.comment.is_some().then_some(Phase::Comment);
@@ -220,7 +220,7 @@ const OFFSET_DATA: [u32; 10] = [100, 280, 281, 300, 301, 520, 920, 921, 922, 923
 ///
 /// Rule modal-groups.motion-suspended. A code of group 0 that uses axis words suspends the motion mode for its block.
 pub fn moves_without_code(words: &Words) -> bool {
-    let codes = || words.g.iter().filter_map(|number| g_code(*number));
+    let codes = || words.g_tenths.iter().filter_map(|number| g_code(*number));
     let offset = |letter: &&char| matches!(**letter, 'i'..='k');
     let offsets = words.letters.keys().find(offset);
     let uses_offsets = |offset: &char| codes().any(|code| code.words.contains(*offset));
@@ -228,13 +228,14 @@ pub fn moves_without_code(words: &Words) -> bool {
     moves_by_axis_words(words) || by_offsets && !codes().any(|code| code.axis_words)
 }
 
-/// Whether axis words, polar ones too, stand in the block for no code that uses them.
+/// Whether the block has axis words or polar words that no code uses.
 pub fn moves_by_axis_words(words: &Words) -> bool {
-    let used = words.g.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
+    let used =
+        words.g_tenths.iter().filter_map(|number| g_code(*number)).any(|code| code.axis_words);
     has_axis_words(words) && !used
 }
 
-/// Whether a letter is one of an axis, or of the polar words that stand for X and Y.
+/// Whether a letter is one of an axis, or of the polar words in place of X and Y.
 pub fn is_of_axis(letter: char) -> bool {
     matches!(letter, 'x' | 'y' | 'z' | 'a' | 'b' | 'c' | 'u' | 'v' | 'w' | '@' | '^')
 }

@@ -25,7 +25,7 @@ pub(super) fn entry(name: &str, state: &State) -> Option<f64> {
         return None;
     }
     if let Some(item) = hal_item(name) {
-        // No HAL answers the stand-alone interpreter.
+        // The interpreter program `rs274` has no HAL.
         let machine = Some(&state.machine).filter(|_| !state.environment.is_stand_alone())?;
         return Item::of(item, machine).map(|item| state.environment.item(item));
     }

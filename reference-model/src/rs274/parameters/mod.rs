@@ -119,7 +119,7 @@ pub fn writable(name: &Name, state: &State) -> Result<(), StepError> {
     Err(refuse(rule, FaultKind::ReadOnlyParameter, format!("the parameter #{name} is read-only")))
 }
 
-/// Whether a parameter tells what the machine is, whatever a program sets it to.
+/// Whether a parameter always reports the machine, whatever a program assigns to it.
 pub fn is_told(name: &Name) -> bool {
     matches!(name, Name::Numbered(number) if numbered::is_computed(*number))
 }

@@ -29,7 +29,7 @@ pub(super) fn value(number: u32, state: &State) -> Result<f64, StepError> {
 
 /// Stores a value; the caller has checked that it can be.
 ///
-/// Choice parameters.read-only-numbered: what tells the position or the tool goes on telling it.
+/// Choice parameters.read-only-numbered: parameters that report the position or the tool keep reporting it.
 pub(super) fn assign(number: u32, value: f64, state: &mut State) {
     if is_computed(number) {
         return;

@@ -105,7 +105,7 @@ const PREDEFINED: &[Predefined] = &[
     Predefined("_remap_level", rule::parameters::REMAP_LEVEL, |_| 0.0),
 ];
 
-/// What a controller may do otherwise with parameters.
+/// Operations on parameters that a dialect can replace.
 pub(crate) trait ParameterRules {
     /// Rule parameters.feed. `_feed` is the feed rate in force.
     fn feed_parameter(&self, state: &State) -> f64 {
@@ -243,7 +243,7 @@ fn coordinate_system(system: u32) -> f64 {
     f64::from(if system <= 6 { 530 + 10 * system } else { 584 + system })
 }
 
-/// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` tell the canned cycle return mode.
+/// Rule parameters.retract. `_retract_r_plane` and `_retract_old_z` report the canned cycle return mode.
 /// Choice parameters.retract-names: each as it is named, or each under the other one's code.
 fn retract(state: &State, named: ReturnMode) -> f64 {
     let by_name = state.choices.is(choice::parameters::RetractNames::ByName);

@@ -1,3 +1,5 @@
+//! Tests numbered, named and predefined parameters.
+
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::Machine;

@@ -28,7 +28,7 @@ pub struct Word {
     pub letter: char,
     /// Its value.
     pub value: Expression,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
@@ -39,7 +39,7 @@ pub struct Setting {
     pub target: Parameter,
     /// Its new value.
     pub value: Expression,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
@@ -100,7 +100,7 @@ pub enum Function {
     Tangent,
 }
 
-/// What stands between two values; each group binds closer than the next.
+/// An operator between two values. Each group has a higher precedence than the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
     /// `**`.
@@ -144,11 +144,11 @@ pub struct OWord {
     pub keyword: Keyword,
     /// Bracketed values after the keyword: a condition, a count, arguments, a return value.
     pub arguments: Vec<Expression>,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
-/// What stands after the letter O.
+/// The label after the letter O.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Label {
     /// `o100`, `o#1`, `o[#1+2]`: a number, perhaps computed.

@@ -75,7 +75,7 @@ impl Parser<'_> {
 
     /// An expression with its brackets.
     ///
-    /// Rule expressions.nested. An expression may stand in an expression and gives its value there.
+    /// Rule expressions.nested. An expression may contain expressions.
     /// Rule expressions.unbalanced. An expression without its closing bracket is refused.
     pub(super) fn bracketed(&mut self) -> Result<Expression, StepError> {
         self.advance();

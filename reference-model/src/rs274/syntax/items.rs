@@ -21,7 +21,7 @@ const AXIS_LETTERS: &str = "xyzabcuvw";
 
 /// How the items of a line are read.
 pub(crate) trait SyntaxRules {
-    /// Rule text.item-order. Comments may stand anywhere in a line, before an O-word too: what follows those at its
+    /// Rule text.item-order. Comments may occur anywhere in a line, before an O-word too: what follows those at its
     /// beginning is checked here.
     fn check_after_comment(&self, _parser: &Parser<'_>) -> Result<(), StepError> {
         Ok(())
@@ -123,7 +123,7 @@ impl Parser<'_> {
         Ok(Some(number))
     }
 
-    /// Goes on behind comments.
+    /// Skips comments.
     pub(crate) fn comments(&mut self) {
         while self.peek() == Some(Glyph::COMMENT) {
             self.advance();
@@ -192,7 +192,7 @@ impl Parser<'_> {
     /// Other rules say more of what stands where an item should stand.
     fn misplaced(&self, next: char) -> StepError {
         let follows = self.follows_value();
-        let ends = matches!(self.peek_behind(1), None | Some(Glyph::COMMENT));
+        let ends = matches!(self.peek_after(1), None | Some(Glyph::COMMENT));
         let (rule, kind, message) = match next {
             '%' => (
                 rule::text::PERCENT_LINE,
@@ -217,7 +217,7 @@ impl Parser<'_> {
             }
             '+' | '-' | '*' if follows => return self.operator_outside(),
             '/' if follows
-                && self.peek_behind(1).is_some_and(|behind| "#[.0123456789".contains(behind)) =>
+                && self.peek_after(1).is_some_and(|next| "#[.0123456789".contains(next)) =>
             {
                 return self.operator_outside();
             }
@@ -248,7 +248,7 @@ impl Parser<'_> {
             .is_some_and(|last| last.is_ascii_digit() || last == ']' || last == '>' || last == '.')
     }
 
-    /// Rule expressions.operators-in-brackets. Binary operators stand inside expressions only.
+    /// Rule expressions.operators-in-brackets. Binary operators occur inside expressions only.
     fn operator_outside(&self) -> StepError {
         let message = "an operator outside of brackets";
         self.refuse(rule::expressions::OPERATORS_IN_BRACKETS, FaultKind::BadExpression, message)

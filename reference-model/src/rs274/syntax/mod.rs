@@ -72,7 +72,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
         condensed = condense(line, &mut room.glyphs, state);
     }
     if let Err(StepError::Refused(Refusal { span: Some(span), .. })) = &condensed {
-        // What stands before a comment that is not closed, or not opened, can be read.
+        // The text before a comment that is not closed, or not opened, can be read.
         broken = true;
         condensed = condense(&line[..span.start as usize], &mut room.glyphs, state);
     }
@@ -84,7 +84,7 @@ fn leading_o_word(line: &str, with_arguments: bool, state: &mut State) -> Option
     word.filter(|word| !broken || word.keyword != Keyword::ProgramNumber)
 }
 
-/// Whether an O-word, or a comment that may stand before one, follows what can be a slash and a line number.
+/// Whether an O-word, or a comment that may precede one, follows what can be a slash and a line number.
 fn may_begin_with_o_word(line: &str) -> bool {
     let before =
         |byte: &u8| matches!(byte, b' ' | b'\t' | b'\r' | b'/' | b'n' | b'N' | b'0'..=b'9' | b'.');

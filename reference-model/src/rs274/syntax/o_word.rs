@@ -8,7 +8,7 @@ use super::{Expression, Keyword, Label, OWord};
 use crate::ids::rule;
 use crate::rs274::refusal::StepError;
 
-/// `elseif` stands before `else`, which it begins with.
+/// `elseif` precedes `else`, which is a prefix of it.
 const KEYWORDS: [(&str, Keyword); 15] = [
     ("sub", Keyword::Sub),
     ("endsub", Keyword::EndSub),
@@ -31,7 +31,7 @@ impl Parser<'_> {
     /// An O-word and the end of its line.
     ///
     /// Rule control.unrelated-words. Other words on the line of an O-word are refused.
-    /// Rule control.comment-after. Comments may stand between the values of a call.
+    /// Rule control.comment-after. Comments may separate the values of a call.
     pub(super) fn o_word(&mut self) -> Result<OWord, StepError> {
         let start = self.place();
         let mut o_word = self.label_and_keyword()?;
@@ -70,7 +70,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Comments that stand beside a value of a call.
+    /// Skips the comments around a value of a call.
     fn comments_of_call(&mut self, o_word: &OWord) {
         if o_word.keyword == Keyword::Call {
             self.comments();
@@ -123,7 +123,7 @@ impl Parser<'_> {
         self.keyword(label, start)
     }
 
-    /// The keyword behind a label; none makes a number alone that of a program.
+    /// The keyword after a label. A number without a keyword is that of a program.
     pub(crate) fn keyword(&mut self, label: Label, start: usize) -> Result<OWord, StepError> {
         let keyword = match KEYWORDS.iter().find(|(spelling, _)| self.sees(spelling)) {
             Some((spelling, keyword)) => {

@@ -43,14 +43,14 @@ impl<'a> Parser<'a> {
         (self.room, self.failed)
     }
 
-    /// The next character, which stays where it is.
+    /// The next character; it is not consumed.
     pub(crate) fn peek(&self) -> Option<char> {
-        self.peek_behind(0)
+        self.peek_after(0)
     }
 
-    /// The character behind some others.
-    pub(crate) fn peek_behind(&self, others: usize) -> Option<char> {
-        self.room.glyphs.get(self.at + others).map(|glyph| glyph.character)
+    /// The character after the next `count` ones; it is not consumed.
+    pub(crate) fn peek_after(&self, count: usize) -> Option<char> {
+        self.room.glyphs.get(self.at + count).map(|glyph| glyph.character)
     }
 
     /// The character before the next one.
@@ -60,12 +60,10 @@ impl<'a> Parser<'a> {
 
     /// Whether the next characters are these.
     pub(crate) fn sees(&self, text: &str) -> bool {
-        text.chars()
-            .enumerate()
-            .all(|(index, character)| self.peek_behind(index) == Some(character))
+        text.chars().enumerate().all(|(index, character)| self.peek_after(index) == Some(character))
     }
 
-    /// Goes on behind these characters, if they are next.
+    /// Consumes these characters, if they are next.
     pub(crate) fn take(&mut self, text: &str) -> bool {
         let seen = self.sees(text);
         if seen {
@@ -74,12 +72,12 @@ impl<'a> Parser<'a> {
         seen
     }
 
-    /// Goes on behind the next character.
+    /// Consumes the next character.
     pub(super) fn advance(&mut self) {
         self.at += 1;
     }
 
-    /// The characters up to the first that is not wanted; goes on behind them.
+    /// Consumes and returns the characters up to the first that is not wanted.
     pub(super) fn take_while(&mut self, wanted: impl Fn(char) -> bool) -> String {
         let mut taken = String::new();
         self.take_into(&mut taken, wanted);

@@ -15,7 +15,7 @@ pub struct Room {
 }
 
 impl Clone for Room {
-    /// What is in it counts for nobody, so a copy is empty.
+    /// The content is temporary, so a copy is empty.
     fn clone(&self) -> Self {
         Self::default()
     }

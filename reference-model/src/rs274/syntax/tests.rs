@@ -1,3 +1,5 @@
+//! Tests the parser of blocks: spans, precedence, and the rule that refuses each invalid line.
+
 use super::*;
 use crate::rs274::refusal::{Refusal, StepError};
 

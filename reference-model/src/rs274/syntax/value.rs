@@ -39,7 +39,7 @@ const FUNCTIONS: [(&str, Function); 12] = [
 ];
 
 impl Parser<'_> {
-    /// A number, a parameter, an expression or a function, perhaps behind a sign.
+    /// A number, a parameter, an expression or a function, with or without a sign.
     pub(super) fn value(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         match self.peek() {
             Some('+' | '-') => self.signed(wanted),
@@ -69,7 +69,7 @@ impl Parser<'_> {
 
     /// Rule numbers.sign. A number may begin with a plus or minus sign; without one it is positive.
     /// Rule numbers.form. A second sign is refused.
-    /// Choice expressions.unary-minus: whether a sign may stand before a parameter, an expression or a function.
+    /// Choice expressions.unary-minus: whether a parameter, an expression or a function may have a sign.
     fn signed(&mut self, wanted: Wanted) -> Result<Expression, StepError> {
         let minus = self.peek() == Some('-');
         self.advance();
@@ -162,10 +162,10 @@ impl Parser<'_> {
         Ok(number)
     }
 
-    /// Rule parameters.indirect. The number sign may be repeated or stand before an expression: the value within is the
+    /// Rule parameters.indirect. The number sign may be repeated or precede an expression: the value within is the
     /// parameter's number.
     /// Rule parameters.sign-first. The number sign binds closer than any operator.
-    /// Rule parameters.name-marks. A name stands between < and >.
+    /// Rule parameters.name-marks. A name is enclosed in < and >.
     /// Choice parameters.function-number: whether a function gives the number.
     pub(super) fn parameter(&mut self) -> Result<Parameter, StepError> {
         self.advance();
@@ -187,7 +187,7 @@ impl Parser<'_> {
     /// Rule parameters.name-spelling. Case and blanks in a name do not count.
     pub(super) fn name(&mut self) -> Result<String, StepError> {
         self.advance();
-        // A NUL is no character of a text, wherever it stands.
+        // A NUL is not a valid character anywhere.
         let ends = ['>', Glyph::COMMENT, '\0'];
         let name = self.take_while(|character| !ends.contains(&character));
         let empty = name.is_empty() && !self.choices.dialect().empty_name_is_allowed(self.choices);
@@ -257,7 +257,7 @@ impl Parser<'_> {
         if !self.take("[") || self.peek() != Some('#') {
             return wrong(self);
         }
-        let numbered = self.peek_behind(1) != Some('<');
+        let numbered = self.peek_after(1) != Some('<');
         if numbered && !self.choices.dialect().exists_takes_numbered(self.choices) {
             return wrong(self);
         }
@@ -273,10 +273,10 @@ impl Parser<'_> {
         let letter = self.peek().is_some_and(|next| next.is_ascii_lowercase());
         let letters = (0..)
             .take_while(|index| {
-                self.peek_behind(*index).is_some_and(|next| next.is_ascii_lowercase())
+                self.peek_after(*index).is_some_and(|next| next.is_ascii_lowercase())
             })
             .count();
-        let called = letters > 1 && self.peek_behind(letters) == Some('[');
+        let called = letters > 1 && self.peek_after(letters) == Some('[');
         let (rule, kind, message) = match wanted {
             Wanted::ParameterNumber if letter => {
                 (rule::parameters::NAME_MARKS, FaultKind::BadBlock, "a name without < and >")

@@ -1,4 +1,4 @@
-//! What an abort leaves behind.
+//! The state after an abort.
 
 use gaugeblock_vocabulary::{End, SpindleTurn, Switch};
 
@@ -70,7 +70,7 @@ impl ModelRun<'_> {
     /// nothing of it was executed.
     ///
     /// Where the documents leave open what a block means that is read ahead, or where nothing ends the reading, they
-    /// leave open what the abort leaves behind.
+    /// do not say which state the abort leaves.
     fn read_on(&mut self) -> End {
         let Some(mut state) = self.at_block.take().map(|state| *state) else {
             return End::Aborted;

@@ -43,7 +43,7 @@ impl ModelRun<'_> {
                 Answer::Nothing | Answer::Pauses | Answer::GoesOn => {}
             }
         }
-        // A spindle that an abort has left on its way comes to its angle all the same.
+        // An orientation that was in progress at an abort is completed.
         while let Some(time) = self.state.environment.next_orientation() {
             self.state.environment.within_wait(time);
             self.update_pins(None);

@@ -1,4 +1,4 @@
-//! The run: a program or lines entered by hand, the operator beside it, and how it ends.
+//! The run: a program or lines entered by hand, the operator's events, and the end.
 //!
 //! | room | what it settles |
 //! | --- | --- |
@@ -6,11 +6,11 @@
 //! | [`operator`] | what the operator does, and when |
 //! | [`mod@run`] | the state of a run |
 //! | [`moves`] | moves of a block that are held where they begin |
-//! | [`wait`] | what the operator does while the program waits, pauses or stands |
+//! | [`wait`] | the operator's events while the program waits, pauses or is stopped |
 //! | [`request`] | what the controller does with a request, or refuses, by its mode |
 //! | [`idle`] | while no program runs: blocks by hand, cycle start |
-//! | [`abort`] | what an abort leaves behind |
-//! | [`pins`] | what the machine's pins show |
+//! | [`abort`] | the state after an abort |
+//! | [`pins`] | the values of the machine's pins |
 //! | [`record`] | what is observed |
 //! | [`watch`] | moves and waits of a phase, looked at one by one |
 
@@ -104,7 +104,7 @@ pub fn run(
     (run.record.finish(end, parameters, pins), run.state.coverage)
 }
 
-/// Whether a block during which the run ends so has done nothing: one that is refused, or that asks for more effects
+/// Whether a block during which the run ends so has done nothing: one that is refused, or that requests more effects
 /// than there are.
 fn leaves_nothing(end: &End) -> bool {
     match end {
@@ -120,7 +120,7 @@ fn leaves_nothing(end: &End) -> bool {
     }
 }
 
-/// What a controller may do otherwise when it runs programs.
+/// Operations of the run that a dialect can replace.
 pub(crate) trait TaskRules {
     /// Before the first block the machine is at its zero.
     fn stand_at_start(&self, state: &mut State) {
@@ -219,7 +219,7 @@ impl ModelRun<'_> {
         };
         loop {
             let stands_idle = match &end {
-                // A program that pauses has no event left; what is entered by hand stands idle.
+                // A program that pauses has no event left; what is entered by hand is idle.
                 End::ProgramEnd | End::PercentEnd | End::Aborted | End::Paused => true,
                 End::Endless
                 | End::Fault(_)

@@ -1,6 +1,6 @@
 //! Moves are held where they begin, each for itself, and the operator acts in the dwells and waits between them.
 //!
-//! A canned cycle is the moves and dwells that it stands for, and what it computes does not depend on how long they
+//! A canned cycle is its moves and dwells, and what it computes does not depend on how long they
 //! take. So a phase that may be held is executed up to the first move or dwell that takes time; the operator acts
 //! there; and then it is executed again, with that wait in its place.
 

@@ -1,4 +1,4 @@
-//! What the machine's pins show of the modes in force.
+//! The values of the machine's pins, from the active modes.
 
 use gaugeblock_vocabulary::{Pin, SpindleMode, SpindleTurn, Switch};
 
@@ -52,7 +52,7 @@ fn set_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
     }
 }
 
-/// Rule spindle.turns-at-speed. What the pins of a spindle show is how it turns; each spindle has its own
+/// Rule spindle.turns-at-speed. The pins of a spindle report how it turns; each spindle has its own
 /// (spindle.each-turns).
 ///
 /// Rule spindle.turns-later. A speed above zero lets a spindle turn that was started before.
@@ -77,10 +77,10 @@ fn changed_pin(pin: Pin, value: f64, after: Option<Phase>, state: &mut State) {
     }
 }
 
-/// The rules by which a spindle that was told to turn stands, or turns at another speed than S.
+/// The rules by which a spindle that was started is stopped, or turns at another speed than S.
 ///
-/// Rule spindle.zero-speed-stands. At a speed of zero it does not turn.
-/// Rule spindle.override-zero-stands. Nor does it while its override is enabled and zero.
+/// Rule spindle.zero-speed-stands. A spindle with a speed of zero does not turn.
+/// Rule spindle.override-zero-stands. A spindle whose override is enabled and zero does not turn.
 /// Rule spindle.override-counts. An override that is enabled changes its speed.
 /// Rule overrides.speed-value. One that is disabled does not.
 fn of_override(spindle: &Spindle, factor: f64) -> Option<Rule> {

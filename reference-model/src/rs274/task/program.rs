@@ -19,7 +19,7 @@ use crate::rs274::{check, execute, order, syntax};
 impl ModelRun<'_> {
     /// The next line of the program.
     ///
-    /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is no program end.
+    /// Rule program-end.percent. The second percent line ends the run and does nothing else: it is not a program end.
     pub(super) fn next(&mut self) -> Result<Option<End>, StepError> {
         let place = self.control.place;
         self.state.line = place.line;
@@ -119,7 +119,7 @@ impl ModelRun<'_> {
         self.done()?;
         let comment_only = block.words.is_empty() && block.settings.is_empty();
         if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
-            // A comment that says nothing is no block.
+            // An inactive comment is not a block.
             self.record.is_no_block();
             return Ok(Next::Following);
         }
@@ -288,7 +288,7 @@ impl ModelRun<'_> {
 
     /// Rule program-end.ends. M2 and M30 end the program, at any level.
     ///
-    /// Rule program-end.lines-after. What stands behind them is not read.
+    /// Rule program-end.lines-after. The text after them is not read.
     ///
     /// Rule fanuc-subs.block-deleted-end. One that block delete would skip ends the program while block delete is off.
     fn ended(&mut self, deletable: bool) -> Result<(), StepError> {
@@ -341,7 +341,7 @@ pub(super) fn is_cycle(words: &Words, state: &State) -> bool {
     execute::programmed_motion::motion_of(words, state).is_some_and(execute::cycles::is_cycle)
 }
 
-/// Whether a phase waits for what the machine answers, so that nothing behind it can be read before: M66, M6, a probe.
+/// Whether a phase waits for what the machine answers, so that later blocks cannot be read before: M66, M6, a probe.
 fn waits_for_machine(phase: Phase, words: &Words, state: &State) -> bool {
     let reads_input = phase == Phase::InputsOutputs && words.m.contains(&66);
     let probes = phase == Phase::Motion

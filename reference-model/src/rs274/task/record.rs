@@ -282,7 +282,7 @@ impl Record {
                     == Settings::default())
     }
 
-    /// What the stub of a machine is told of the moves of the block that is being executed.
+    /// The moves of the executed block, as the stub of a machine receives them.
     pub(crate) fn moves(&self) -> BlockMotion {
         let mut moves = self.events.iter().filter_map(|event| match event {
             Event::Do(effect) if is_move(effect) => Some(effect),
@@ -384,7 +384,7 @@ impl Record {
     }
 }
 
-/// By what the speed of a move goes; none for what is no move.
+/// What determines the speed of a move; `None` for another effect.
 fn speed_of(effect: &Effect, in_step: bool) -> Option<Speed> {
     if !is_move(effect) {
         None

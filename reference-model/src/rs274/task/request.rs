@@ -46,7 +46,7 @@ pub(super) enum Answer {
 }
 
 impl ModelRun<'_> {
-    /// Does what the operator asks for. An encoder that answers at the same time does so afterwards.
+    /// Does what the operator requests. An encoder that answers at the same time does so afterwards.
     ///
     /// # Errors
     /// An abort of what is being executed; what the documents leave open.
@@ -66,7 +66,7 @@ impl ModelRun<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, StepError> {
-        // A spindle may have come to its angle meanwhile.
+        // A spindle may have reached its angle meanwhile.
         self.update_pins(None);
         let panel = &mut self.state.panel;
         match happening.action {
@@ -206,7 +206,7 @@ impl ModelRun<'_> {
         Ok(self.refuse(Request::Mdi))
     }
 
-    /// The controller does not do what it is asked for, and says so.
+    /// The controller refuses the request with a message.
     fn refuse(&mut self, request: Request) -> Answer {
         self.record.effect(&mut self.state, Effect::RequestRefused { request });
         Answer::Nothing

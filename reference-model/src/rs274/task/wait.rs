@@ -1,4 +1,4 @@
-//! What the operator does while a block begins, waits or stands, and while the program pauses.
+//! The operator's events while a block begins, waits or is stopped, and while the program pauses.
 
 use gaugeblock_vocabulary::{BlockLocation, End};
 

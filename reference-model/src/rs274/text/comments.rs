@@ -7,14 +7,14 @@ use crate::Choices;
 use crate::ids::{choice, rule};
 use crate::rs274::refusal::{StepError, refuse_at};
 
-/// A comment: what stands in parentheses or after a semicolon, verbatim.
+/// A comment: the text in parentheses or after a semicolon, verbatim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comment {
     /// Its text without the marks.
     pub text: String,
     /// Whether a semicolon began it.
     pub semicolon: bool,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
@@ -24,7 +24,7 @@ pub struct Comment {
 /// parentheses.
 /// Rule text.comment-unclosed. A comment whose right parenthesis is missing, and a right parenthesis without a comment,
 /// are refused.
-/// Choice text.comment-nested: whether a left parenthesis may stand within a comment.
+/// Choice text.comment-nested: whether a comment may contain a left parenthesis.
 ///
 /// # Errors
 /// It is not closed, or closed without having begun.

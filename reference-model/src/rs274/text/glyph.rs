@@ -14,7 +14,7 @@ pub struct Glyph {
 }
 
 impl Glyph {
-    /// What stands for a whole comment: a left parenthesis, which stands nowhere else.
+    /// The glyph in place of a whole comment: a left parenthesis, which occurs nowhere else.
     pub const COMMENT: char = '(';
 }
 

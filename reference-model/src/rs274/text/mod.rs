@@ -33,7 +33,7 @@ pub struct Source {
     text: String,
     /// The place of each line in the text, without its line end.
     lines: Vec<Range<usize>>,
-    /// Index in `lines` of the first useful line: behind the percent line where the file begins with one.
+    /// Index in `lines` of the first useful line: after the percent line if the file begins with one.
     pub first: usize,
     /// Whether the file begins with a percent line; then the next one ends it.
     pub percent: bool,
@@ -73,7 +73,7 @@ impl Source {
         }
     }
 
-    /// What the line at an index of `lines` is; `None` behind the last line.
+    /// The kind of the line at an index of `lines`; `None` after the last line.
     ///
     /// Rule text.blank-lines. Blank lines are allowed and ignored.
     /// Rule text.block-delete-on. While block delete is on, a line that begins with a slash is skipped unread.
@@ -128,7 +128,7 @@ impl Source {
 /// What counts as blank within a line. A carriage return is one only where it does not end the line.
 pub(super) const BLANKS: [char; 3] = [' ', '\t', '\r'];
 
-/// The first byte of a line that is no blank.
+/// The first byte of a line that is not a blank.
 fn first(line: &str) -> Option<u8> {
     line.bytes().find(|byte| !BLANKS.contains(&char::from(*byte)))
 }

@@ -1,3 +1,5 @@
+//! Tests the division of a file into lines: line ends, percent lines, block delete.
+
 use super::*;
 
 fn source(text: &str, options: &[(&str, &str)]) -> (Source, State) {

@@ -1,13 +1,13 @@
-//! Which of the points that a sample can stand for lead on to the end of the record.
+//! Removes matching points from which the later samples cannot be reached.
 
 use super::{Matcher, Reach, passes};
 
 impl Matcher<'_> {
-    /// Leaves out points from which those of the next sample cannot be reached: a sample that may still be on a line
-    /// from which it has long gone away is on it in no reading.
+    /// Removes the points of each sample from which no point of the next sample can be reached. Example: a sample near
+    /// two lines is not on the first one if the next sample can only be reached from the second.
     ///
-    /// Nothing is left out where the next sample stands for no point that can be reached, or where the path may be
-    /// followed backwards.
+    /// Nothing is removed if the next sample matches no point that can be reached, or if the path may be followed
+    /// backwards.
     pub(super) fn lead(&mut self) {
         let Some(last) = self.rows.len().checked_sub(1) else { return };
         if self.measure.finished {
@@ -25,7 +25,7 @@ impl Matcher<'_> {
         }
     }
 
-    /// Who has come to the end of the path stands there, and nowhere else.
+    /// Matches the last sample with the end of the path alone, if it matches the end.
     fn finish(&mut self, last: usize) {
         let end = self.pieces.len() - 1;
         let row = &mut self.rows[last];

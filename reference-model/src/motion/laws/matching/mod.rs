@@ -1,11 +1,12 @@
-//! Which point of the path a sample stands for.
+//! Matches each sample with a point of the path.
 //!
-//! Samples are matched by progress: a sample stands for a point that is within tolerance of it and not before the
-//! point of the sample before, and each corner on the way is within tolerance of the chord between two samples. So a
-//! path that crosses itself or goes to and fro is followed, and not the nearest of all its points. For each sample
-//! the set of all such points is kept, as an interval on each piece of the path (the free space of two curves, of
-//! which the Fréchet distance is read off); if it becomes empty, something was missed, and matching goes on from the
-//! nearest point. Of these points those remain that lead on to what comes later.
+//! Samples are matched by progress. A sample matches a point that is within tolerance of it and not before the point of
+//! the previous sample; each corner between them must be within tolerance of the chord between the two samples. A path
+//! that crosses itself or reverses is therefore followed in order; the nearest point of the whole path would be wrong.
+//!
+//! For each sample the set of all matching points is kept, as an interval on each piece of the path (the free space of
+//! two curves, which also gives their Fréchet distance). If the set becomes empty, part of the path was missed, and
+//! matching continues from the nearest point. A last pass removes points from which no later sample can be reached.
 //!
 //! The work is linear in samples times pieces within tolerance of a sample.
 
@@ -19,7 +20,7 @@ use crate::motion::route::{CornerTolerance, Route};
 use crate::motion::vector::{AxisVector, distance, from_segment};
 use gaugeblock_vocabulary::motion::PathMode;
 
-/// How many pieces ahead and behind a lost sample is looked for.
+/// Pieces after and before the last match in which a point is searched for a sample that matches none.
 const AHEAD: usize = 256;
 const BEHIND: usize = 16;
 
@@ -31,9 +32,9 @@ pub(super) struct Piece {
     /// Its parameter where the piece starts and ends.
     from: f64,
     to: f64,
-    /// How far a sample may be from it.
+    /// The greatest distance of a matching sample from the piece.
     tolerance: f64,
-    /// How far its end may be from the chord that passes it.
+    /// The greatest distance of the piece's end from the chord between the samples before and after it.
     gate: f64,
 }
 
@@ -44,16 +45,16 @@ pub(super) struct Place {
     pub(super) part: f64,
 }
 
-/// What was missed.
+/// A part of the path that the samples do not follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Missed {
     /// A sample is too far from the path.
     Path,
-    /// No sample is near a corner, whose number this is.
+    /// No sample is near the corner of this number.
     Corner(usize),
-    /// A leg was left out, whose number this is.
+    /// The leg of this number was left out.
     Leg(usize),
-    /// The middle of a leg was left out, from which no corner may be rounded.
+    /// The middle of the leg of this number was left out: a corner may be rounded only up to it.
     Middle(usize),
     /// The path was followed backwards.
     Order,
@@ -68,7 +69,7 @@ pub(super) struct Miss {
     pub(super) allowed: f64,
 }
 
-/// The points of a piece for which a sample can stand.
+/// The points of a piece that match a sample.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     piece: usize,
@@ -79,31 +80,32 @@ struct Reach {
 /// Samples matched to a route.
 #[derive(Clone, Debug)]
 pub(super) struct Matching {
-    /// The point for which each sample stands.
+    /// The best matching point of each sample.
     pub(super) places: Vec<Place>,
     /// What was missed, in order.
     pub(super) missed: Vec<Miss>,
-    /// First and last leg that each sample can stand for.
+    /// First and last leg with a point that matches each sample.
     pub(super) legs: Vec<(usize, usize)>,
-    /// How many legs may be behind each sample: those before the last one, and that one if the sample can stand for
-    /// its end.
+    /// The number of legs that may have ended at each sample: those before its last leg, and that leg if its end
+    /// matches.
     pub(super) ended: Vec<usize>,
-    /// The corners of which each sample can be on the way from the middle before to the middle behind, in order.
+    /// For each sample, the corners that it can be passing: it is between the middles of the legs before and after the
+    /// corner. In order.
     pub(super) corners: Vec<Vec<usize>>,
 }
 
-/// What matching goes by.
+/// The samples, and the bounds of their errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measure<'a> {
     /// The samples' positions.
     pub(super) points: &'a [AxisVector],
-    /// How far a position may be off because of how it is written.
+    /// The greatest error of a position by the rounding of written numbers.
     pub(super) slack: f64,
-    /// How far a motion can be from the chord between two samples.
+    /// The greatest distance of the motion from the chord between two samples.
     pub(super) bulge: f64,
     /// Whether the path may be followed backwards at a sample.
     pub(super) backwards: &'a [bool],
-    /// Whether the samples lead to the end of the path, if they come there.
+    /// Whether the samples must reach the end of the path.
     pub(super) finished: bool,
 }
 
@@ -114,7 +116,7 @@ struct Matcher<'a> {
     /// The least distance of each piece's end to the chords so far.
     closest: Vec<f64>,
     rows: Vec<Vec<Reach>>,
-    /// The samples that stand for no point which can be reached from those of the sample before.
+    /// The samples that match no point which can be reached from those of the previous sample.
     lost: BTreeSet<usize>,
     missed: Vec<Miss>,
 }
@@ -247,7 +249,7 @@ impl Matcher<'_> {
         Some(Reach { piece, low, high })
     }
 
-    /// The points for which a sample can stand, from those of the sample before.
+    /// The points that match a sample, from those of the previous sample.
     fn step(&mut self, sample: usize) -> Vec<Reach> {
         let before = &self.rows[sample - 1];
         let (point, from) = (&self.measure.points[sample], &self.measure.points[sample - 1]);

@@ -1,23 +1,24 @@
-//! One point for each sample, of those for which it can stand.
+//! Selects one matching point for each sample.
 
 use super::{Matcher, Place, Reach};
 use crate::motion::vector::distance;
 
-/// What is not told apart, of distances and of sums of their squares.
+/// The difference below which distances, or sums of their squares, count as equal.
 const SAME: f64 = 1e-12;
 
-/// A point of a piece, and the way that leads there.
+/// A point of a piece, as the last step of a sequence of points.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// The squares of the distances of all samples so far from their points, summed up.
+    /// The sum of the squared distances of all samples so far from their points.
     cost: f64,
-    /// The one of the sample before: its place in that sample's row.
+    /// The point of the previous sample, as an index in that sample's row.
     before: usize,
 }
 
 impl Matcher<'_> {
-    /// The points that are nearest to the samples all in all, and in order. A single sample's nearest point tells
-    /// little where the tolerance is large: the end of a blend may be nearer to where the path began.
+    /// The sequence of points, in the order of the path, with the least sum of squared distances from the samples. The
+    /// nearest point of a single sample would be misleading if the tolerance is large: a sample near the end of a blend
+    /// can be nearer to the beginning of the path.
     pub(super) fn places(&self) -> Vec<Place> {
         let mut steps: Vec<Vec<Step>> = Vec::with_capacity(self.rows.len());
         for sample in 0..self.rows.len() {
@@ -62,8 +63,8 @@ impl Matcher<'_> {
         self.rows[sample].iter().map(step).collect()
     }
 
-    /// The distance of a sample from a piece's points for which it can stand, up to a parameter, and the parameter of
-    /// the nearest one.
+    /// The distance of a sample from the matching points of a piece, up to a parameter, and the parameter of the
+    /// nearest point.
     fn away(&self, sample: usize, reach: Reach, limit: f64) -> (f64, f64) {
         let (point, curve) =
             (&self.measure.points[sample], &self.curves[self.pieces[reach.piece].leg]);

@@ -6,7 +6,7 @@ use crate::rs274::order::Phase;
 use crate::rs274::state::State;
 use crate::rs274::task::{Record, update_pins};
 
-/// What a cycle is for; its number says little.
+/// The operation of a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// G81.
@@ -43,17 +43,17 @@ pub(crate) fn axes_of(plane: Plane) -> [Axis; 3] {
     }
 }
 
-/// A cycle of one block, all its numbers found.
+/// A cycle of one block. All values are final: from its words, from earlier blocks of the series or defaults.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cycle {
-    /// What it is for.
+    /// Its operation.
     pub(crate) kind: Kind,
     /// First, second and normal axis.
     pub(crate) axes: [Axis; 3],
-    /// Where the normal axis was before the first of a row of cycles.
+    /// Coordinate of the normal axis before the first cycle of the series: "old Z".
     #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) initial: f64,
-    /// R: where feeding begins.
+    /// R: the height at which feeding begins.
     pub(crate) retract: f64,
     /// Bottom of the hole.
     pub(crate) bottom: f64,
@@ -79,8 +79,8 @@ pub(crate) fn feed_along(axis: Axis, to: f64, state: &mut State, record: &mut Re
     record.effect(state, Effect::StraightFeed { end: state.position });
 }
 
-/// The cycle starts or stops its spindle, which the pins show at once.
-pub(super) fn turns(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
+/// Starts or stops the spindle of the cycle. The spindle's pins change at once.
+pub(super) fn turn_spindle(turn: SpindleTurn, cycle: &Cycle, state: &mut State) {
     state.dialect().set_turn(turn, cycle.spindle, state);
     update_pins(state, Some(Phase::Motion));
 }

@@ -1,5 +1,5 @@
-//! Canned cycles, G73, G74 and G81 to G89: each is rewritten into the traverses, feeds, dwells and settings that it
-//! stands for.
+//! Canned cycles, G73, G74 and G81 to G89: each is rewritten into traverses, feeds, dwells and
+//! settings.
 //!
 //! A cycle works along three axes of the selected plane, its first, second and normal axis. Heights are positions on
 //! the normal axis in program coordinates, active length unit.
@@ -240,7 +240,7 @@ fn traverse(end: Position, state: &mut State, record: &mut Record) {
 
 /// The rules that an accepted cycle follows.
 fn accepted(words: &Words, rule: Rule, state: &mut State) {
-    if words.g.iter().all(|code| motion_mode(*code).is_none()) {
+    if words.g_tenths.iter().all(|code| motion_mode(*code).is_none()) {
         state.coverage.accepted(rule::cycles::REPEATS_ITSELF);
     }
     for rule in [rule, rule::cycles::PLANE, rule::cycles::RETURN_LEVEL, rule::cycles::INITIAL_LEVEL]

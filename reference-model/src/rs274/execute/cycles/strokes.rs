@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, SpindleTurn};
 
-use super::cycle::{Cycle, Kind, feed_along, traverse_along, turns};
+use super::cycle::{Cycle, Kind, feed_along, traverse_along, turn_spindle};
 use super::tapping;
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
@@ -134,11 +134,11 @@ pub(super) fn perform(
     }
     let turn = state.modes.spindles[cycle.spindle].turn;
     if cycle.kind == Kind::BoreSpindleStop {
-        turns(SpindleTurn::Stopped, cycle, state);
+        turn_spindle(SpindleTurn::Stopped, cycle, state);
     }
     traverse_along(normal, cycle.clear, state, record);
     if cycle.kind == Kind::BoreSpindleStop {
-        turns(turn, cycle, state);
+        turn_spindle(turn, cycle, state);
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, SpindleTurn, Switch};
 
-use super::cycle::{Cycle, Kind, turns};
+use super::cycle::{Cycle, Kind, turn_spindle};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -28,8 +28,8 @@ pub(super) fn check_direction(
 
 /// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way,
 /// dwells, and feeds out to the clear height. Rule cycles.tap-overrides. The feed override and the spindle's speed
-/// override are disabled meanwhile. Choice cycles.tap-return: whether the spindle turns as before afterwards. One
-/// that was held at an angle stands: nothing turns it back there.
+/// override are disabled meanwhile. Choice cycles.tap-return: whether the spindle turns as before afterwards. A
+/// spindle that was oriented is stopped: nothing turns it back to its angle.
 pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let place = cycle.spindle;
@@ -43,14 +43,14 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     } else {
         SpindleTurn::Clockwise
     };
-    turns(SpindleTurn::Stopped, cycle, state);
-    turns(out, cycle, state);
+    turn_spindle(SpindleTurn::Stopped, cycle, state);
+    turn_spindle(out, cycle, state);
     record.dwell(state, cycle.dwell);
     state.dialect().feed_tap(normal, cycle.clear, state, record);
     if state.choices.is(choice::cycles::TapReturn::AsBefore) {
-        turns(SpindleTurn::Stopped, cycle, state);
+        turn_spindle(SpindleTurn::Stopped, cycle, state);
         if matches!(before.turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise) {
-            turns(before.turn, cycle, state);
+            turn_spindle(before.turn, cycle, state);
         }
     }
     state.modes.feed_override = feed_override;

@@ -42,7 +42,7 @@ pub(super) fn expand(text: &str, state: &mut State) -> Result<String, StepError>
     Ok(expanded)
 }
 
-/// A format, as a number of decimals, and what stands behind it.
+/// A format, as a number of decimals, and the text after it.
 ///
 /// Rule active-comments.integer-format. After %d values are rounded to integers.
 /// Rule active-comments.decimals-format. After %.0f to %.9f values have that number of decimals.
@@ -77,7 +77,7 @@ fn default_decimals(choices: &Choices) -> usize {
     if choices.is(choice::active_comments::DefaultFormat::SixDecimals) { 6 } else { 4 }
 }
 
-/// A parameter, or `None` for a number that none has, and what stands behind it.
+/// A parameter, or `None` for an invalid number, and the text after it.
 ///
 /// Rule active-comments.numbered. A number sign and a number are replaced by the value of that parameter. Rule
 /// active-comments.named. A number sign and a name in <> are replaced by the value of that parameter; blanks in the
@@ -103,9 +103,9 @@ fn parameter_at<'a>(text: &'a str, state: &mut State) -> Option<(Option<Name>, &
     Some((number.map(Name::Numbered), behind))
 }
 
-/// A value as it is shown.
+/// A value as it is printed.
 ///
-/// Rule active-comments.absent-named. A named parameter that does not exist is shown by number signs, not refused.
+/// Rule active-comments.absent-named. A named parameter that does not exist is printed as number signs, not refused.
 /// Choice active-comments.absent-name: by one or by six of them.
 fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<String, StepError> {
     let value = name.map(|name| shown_value(name, state));
@@ -132,10 +132,10 @@ fn shown(name: Option<&Name>, decimals: usize, state: &mut State) -> Result<Stri
     }
 }
 
-/// The value that a message shows of a parameter.
+/// The value that a message prints for a parameter.
 ///
 /// Rule active-comments.absent-named. What does not exist has none, also where it would be zero in an expression.
-/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message shows its new value
+/// Choice active-comments.same-block-setting: a parameter that is set in the block of the message has its new value
 /// or its old one.
 pub(super) fn shown_value(name: &Name, state: &State) -> Result<f64, StepError> {
     let new = state.choices.is(choice::active_comments::SameBlockSetting::New)

@@ -43,7 +43,7 @@ impl Active {
     }
 }
 
-/// Keywords with a comma and a text behind them.
+/// Keywords that a comma and a text follow.
 const WITH_TEXT: [(&str, Active); 7] = [
     ("msg", Active::Message),
     ("debug", Active::Debug),
@@ -72,16 +72,16 @@ pub(super) fn active<'a>(comment: &'a str, choices: &Choices) -> Option<(Active,
     if spelled(comment) == "probeclose" {
         return Some((Active::ProbeClose, ""));
     }
-    if let Some(file) = behind(comment, "probeopen") {
+    if let Some(file) = text_after(comment, "probeopen") {
         return Some((Active::ProbeOpen, file));
     }
     if choices.is(choice::active_comments::MsgWithoutComma::Message) {
-        return behind(comment, "msg").map(|text| (Active::Message, text));
+        return text_after(comment, "msg").map(|text| (Active::Message, text));
     }
     None
 }
 
-/// Whether MSG and a comma stand in a comment behind other printing characters.
+/// Whether a comment contains MSG and a comma after other printing characters.
 pub(super) fn has_msg_inside(comment: &str) -> bool {
     spelled(comment).contains("msg,")
 }
@@ -94,8 +94,8 @@ pub(super) fn spelled(text: &str) -> String {
         .collect()
 }
 
-/// What stands behind a keyword, blanks not counted.
-fn behind<'a>(comment: &'a str, keyword: &str) -> Option<&'a str> {
+/// The text after a keyword at the beginning of a comment; blanks between its letters are ignored.
+fn text_after<'a>(comment: &'a str, keyword: &str) -> Option<&'a str> {
     let mut rest = comment;
     for wanted in keyword.chars() {
         rest = rest.trim_start_matches(is_blank);

@@ -17,7 +17,7 @@ use crate::rs274::task::Record;
 use expand::{expand, shown_value};
 use keyword::{Active, active};
 
-/// How active comments are read and shown.
+/// Operations on active comments that a dialect can replace.
 pub(crate) trait MessageRules {
     /// Rule active-comments.msg-spelling. The keyword before a comma, in lower case and without its blanks.
     fn keyword(&self, before: &str, _choices: &Choices) -> String {
@@ -34,17 +34,18 @@ pub(crate) trait MessageRules {
         true
     }
 
-    /// Rule active-comments.wrong-format. What is not a format is shown as it is written, with its percent sign.
+    /// Rule active-comments.wrong-format. An invalid format is printed as it is written, with its percent sign.
     fn drops_percent_sign(&self, _text: &str, _choices: &Choices) -> bool {
         false
     }
 
-    /// Rule active-comments.numbered. The text after a #0, which is not a parameter, where it is shown as zero: it is not.
+    /// Rule active-comments.numbered. The text after a #0, which is not a parameter, where it is shown as zero: it is
+    /// not.
     fn parameter_zero<'a>(&self, _text: &'a str, _choices: &Choices) -> Option<&'a str> {
         None
     }
 
-    /// Rule active-comments.numbered. The value that is shown for a parameter.
+    /// Rule active-comments.numbered. The value that is printed for a parameter.
     fn reported_value(&self, value: f64, _choices: &Choices) -> f64 {
         value
     }
@@ -111,7 +112,7 @@ pub fn perform(comment: &Comment, state: &mut State, record: &mut Record) -> Res
 }
 
 /// Rule active-comments.msg. MSG and a comma at the beginning of a comment display the rest of it.
-/// Rule active-comments.msg-verbatim. The text is displayed as it stands; parameters are not replaced.
+/// Rule active-comments.msg-verbatim. The text is displayed unchanged; parameters are not replaced.
 fn msg(text: &str, state: &mut State, record: &mut Record) {
     state.coverage.accepted(rule::active_comments::MSG_VERBATIM);
     state.coverage.accepted(rule::active_comments::MSG_SPELLING);

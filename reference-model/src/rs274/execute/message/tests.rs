@@ -1,3 +1,5 @@
+//! Tests active comments: their keywords, and the messages that they print.
+
 use gaugeblock_vocabulary::{End, Event, Span};
 
 use super::*;

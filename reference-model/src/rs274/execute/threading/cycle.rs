@@ -39,7 +39,7 @@ pub(crate) struct Thread {
     tapers_out: bool,
     /// Passes at full depth after the last.
     pub(crate) springs: i32,
-    /// The spindle, as effects tell it.
+    /// The spindle, as effects report it.
     spindle: usize,
 }
 
@@ -132,7 +132,7 @@ pub(crate) fn pass(thread: &Thread, depth: f64, state: &mut State, record: &mut 
     dialect.feed_pass(thread, &pass, state, record);
 }
 
-/// What a controller may do otherwise with a thread.
+/// Operations on threads that a dialect can replace.
 pub(crate) trait ThreadRules {
     /// The passes of a thread, each deeper than the one before.
     ///
@@ -189,8 +189,8 @@ pub(crate) trait ThreadRules {
 
     /// Feeds along a pass, and traverses out.
     ///
-    /// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds along a slope between its depth and K further
-    /// out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each
+    /// Rule threading.thread-tapers. Along E, at the ends that L names, it feeds along a slope between its depth and K
+    /// further out; at such an entry it feeds from the drive line, at others it traverses. Along Z it moves P for each
     /// revolution everywhere.
     fn feed_pass(&self, thread: &Thread, pass: &Pass, state: &mut State, record: &mut Record) {
         let Pass { line, cut, out, from, to, taper } = *pass;

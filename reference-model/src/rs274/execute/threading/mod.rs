@@ -19,7 +19,7 @@ use crate::rs274::task::Record;
 pub(crate) use cycle::ThreadRules;
 pub(super) use cycle::perform as thread;
 
-/// What a controller may do otherwise with motion in step with a spindle.
+/// Operations on spindle-synchronised motion that a dialect can replace.
 pub(crate) trait ThreadingRules {
     /// Moves synchronised with a spindle.
     ///
@@ -129,7 +129,7 @@ fn within_velocities(
     let too_fast = |axis: &Axis| {
         let limits = state.machine.limits.get(axis.word());
         let highest = limits.and_then(|limits| limits.velocity).unwrap_or(f64::INFINITY);
-        // What reaches the highest velocity does not exceed it, but for rounding.
+        // A velocity that equals the highest one does not exceed it, except by rounding.
         way.get(*axis).abs() > highest * seconds * (1.0 + 1e-9)
     };
     if revolutions > 0.0 && Axis::ALL.iter().any(too_fast) {
@@ -140,7 +140,7 @@ fn within_velocities(
     Ok(())
 }
 
-/// A spindle's number as effects tell it.
+/// A spindle's number, as effects report it.
 fn number(place: usize) -> u32 {
     u32::try_from(place).expect("machine: spindles are few")
 }
