@@ -3,17 +3,17 @@
 the line that answers `shows`, which it offers.
 
 It shows what the adapter that is built in shows, and gets its verdicts case by case: executed blocks with their effects, the settings at each effect,
-the state after each block, faults with place and kind, the numbered parameters at the end. How, tells the folder `probing` beside it. What rs274
+the state after each block, faults with place and kind, the numbered parameters at the end. How, tells the folder `instrumentation` next to it. What rs274
 only pretends to do (pauses, inputs, user-defined codes) is unsupported, and so is a program that does not end.
 """
 import json
 import sys
 
-from probing import support
-from probing.machine import hal
-from probing.outcome import outcome
-from probing.session import DecidedByLine, Session
-from probing.text import Source
+from instrumentation import support
+from instrumentation.machine import hal
+from instrumentation.outcome import outcome
+from instrumentation.session import DecidedByLine, Session
+from instrumentation.text import Source
 
 SETTINGS = [
     "units", "plane", "distance", "arc_distance", "feed_mode", "feed_rate", "retract", "compensation", "tool_offset", "work_offset", "g5x_offset",
@@ -31,7 +31,7 @@ DECLARATION = {
     "observables": {
         "fields": SETTINGS + STATE, "fields_at_effects": SETTINGS, "effects": EFFECTS, "moves_in_place": True, "fault_kinds": True,
         "final_parameters": True, "hidden_parameters": [[5061, 5070], [5400, 5428]], "pins": []},
-    # Calls have four decimals, and probes show a value below a ten-thousandth as zero.
+    # Calls have four decimals, and checkpoints show a value below a ten-thousandth as zero.
     "resolution": 0.0001, "clock": "virtual", "edition": "linuxcnc-2.9", "observed": "rs274-2.9-observed", "offers": ["shows"]}
 
 

@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn the_adapter_in_python_has_the_same_rows() {
-        let python = include_str!("../../python/probing/faults.py");
+        let python = include_str!("../../python/instrumentation/faults.py");
         let (_, table) = python.split_once("KINDS = [\n").unwrap();
         let (table, _) = table.split_once("\n]\n").unwrap();
         let lines = table.lines().filter(|line| !line.trim_start().starts_with('#'));

@@ -1,22 +1,23 @@
-//! What of a scenario would reach beyond the files of its program: it is refused before the run.
+//! Detects programs and INI entries that could access the host beyond the program's files. Such a scenario is refused
+//! before it runs.
 
 use super::workspace::RECORDED_SAMPLES;
 
-/// Codes in comments that open a file of the host: logs of messages and of probed points.
-const OPENING: [&str; 3] = ["logopen", "logappend", "probeopen"];
+/// Active comments that open a file: logs of messages and of probed points.
+const OPENING_KEYWORDS: [&str; 3] = ["logopen", "logappend", "probeopen"];
 
-/// Endings of the names that a log may have: nothing reads such a file.
+/// File extensions that a log may have: neither LinuxCNC nor its driver reads such files.
 const LOG_ENDINGS: [&str; 2] = ["txt", "log"];
 
-/// Whether a line would reach beyond the program's files: it runs Python, looks for a sub outside of the directory, or
-/// writes a log elsewhere or over a file that something else reads. Where it is not clear what a line means, it would.
+/// Whether a line could access the host: it runs Python, calls a sub in another directory, or writes a log into another
+/// directory or over a file that is read. An ambiguous line counts as one that could.
 pub(crate) fn reaches_host(line: &str) -> bool {
     let text = compact(line);
     let calls_elsewhere = text.match_indices("o<").any(|(at, _)| {
         let name = text[at..].split('>').next().unwrap_or_default();
         name.contains(['/', '\\'])
     });
-    let logs_elsewhere = OPENING.iter().any(|word| {
+    let logs_elsewhere = OPENING_KEYWORDS.iter().any(|word| {
         text.match_indices(word).any(|(at, _)| {
             let name = text[at + word.len()..].split(')').next().unwrap_or_default();
             !is_log_name(name.strip_prefix(',').unwrap_or(name))
@@ -25,7 +26,7 @@ pub(crate) fn reaches_host(line: &str) -> bool {
     text.contains("(py") || text.contains(";py") || calls_elsewhere || logs_elsewhere
 }
 
-/// Whether a log of this name would be a new file of the workspace.
+/// Whether a log of this name is a new file in the workspace.
 fn is_log_name(name: &str) -> bool {
     let ending = name.split_once('.').map(|(_, ending)| ending);
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
@@ -34,7 +35,7 @@ fn is_log_name(name: &str) -> bool {
         && ending.is_none_or(|ending| LOG_ENDINGS.contains(&ending))
 }
 
-/// A name on a machine's INI file: `[SECTION]NAME` of plain characters, so that nothing else is set with it.
+/// Whether a name of an INI entry is `[SECTION]NAME` of plain characters: it cannot set another entry.
 pub(crate) fn is_ini_name(name: &str) -> bool {
     let is_plain = |part: &str| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_".contains(c);
@@ -44,7 +45,7 @@ pub(crate) fn is_ini_name(name: &str) -> bool {
     parts.is_some_and(|(section, name)| is_plain(section) && is_plain(name))
 }
 
-/// Without blanks, in lower case: how the interpreter reads a line.
+/// A line without blanks and in lower case, as the interpreter reads it.
 pub(super) fn compact(line: &str) -> String {
     line.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_lowercase()).collect()
 }

@@ -1,25 +1,25 @@
-//! Instruments a program, so that its output reports where it is: probe lines after each line, and tags on lines that a
-//! jump can reach.
+//! Instruments a program, so that its output reports where it is: checkpoint lines after each line, and tags on lines
+//! that a jump can reach.
 //!
-//! A probe line prints file, line, and what parameters expose. The block between two probes did what happened between
-//! them. (DEBUG,…) would do as well, but a program can switch it off.
+//! A checkpoint line is a (PRINT,…) of file, line and parameters. The output between two checkpoints belongs to the
+//! block between them. (DEBUG,…) is not used, since a program can switch it off.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::source::{Form, LAST_PARAMETER, Source, form, has_slash, without_number};
 
-/// Longest line that the interpreter reads.
+/// Longest line that the interpreter reads, bytes.
 pub(crate) const LONGEST_LINE: usize = 252;
 
-/// How many parameters a probe line prints. A message of more than about 500 characters, with its values, crashes the
-/// interpreter, and large numbers are long.
-const MOST_VALUES: usize = 12;
+/// Parameters that a checkpoint line prints at most. A message of more than about 500 characters, with its values,
+/// crashes the interpreter, and large numbers are long.
+const VALUES_MAX: usize = 12;
 
 /// Characters that binding an end to a parameter may take.
 const ROOM_TO_BIND: usize = 40;
 
-/// Parameters that show a mode, printed as whole numbers.
+/// Parameters that report a mode; they are printed as integers.
 pub(crate) const MODES: [&[&str]; 2] = [
     &[
         "_motion_mode",
@@ -50,13 +50,13 @@ pub(crate) const MODES: [&[&str]; 2] = [
     ],
 ];
 
-/// Parameters that show a number, printed with nine decimals.
+/// Parameters that report a number; they are printed with nine decimals.
 pub(crate) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
 
 /// How a program is observed.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// The beginning of each probe line; it does not occur in the program.
+    /// The beginning of each checkpoint line; it does not occur in the program.
     pub(crate) marker: String,
     /// Parameters that are printed after each block, as written after `#`.
     pub(crate) parameters: Vec<String>,
@@ -64,16 +64,16 @@ pub(crate) struct Plan {
     pub(crate) marks: Option<Marks>,
 }
 
-/// Messages that pass through a controller's queue in their place: after each block, and before some.
+/// Messages that pass through the controller's queue in order with the commands: after each block, and before some.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Marks {
-    /// File and line of blocks before which there is one too.
+    /// File and line of blocks with a mark before them, too.
     pub(crate) before: BTreeSet<(usize, u32)>,
-    /// Those of them that wait a moment, so that something can be switched before they begin.
+    /// Blocks of `before` that are preceded by a short dwell, in which the driver can switch an input.
     pub(crate) gates: BTreeSet<(usize, u32)>,
 }
 
-/// Seconds that such a block waits.
+/// The dwell before a block of [`Marks::gates`], seconds.
 pub(crate) const GATE: &str = "0.15";
 
 impl Plan {
@@ -86,7 +86,8 @@ impl Plan {
         let is_word = |name: &str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
         let own = |name: &&String| !PREDEFINED.contains(&name.as_str()) && is_word(name);
         let names = named.named.iter().filter(own).map(|name| format!("<{name}>"));
-        // Where line numbers matter, what blocks compute under observation is not what they compute.
+        // The checkpoint lines change `#<_line>`. If the program reads it, values under observation are not those of
+        // the program.
         let parameters = if source.names_line() {
             Vec::new()
         } else {
@@ -95,16 +96,16 @@ impl Plan {
         Self { marker: unused_marker(source), parameters, marks: None }
     }
 
-    /// The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there,
-    /// its state alive.
-    pub(crate) fn with_probes(&self, file: usize, lines: &[String], ends: &Ends) -> String {
+    /// The text of a file with checkpoints and tags, and with an error before each line of `ends`. The error stops the
+    /// program there and leaves the interpreter running.
+    pub(crate) fn with_checkpoints(&self, file: usize, lines: &[String], ends: &Ends) -> String {
         let mut text = String::new();
         let begins_with_percent = lines
             .iter()
             .find(|line| !line.trim().is_empty())
             .is_some_and(|line| form(line) == Form::Percent);
         if file == 0 && !begins_with_percent {
-            text.push_str(&self.probe(file, 0));
+            text.push_str(&self.checkpoint(file, 0));
             text.push_str(&self.marks(file, 0));
         }
         let mut begun = !begins_with_percent;
@@ -121,7 +122,7 @@ impl Plan {
             text.push('\n');
             begun |= !line.trim().is_empty();
             if begun {
-                text.push_str(&self.probe(file, number));
+                text.push_str(&self.checkpoint(file, number));
                 text.push_str(&self.marks(file, number));
             }
         }
@@ -152,27 +153,28 @@ impl Plan {
         format!("(MSG,{})\n(MSG,{}+)\n", self.mark_after(file, line), self.marker)
     }
 
-    /// The number that each line of a probed file has in the file without probes; none for those that were put in.
-    pub(crate) fn own_lines(&self, probed: &str) -> Vec<Option<u32>> {
-        let put_in = [
+    /// For each line of an instrumented file, its number in the original file; `None` for inserted lines.
+    pub(crate) fn own_lines(&self, instrumented: &str) -> Vec<Option<u32>> {
+        let inserted = [
             format!("(PRINT,{} ", self.marker),
             format!("(MSG,{}", self.marker),
             format!("G4 P{GATE} ({}", self.marker),
         ];
         let mut own = 0;
         let number = |line: &str| {
-            let is_own = !put_in.iter().any(|start| line.starts_with(start));
+            let is_own = !inserted.iter().any(|start| line.starts_with(start));
             own += u32::from(is_own);
             is_own.then_some(own)
         };
-        probed.lines().map(number).collect()
+        instrumented.lines().map(number).collect()
     }
 
-    /// What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
+    /// The blocks that are entered by hand after the program has stopped: a sign, the end before which it stopped, and
+    /// a checkpoint.
     ///
-    /// An end is bound to a parameter that is set before it, so that none is executed where an error stopped the
-    /// program; one that leaves no room for that is entered as it is ([`Ends::has_substitutions`]).
-    pub(crate) fn mdi_probe(&self, ends: &Ends) -> String {
+    /// An end reads a parameter that the program sets before it. The end is therefore not executed if another error
+    /// stopped the program. An end that is too long for that is entered unchanged ([`Ends::has_substitutions`]).
+    pub(crate) fn mdi_checkpoint(&self, ends: &Ends) -> String {
         let mut text = format!("(PRINT,{})\n", self.mdi_sign());
         for (block, end) in ends.blocks.iter().enumerate() {
             let reached = self.reached(block);
@@ -181,7 +183,7 @@ impl Plan {
             text.push_str(if has_room { &bound } else { end });
             text.push('\n');
         }
-        text + &self.probe(0, 0) + "quit\n"
+        text + &self.checkpoint(0, 0) + "quit\n"
     }
 
     /// The block that stops the program.
@@ -189,20 +191,20 @@ impl Plan {
         format!("(ABORT,{})", self.marker)
     }
 
-    /// What is printed when manual input begins.
+    /// The text that is printed when manual input begins.
     pub(crate) fn mdi_sign(&self) -> String {
         format!("{}by hand", self.marker)
     }
 
-    /// The parameter that says before which end the program stopped.
+    /// The parameter that is set before an end; it reports at which end the program stopped.
     fn reached(&self, block: usize) -> String {
         format!("_{}{block}", self.marker.trim_matches('@'))
     }
 
-    /// The probe lines after a line.
-    pub(crate) fn probe(&self, file: usize, line: u32) -> String {
+    /// The checkpoint lines after a line.
+    pub(crate) fn checkpoint(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
-        let shown =
+        let references =
             |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
         let mut part = 0;
         let mut put = |format: &str, values: &str| {
@@ -211,22 +213,22 @@ impl Plan {
             part += 1;
         };
         for names in MODES {
-            put("%d", &shown(names));
+            put("%d", &references(names));
         }
-        put("%.9f", &shown(NUMBERS));
+        put("%.9f", &references(NUMBERS));
         for parameters in self.parameter_groups() {
             put("%.9f", &parameters.iter().map(|name| format!(" #{name}")).collect::<String>());
         }
         text
     }
 
-    /// The parameters that each probe line prints.
+    /// The parameters, in groups that one checkpoint line can print.
     pub(crate) fn parameter_groups(&self) -> Vec<&[String]> {
         let mut groups = Vec::new();
         let mut rest = self.parameters.as_slice();
         while !rest.is_empty() {
             let mut room = LONGEST_LINE - 60;
-            let fits = rest.iter().take(MOST_VALUES).take_while(|name| {
+            let fits = rest.iter().take(VALUES_MAX).take_while(|name| {
                 let fits = room > name.len() + 2;
                 room = room.saturating_sub(name.len() + 2);
                 fits
@@ -239,8 +241,8 @@ impl Plan {
         groups
     }
 
-    /// A tag that an error message quotes, on lines that a jump can reach. It is in a comment; comments of O-word lines
-    /// are never executed, so that it hides nothing.
+    /// A tag that an error message quotes, on lines that a jump can reach. It is a comment; comments of O-word lines
+    /// are never active, so that it hides no active comment.
     fn tag(&self, file: usize, number: u32, line: &str) -> String {
         if form(line) != Form::Control {
             return String::new();
@@ -249,7 +251,7 @@ impl Plan {
         if line.len() + tag.len() > LONGEST_LINE { String::new() } else { tag }
     }
 
-    /// Which line an error message's echo names by its tag.
+    /// The line that the tag in an error message's echo names.
     pub(crate) fn tagged(&self, echo: &str) -> Option<(usize, u32)> {
         let at = echo.rfind(&format!(";{}", self.marker))?;
         let tag = echo[at + 1..].strip_prefix(&self.marker)?;
@@ -257,7 +259,7 @@ impl Plan {
         Some((file.parse().ok()?, line.parse().ok()?))
     }
 
-    /// A text without the tags and probes in it.
+    /// A text without the tags and checkpoints in it.
     pub(crate) fn untagged<'a>(&self, text: &'a str) -> &'a str {
         text.find(&format!(";{}", self.marker)).map_or(text, |at| &text[..at])
     }
@@ -404,27 +406,27 @@ mod tests {
         (Plan::new(&source, &BTreeSet::new()), source)
     }
 
-    fn without_probes(main: &str) -> String {
+    fn without_checkpoints(main: &str) -> String {
         let (plan, source) = plan(main);
-        let text = plan.with_probes(0, &source.files()[0].1, &Ends::default());
+        let text = plan.with_checkpoints(0, &source.files()[0].1, &Ends::default());
         let own = |line: &&str| !line.starts_with("(PRINT,@gb") || line.contains(" 0 %d");
         let short = |line: &str| {
-            if line.starts_with("(PRINT") { "probe".to_owned() } else { line.to_owned() }
+            if line.starts_with("(PRINT") { "checkpoint".to_owned() } else { line.to_owned() }
         };
         text.lines().filter(own).map(short).collect::<Vec<_>>().join("|")
     }
 
     #[test]
-    fn lines_get_probes_and_control_lines_tags() {
+    fn lines_get_checkpoints_and_control_lines_tags() {
         assert_eq!(
-            without_probes("o1 if [1] (c)\nx1 (msg,hi)\n"),
-            "probe|o1 if [1] (c);@gb0@0.1|probe|x1 (msg,hi)|probe"
+            without_checkpoints("o1 if [1] (c)\nx1 (msg,hi)\n"),
+            "checkpoint|o1 if [1] (c);@gb0@0.1|checkpoint|x1 (msg,hi)|checkpoint"
         );
     }
 
     #[test]
     fn percent_lines_stay_unchanged() {
-        assert_eq!(without_probes("\n%\nm2\n%"), "|%|probe|m2|probe|%|probe");
+        assert_eq!(without_checkpoints("\n%\nm2\n%"), "|%|checkpoint|m2|checkpoint|%|checkpoint");
     }
 
     #[test]
@@ -433,16 +435,16 @@ mod tests {
         let names: String =
             (0..40).map(|n| format!("#<some_rather_long_name_{n}>=#{}\n", 4000 + n)).collect();
         let (plan, source) = plan(&format!("{long}\n{names}"));
-        let text = plan.with_probes(99, &source.files()[0].1, &Ends::default());
+        let text = plan.with_checkpoints(99, &source.files()[0].1, &Ends::default());
         assert!(text.lines().all(|line| line.len() <= LONGEST_LINE), "{text}");
         assert!(text.contains(&format!("{long}\n")));
     }
 
     #[test]
-    fn no_probe_becomes_too_long_with_its_values() {
+    fn no_checkpoint_becomes_too_long_with_its_values() {
         let (plan, _) = plan("#1=1e30 #5000=2\n");
         assert_eq!(plan.parameters.len(), 31);
-        assert!(plan.parameter_groups().iter().all(|group| group.len() <= MOST_VALUES));
+        assert!(plan.parameter_groups().iter().all(|group| group.len() <= VALUES_MAX));
         assert_eq!(plan.parameter_groups().concat(), plan.parameters);
     }
 

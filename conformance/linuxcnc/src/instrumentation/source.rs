@@ -109,7 +109,7 @@ impl Source {
             .collect()
     }
 
-    /// Whether the program reads line numbers, which probes change.
+    /// Whether the program reads line numbers, which checkpoints change.
     pub(crate) fn names_line(&self) -> bool {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }

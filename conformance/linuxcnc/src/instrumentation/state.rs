@@ -1,4 +1,4 @@
-//! The values of a probe, in the fields of the vocabulary.
+//! Converts the values of a checkpoint to the fields of the vocabulary.
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{
@@ -6,8 +6,8 @@ use gaugeblock_vocabulary::{
     ReturnMode, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };
 
+use super::checkpoint::Checkpoint;
 use super::instrument::Plan;
-use super::probe::Probe;
 
 /// Takes over a setting: an event only where it changes something, and one for what changes between two effects.
 pub(crate) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings) {
@@ -28,26 +28,34 @@ pub(crate) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings
 ///
 /// # Errors
 /// A mode that is not known.
-pub(crate) fn modes(probe: &Probe, was: &Settings, block: &str) -> Result<Settings, HarnessError> {
+pub(crate) fn modes(
+    checkpoint: &Checkpoint,
+    was: &Settings,
+    block: &str,
+) -> Result<Settings, HarnessError> {
     let absolute = |on| if on { Distance::Absolute } else { Distance::Incremental };
     let side = |side| compensation(side, was.compensation, block);
-    let compensation = match probe.mode("_ccomp") {
+    let compensation = match checkpoint.mode("_ccomp") {
         400 => Compensation::Off,
         410 | 411 => side(Compensation::Left),
         420 | 421 => side(Compensation::Right),
         other => return Err(unknown("_ccomp", other)),
     };
     Ok(Settings {
-        plane: Some(plane(probe)?),
-        distance: Some(absolute(probe.is("_absolute"))),
-        arc_distance: Some(absolute(probe.is("_ijk_absolute_mode"))),
-        feed_mode: Some(feed_mode(probe)),
-        retract: Some(if probe.is("_retract_old_z") {
+        plane: Some(plane(checkpoint)?),
+        distance: Some(absolute(checkpoint.is("_absolute"))),
+        arc_distance: Some(absolute(checkpoint.is("_ijk_absolute_mode"))),
+        feed_mode: Some(feed_mode(checkpoint)),
+        retract: Some(if checkpoint.is("_retract_old_z") {
             ReturnMode::OldZ
         } else {
             ReturnMode::RPlane
         }),
-        lathe: Some(if probe.is("_lathe_diameter_mode") { Lathe::Diameter } else { Lathe::Radius }),
+        lathe: Some(if checkpoint.is("_lathe_diameter_mode") {
+            Lathe::Diameter
+        } else {
+            Lathe::Radius
+        }),
         compensation: Some(compensation),
         ..Settings::default()
     })
@@ -71,19 +79,23 @@ pub(crate) fn compensation(
 
 /// Settings that parameters expose of the first spindle and of the rest, in addition to the modes: all that is known
 /// before the first block.
-pub(crate) fn others(probe: &Probe) -> Settings {
-    let switch = |name| Some(if probe.is(name) { Switch::On } else { Switch::Off });
-    let turn = match (probe.is("_spindle_on"), probe.is("_spindle_cw")) {
+pub(crate) fn others(checkpoint: &Checkpoint) -> Settings {
+    let switch = |name| Some(if checkpoint.is(name) { Switch::On } else { Switch::Off });
+    let turn = match (checkpoint.is("_spindle_on"), checkpoint.is("_spindle_cw")) {
         (false, _) => SpindleTurn::Stopped,
         (true, true) => SpindleTurn::Clockwise,
         (true, false) => SpindleTurn::Counterclockwise,
     };
-    let surface = probe.is("_spindle_css_mode");
+    let surface = checkpoint.is("_spindle_css_mode");
     let mode = if surface { SpindleMode::SurfaceSpeed } else { SpindleMode::Rpm };
-    let speed_override = if probe.is("_speed_override") { Switch::On } else { Switch::Off };
+    let speed_override = if checkpoint.is("_speed_override") { Switch::On } else { Switch::Off };
     Settings {
-        units: Some(if probe.is("_metric") { LengthUnit::Millimetre } else { LengthUnit::Inch }),
-        feed_rate: Some(probe.number("_feed")),
+        units: Some(if checkpoint.is("_metric") {
+            LengthUnit::Millimetre
+        } else {
+            LengthUnit::Inch
+        }),
+        feed_rate: Some(checkpoint.number("_feed")),
         mist: switch("_mist"),
         flood: switch("_flood"),
         feed_override: switch("_feed_override"),
@@ -92,42 +104,49 @@ pub(crate) fn others(probe: &Probe) -> Settings {
         speed_override: Some(Indexed::one(0, speed_override)),
         spindle: Some(Indexed::one(0, turn)),
         spindle_mode: Some(Indexed::one(0, mode)),
-        spindle_speed: Some(Indexed::one(0, probe.number("_rpm"))),
+        spindle_speed: Some(Indexed::one(0, checkpoint.number("_rpm"))),
         ..Settings::default()
     }
 }
 
 /// The state after a block, as far as it is observable. The tool comes from the calls: its parameter keeps an old
 /// value.
-pub(crate) fn state(probe: &Probe, tool: i32, plan: &Plan) -> Result<Rs274State, HarnessError> {
-    let whole = |name| i32::try_from(probe.mode(name)).map_err(|_| unknown(name, probe.mode(name)));
-    let prepared = if probe.mode("_selected_pocket") == -1 { -1 } else { whole("_selected_tool")? };
+pub(crate) fn state(
+    checkpoint: &Checkpoint,
+    tool: i32,
+    plan: &Plan,
+) -> Result<Rs274State, HarnessError> {
+    let whole = |name| {
+        i32::try_from(checkpoint.mode(name)).map_err(|_| unknown(name, checkpoint.mode(name)))
+    };
+    let prepared =
+        if checkpoint.mode("_selected_pocket") == -1 { -1 } else { whole("_selected_tool")? };
     Ok(Rs274State {
-        motion: Some(motion(probe)?),
-        position: Some(position(probe)),
+        motion: Some(motion(checkpoint)?),
+        position: Some(position(checkpoint)),
         tool: Some(tool),
         prepared_tool: Some(prepared),
         controller_mode: None,
         call_level: Some(whole("_call_level")?.unsigned_abs()),
-        parameter: Some(parameters(probe, plan)),
+        parameter: Some(parameters(checkpoint, plan)),
     })
 }
 
-fn parameters(probe: &Probe, plan: &Plan) -> Indexed<String, f64> {
+fn parameters(checkpoint: &Checkpoint, plan: &Plan) -> Indexed<String, f64> {
     let names = plan.parameters.iter().map(|name| name.trim_matches(['<', '>']).to_owned());
-    let values = names.zip(&probe.parameters);
+    let values = names.zip(&checkpoint.parameters);
     values.filter_map(|(name, value)| Some((name, (*value)?))).collect()
 }
 
 /// The controlled point; U, V and W do not exist on this controller.
-pub(crate) fn position(probe: &Probe) -> Position {
+pub(crate) fn position(checkpoint: &Checkpoint) -> Position {
     Position {
-        x: probe.number("_x"),
-        y: probe.number("_y"),
-        z: probe.number("_z"),
-        a: probe.number("_a"),
-        b: probe.number("_b"),
-        c: probe.number("_c"),
+        x: checkpoint.number("_x"),
+        y: checkpoint.number("_y"),
+        z: checkpoint.number("_z"),
+        a: checkpoint.number("_a"),
+        b: checkpoint.number("_b"),
+        c: checkpoint.number("_c"),
         ..Position::default()
     }
 }
@@ -136,16 +155,16 @@ fn unknown(name: &str, value: i64) -> HarnessError {
     HarnessError::Unreadable { what: "mode".to_owned(), line: format!("#<{name}> = {value}") }
 }
 
-fn feed_mode(probe: &Probe) -> FeedMode {
-    match (probe.is("_inverse_time"), probe.is("_units_per_minute")) {
+fn feed_mode(checkpoint: &Checkpoint) -> FeedMode {
+    match (checkpoint.is("_inverse_time"), checkpoint.is("_units_per_minute")) {
         (true, _) => FeedMode::InverseTime,
         (false, true) => FeedMode::PerMinute,
         (false, false) => FeedMode::PerRevolution,
     }
 }
 
-fn plane(probe: &Probe) -> Result<Plane, HarnessError> {
-    match probe.mode("_plane") {
+fn plane(checkpoint: &Checkpoint) -> Result<Plane, HarnessError> {
+    match checkpoint.mode("_plane") {
         170 => Ok(Plane::Xy),
         180 => Ok(Plane::Zx),
         190 => Ok(Plane::Yz),
@@ -156,8 +175,8 @@ fn plane(probe: &Probe) -> Result<Plane, HarnessError> {
     }
 }
 
-fn motion(probe: &Probe) -> Result<Motion, HarnessError> {
-    let motion = match probe.mode("_motion_mode") {
+fn motion(checkpoint: &Checkpoint) -> Result<Motion, HarnessError> {
+    let motion = match checkpoint.mode("_motion_mode") {
         0 => Motion::Traverse,
         10 => Motion::Feed,
         20 => Motion::ArcClockwise,

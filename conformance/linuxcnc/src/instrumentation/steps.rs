@@ -1,4 +1,4 @@
-//! Executed blocks, made of one probe after the other.
+//! Turns consecutive checkpoints into executed blocks.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +10,8 @@ use gaugeblock_vocabulary::{
     Step,
 };
 
+use super::checkpoint::Checkpoint;
 use super::instrument::Plan;
-use super::probe::Probe;
 use super::source::{Form, Source, code, form, has_slash, opens_probe_log};
 use super::state;
 
@@ -22,21 +22,21 @@ pub(crate) struct Steps<'a> {
     plan: &'a Plan,
     block_delete: bool,
     known: Rs274State,
-    /// Depth of calls at the last probe.
+    /// Depth of calls at the last checkpoint.
     level: i64,
     at: Option<(usize, u32)>,
-    /// Whether the tool was changed since the last T: then none is selected, though parameters may keep the old one.
+    /// Whether the tool was changed since the last T. Then no tool is selected, even if parameters report the old one.
     changed: bool,
     /// Whether a file for probed points is open.
     probe_log: bool,
-    /// Mode of the controller, where it has modes.
+    /// Mode of the controller, if it has modes.
     pub(crate) mode: Option<ControllerMode>,
     /// The blocks with what they did.
     pub(crate) taken: Vec<Step>,
 }
 
 impl<'a> Steps<'a> {
-    /// None yet.
+    /// No blocks: the run has not begun.
     pub(crate) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
         let known = Rs274State::default();
         Self {
@@ -53,7 +53,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// Whether a probe was seen.
+    /// Whether a checkpoint was seen.
     pub(crate) fn has_begun(&self) -> bool {
         self.at.is_some()
     }
@@ -63,24 +63,24 @@ impl<'a> Steps<'a> {
         self.at.map(|(file, line)| (file, line + 1))
     }
 
-    /// What kind of block that is.
+    /// The kind of that block.
     pub(crate) fn next_form(&self) -> Form {
         self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
     }
 
-    /// The first probe: parameters that the program does not name are taken as they are, only their changes are of
-    /// interest.
+    /// Begins at the first checkpoint. Of the parameters that the program does not name, only later changes are
+    /// recorded.
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(crate) fn begin(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+    pub(crate) fn begin(&mut self, checkpoint: &Checkpoint) -> Result<(), HarnessError> {
         let numbered = self.source.parameters().numbered;
         let is_named = |name: &str| name.parse().is_ok_and(|number| numbered.contains(&number));
-        let observed = state::state(probe, 0, self.plan)?.parameter.unwrap_or_default();
+        let observed = state::state(checkpoint, 0, self.plan)?.parameter.unwrap_or_default();
         let unnamed: Indexed<String, f64> =
             observed.0.into_iter().filter(|(name, _)| !is_named(name)).collect();
         self.known.parameter = Some(unnamed);
-        self.at = Some((probe.file, probe.line));
+        self.at = Some((checkpoint.file, checkpoint.line));
         Ok(())
     }
 
@@ -90,15 +90,15 @@ impl<'a> Steps<'a> {
     /// A mode that is not known.
     pub(crate) fn record_block(
         &mut self,
-        probe: &Probe,
+        checkpoint: &Checkpoint,
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let here = (probe.file, probe.line);
+        let here = (checkpoint.file, checkpoint.line);
         let Some(next) = self.next() else { return Ok(()) };
         let jumped = here != next;
-        let level = std::mem::replace(&mut self.level, probe.mode("_call_level"));
+        let level = std::mem::replace(&mut self.level, checkpoint.mode("_call_level"));
         if level != self.level || self.next_form() == Form::Return {
             self.enter_level();
         }
@@ -106,18 +106,18 @@ impl<'a> Steps<'a> {
         match self.next_form() {
             Form::Other if closes_nothing && events.is_empty() => {}
             Form::Call if jumped => {
-                // The call counts when it returns; what its block did, it did before the sub.
+                // The call is recorded as a block when it returns; the effects of its block come before the sub.
                 if !events.is_empty() {
                     self.step(next, events, None);
                 }
             }
             Form::Call | Form::Control | Form::Return => self.step(next, events, None),
             Form::Empty | Form::Percent if events.is_empty() => {}
-            // A block with M2 that is passed did not execute it.
+            // A block with M2 after which the program continues did not execute its M2.
             Form::Empty | Form::Percent | Form::End | Form::Other => {
                 let line = self.source.line(next.0, next.1);
                 if !(self.block_delete && has_slash(line)) {
-                    let observed = self.state_of(probe, tool)?;
+                    let observed = self.state_of(checkpoint, tool)?;
                     let changes = observed.since(&self.known);
                     self.known.overlay(&changes);
                     self.step(next, events, Some(State::Rs274(changes)));
@@ -155,13 +155,13 @@ impl<'a> Steps<'a> {
     /// A mode that is not known.
     pub(crate) fn record_end(
         &mut self,
-        probe: &Probe,
+        checkpoint: &Checkpoint,
         parameters: Option<&BTreeMap<u32, f64>>,
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let mut observed = self.state_of(probe, tool)?;
+        let mut observed = self.state_of(checkpoint, tool)?;
         if self.level != 0 {
             self.enter_level();
             arguments_at_end(&mut observed, parameters);
@@ -179,20 +179,20 @@ impl<'a> Steps<'a> {
     pub(crate) fn record_mdi_block(
         &mut self,
         block: BlockLocation,
-        probe: &Probe,
+        checkpoint: &Checkpoint,
         events: Vec<Event>,
         tool: i32,
     ) -> Result<(), HarnessError> {
         self.tool_codes(&events);
-        let changes = self.state_of(probe, tool)?.since(&self.known);
+        let changes = self.state_of(checkpoint, tool)?.since(&self.known);
         self.known.overlay(&changes);
         self.taken.push(Step { block, events, state: Some(State::Rs274(changes)) });
         Ok(())
     }
 
-    /// Continues after this probe: the program again, or the next block after an aborted one.
-    pub(crate) fn resume_at(&mut self, probe: &Probe) {
-        self.at = Some((probe.file, probe.line));
+    /// Continues after this checkpoint: the program again, or the next block after an aborted one.
+    pub(crate) fn resume_at(&mut self, checkpoint: &Checkpoint) {
+        self.at = Some((checkpoint.file, checkpoint.line));
     }
 
     fn tool_codes(&mut self, events: &[Event]) {
@@ -205,8 +205,8 @@ impl<'a> Steps<'a> {
         }
     }
 
-    fn state_of(&self, probe: &Probe, tool: i32) -> Result<Rs274State, HarnessError> {
-        let observed = state::state(probe, tool, self.plan)?;
+    fn state_of(&self, checkpoint: &Checkpoint, tool: i32) -> Result<Rs274State, HarnessError> {
+        let observed = state::state(checkpoint, tool, self.plan)?;
         let prepared_tool = if self.changed { Some(-1) } else { observed.prepared_tool };
         Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..observed })
     }

@@ -1,4 +1,4 @@
-//! Puts calls, probes and the error message together to an outcome.
+//! Assembles an outcome from calls, checkpoints and the error message.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +9,8 @@ use gaugeblock_vocabulary::{
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::instrument::Plan;
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::source::{Form, Source};
 use crate::instrumentation::steps::{self, Steps};
 use crate::instrumentation::{refusal, state};
@@ -22,14 +22,14 @@ pub(super) struct CapturedRun<'a> {
     pub(super) lines: &'a [Line],
     /// Standard error.
     pub(super) stderr: &'a str,
-    /// Standard error of the run without probes.
+    /// Standard error of the run without checkpoints.
     pub(super) plain_stderr: &'a str,
     /// Whether the program exited with the status of a refusal.
     pub(super) refused: bool,
     /// Whether it was ended because it ran too long or wrote too much.
     pub(super) cut_off: bool,
     /// The output after the end, if the program reached its end.
-    pub(super) after_end: Option<&'a Probe>,
+    pub(super) after_end: Option<&'a Checkpoint>,
     /// Numbered parameters that are not zero at the end.
     pub(super) parameters: Option<&'a BTreeMap<u32, f64>>,
 }
@@ -92,7 +92,7 @@ pub(super) fn outcome(
 
 /// Of a program that does something else under observation, since the number of a line decides what it does.
 pub(super) fn decided_by_line(source: &Source) -> Outcome {
-    let what = "#<_line> decides what is done, and probes are lines, too".to_owned();
+    let what = "#<_line> decides what is done, and checkpoints are lines, too".to_owned();
     Outcome {
         language: Language::Rs274,
         start: Settings::default(),
@@ -122,7 +122,7 @@ impl Assembly<'_> {
     fn line(&mut self, line: &Line, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {
         match line {
             Line::Text(text) => self.canon.print(text),
-            Line::Probe(probe) => self.probe(probe)?,
+            Line::Checkpoint(checkpoint) => self.checkpoint(checkpoint)?,
             Line::Call(call) => match self.canon.call(call)? {
                 Mark::None => {}
                 Mark::ProgramEnd => self.program_end(captured)?,
@@ -135,24 +135,26 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), HarnessError> {
         if !self.steps.has_begun() {
-            self.canon.settle(probe)?;
-            self.canon
-                .set(Settings { tool_offset: Some(Position::default()), ..state::others(probe) });
+            self.canon.settle(checkpoint)?;
+            self.canon.set(Settings {
+                tool_offset: Some(Position::default()),
+                ..state::others(checkpoint)
+            });
             self.canon.take_events();
             self.start = self.canon.now.clone();
-            self.steps.begin(probe)?;
+            self.steps.begin(checkpoint)?;
         } else if self.canon.hides_spline(false) {
             self.unsupported(HIDDEN_SPLINE.to_owned());
         } else {
-            self.canon.settle(probe)?;
-            self.canon.arrived(state::position(probe));
+            self.canon.settle(checkpoint)?;
+            self.canon.arrived(state::position(checkpoint));
             let events = self.canon.take_events();
-            self.steps.record_block(probe, events, self.canon.tool)?;
+            self.steps.record_block(checkpoint, events, self.canon.tool)?;
         }
-        self.canon.position = state::position(probe);
-        self.canon.block(self.source.line(probe.file, probe.line + 1));
+        self.canon.position = state::position(checkpoint);
+        self.canon.block(self.source.line(checkpoint.file, checkpoint.line + 1));
         Ok(())
     }
 
@@ -163,7 +165,7 @@ impl Assembly<'_> {
             );
             return Ok(());
         }
-        let Some(probe) = captured.after_end else {
+        let Some(checkpoint) = captured.after_end else {
             self.unsupported("an end whose state cannot be queried".to_owned());
             return Ok(());
         };
@@ -171,9 +173,9 @@ impl Assembly<'_> {
             self.unsupported(HIDDEN_SPLINE.to_owned());
             return Ok(());
         }
-        self.canon.end(|canon| canon.settle(probe))?;
+        self.canon.end(|canon| canon.settle(checkpoint))?;
         let events = self.canon.take_events();
-        self.steps.record_end(probe, captured.parameters, events, self.canon.tool)?;
+        self.steps.record_end(checkpoint, captured.parameters, events, self.canon.tool)?;
         self.end = Some(End::ProgramEnd);
         Ok(())
     }

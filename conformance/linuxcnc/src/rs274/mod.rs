@@ -1,14 +1,14 @@
 //! LinuxCNC's stand-alone interpreter `rs274`, version 2.9.
 //!
-//! It prints canonical calls, and what an error is, but neither blocks nor modes. The program is therefore run with a
-//! probe line after each line (`instrument`), which prints the place and the modes. A sample of programs, or all, are
-//! run once more without, to see that observing changed nothing (`session`). A run is a fork of a controller that has
-//! started (`fork`); those of the sample are started each, so that forking is checked with observing. Calls become
-//! settings and effects (`canon`), probes the rest of the state (`state`), the error message a fault (`refusal`,
-//! `faults`).
+//! `rs274` prints canonical calls and error messages, but neither blocks nor modes. The program therefore runs with
+//! checkpoint lines after each line (`instrument`), which print the place and the modes. A sample of the programs, or
+//! all, run again without checkpoints, to check that observation changes nothing (`session`). A run is a fork of a
+//! started process (`fork`). Programs of the sample run in processes of their own, which checks forking, too. Calls
+//! become settings and effects (`canon`), checkpoints the rest of the state (`state`), and the error message a fault
+//! (`refusal`, `faults`).
 //!
-//! What it cannot show: the tool length mode apart from the offset, F under inverse time (had back from the moves), and
-//! anything that it stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
+//! Not observable: the tool length mode apart from the offset, F in inverse time mode (it is computed from the moves),
+//! and everything that `rs274` stubs: pins, inputs, probing, user-defined codes, pauses, M99 in the main program.
 
 mod assemble;
 mod canon;
@@ -38,13 +38,13 @@ use fork::Servers;
 use hal::Hal;
 use process::Limits;
 use python::Home;
-use session::{Session, Unprobed};
+use session::{Session, Uninstrumented};
 use streams::Stop;
 
 /// Wall time and output of one run; ordinary ones take ten milliseconds and some kilobytes.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), bytes: 64 << 20 };
 
-/// Calls have four decimals, and probes show a value below a ten-thousandth as zero.
+/// Calls have four decimals, and checkpoints show a value below a ten-thousandth as zero.
 const RESOLUTION: f64 = 1.0e-4;
 
 /// Lengths that are printed when they are set and not when the length unit changes: set in inches, they have the error
@@ -84,7 +84,7 @@ pub struct Rs274 {
     servers: Servers,
     capabilities: Capabilities,
     limits: Limits,
-    unprobed: Unprobed,
+    uninstrumented: Uninstrumented,
 }
 
 impl Rs274 {
@@ -102,7 +102,7 @@ impl Rs274 {
             servers: Servers::new(),
             capabilities,
             limits: LIMITS,
-            unprobed: Unprobed::Sample,
+            uninstrumented: Uninstrumented::Sample,
         })
     }
 
@@ -118,8 +118,8 @@ impl Adapter for Rs274 {
     }
 
     /// Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the
-    /// number of a line, probes change what it computes, and where its moves lead. F under inverse time is had from
-    /// the text, or back from the moves, if they lead anywhere.
+    /// number of a line, checkpoints change what it computes, and where its moves lead. F under inverse time is had
+    /// from the text, or back from the moves, if they lead anywhere.
     fn observables(&self, scenario: &Scenario) -> Capabilities {
         let mut observables = self.capabilities.clone();
         let source = Source::new(&scenario.program);
@@ -159,7 +159,7 @@ impl Adapter for Rs274 {
     }
 
     fn check_observation(&mut self) {
-        self.unprobed = Unprobed::All;
+        self.uninstrumented = Uninstrumented::All;
     }
 
     fn notes(&self) -> Vec<String> {
@@ -176,7 +176,7 @@ impl Adapter for Rs274 {
             program: self.program(),
             servers: &self.servers,
             limits: self.limits,
-            unprobed: self.unprobed,
+            uninstrumented: self.uninstrumented,
             scenario,
             machine: &machine,
             source: &source,

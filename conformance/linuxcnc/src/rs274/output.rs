@@ -1,9 +1,9 @@
-//! Reads standard output: canonical calls, probes, and what (PRINT,…) prints.
+//! Reads standard output: canonical calls, checkpoints, and the text of (PRINT,…).
 
 use gaugeblock_adapter::HarnessError;
 
+use crate::instrumentation::checkpoint::{Checkpoint, Reader};
 use crate::instrumentation::instrument::Plan;
-use crate::instrumentation::probe::{Probe, Reader};
 
 /// A canonical call as it is printed: `STRAIGHT_FEED(1.0000, …)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub(super) struct Call {
 }
 
 impl Call {
-    /// The numbers among the arguments, which commas or blanks part.
+    /// The numbers among the arguments, which are separated by commas or blanks.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let parts = self.arguments.split([',', ' ']);
         parts.filter_map(|part| part.trim().parse().ok()).collect()
@@ -36,21 +36,21 @@ impl Call {
     }
 }
 
-/// A line of standard output; of a probe, all its lines.
+/// A line of standard output, or all lines of a checkpoint.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Line {
     /// A canonical call.
     Call(Call),
-    /// A probe.
-    Probe(Box<Probe>),
+    /// A checkpoint.
+    Checkpoint(Box<Checkpoint>),
     /// Text that the program printed.
     Text(String),
 }
 
-/// Reads the whole output. When it was cut off, the last line is left out.
+/// Reads the whole output. If it was cut off, the last line is ignored.
 ///
 /// # Errors
-/// A probe line that is not as planned.
+/// A checkpoint line that is not as planned.
 pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line>, HarnessError> {
     let mut lines = Vec::new();
     let mut reader = Reader::new(plan);
@@ -59,8 +59,10 @@ pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line
         if cut_off { stdout.rsplit_once('\n').map_or("", |(whole, _)| whole) } else { stdout };
     // A carriage return belongs to what is printed.
     for line in whole.split_terminator('\n') {
-        if let Some(probe) = line.strip_prefix(&plan.marker) {
-            lines.extend(reader.take(probe)?.map(|probe| Line::Probe(Box::new(probe))));
+        if let Some(checkpoint) = line.strip_prefix(&plan.marker) {
+            lines.extend(
+                reader.take(checkpoint)?.map(|checkpoint| Line::Checkpoint(Box::new(checkpoint))),
+            );
         } else if let Some(call) = call(line, count + 1) {
             count += 1;
             lines.push(Line::Call(call));
@@ -71,38 +73,39 @@ pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line
     Ok(lines)
 }
 
-/// A canonical call with the sequence number that is due: `   12 N10    DWELL(1.0000)`.
-fn call(line: &str, due: u64) -> Option<Call> {
+/// A canonical call with the expected sequence number: `   12 N10    DWELL(1.0000)`.
+fn call(line: &str, expected: u64) -> Option<Call> {
     let (number, rest) = line.trim_start().split_once(' ')?;
-    if number.parse() != Ok(due) {
+    if number.parse() != Ok(expected) {
         return None;
     }
-    // The N word of the block: dots where there is none; a long one touches the name.
+    // The N word of the block: dots if there is none. A long N word is followed by the name without a blank.
     let rest = rest.strip_prefix('N')?.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
     let (name, arguments) = rest.trim_start().split_once('(')?;
     let arguments = arguments.strip_suffix(')')?;
     Some(Call { name: name.to_owned(), arguments: arguments.to_owned() })
 }
 
-/// What the program did, without probes: for comparing a run under observation with one without.
-pub(super) fn doings(lines: &[Line]) -> Vec<String> {
+/// The calls and texts of a run, without checkpoints: to compare an instrumented run with a plain one.
+pub(super) fn calls_and_texts(lines: &[Line]) -> Vec<String> {
     let text = |line: &Line| match line {
         Line::Call(call) if call.name == "ON_RESET" => None,
         Line::Call(call) => Some(format!("{}({})", call.name, call.arguments)),
         Line::Text(text) => Some(text.clone()),
-        Line::Probe(_) => None,
+        Line::Checkpoint(_) => None,
     };
     lines.iter().filter_map(text).collect()
 }
 
-/// Takes over the numbers and texts of a run without probes where the same was done: `#<_line>` counts probe lines too.
+/// Copies arguments and texts of a plain run into the same calls of an instrumented one, since `#<_line>` counts
+/// checkpoint lines, too.
 pub(super) fn adopt(observed: &mut [Line], unobserved: &[Line]) {
-    let mine = observed.iter_mut().filter(|line| !matches!(line, Line::Probe(_)));
+    let mine = observed.iter_mut().filter(|line| !matches!(line, Line::Checkpoint(_)));
     for (mine, other) in mine.zip(unobserved) {
         let same = match (&*mine, other) {
             (Line::Call(mine), Line::Call(other)) => mine.name == other.name,
             (Line::Text(_), Line::Text(_)) => true,
-            (Line::Call(_) | Line::Text(_) | Line::Probe(_), _) => false,
+            (Line::Call(_) | Line::Text(_) | Line::Checkpoint(_), _) => false,
         };
         if same {
             mine.clone_from(other);

@@ -11,8 +11,8 @@ use super::fork::{Servers, Start};
 use super::output::{self, Line};
 use super::process::{Limits, Output, Process, Run};
 use super::streams::Stop;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::instrument::{Ends, Plan, is_plain};
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::source::{DEBUG_SWITCH, Source};
 use crate::instrumentation::workspace::{INI, PARAMETERS, TOOLS, Workspace, tool_table};
 use crate::instrumentation::{faults, refusal};
@@ -23,81 +23,84 @@ const BY_HAND: &str = "starting MDI";
 /// Stop at an error and take blocks from standard input.
 pub(super) const MANUAL_INPUT: &[&str] = &["-n", "1"];
 
-/// Every so many programs one is also run without probes, on a controller started for it, unless all are.
-const SAMPLE: u64 = 32;
+/// One program in this many also runs without checkpoints, in a process of its own.
+const PROGRAMS_PER_SAMPLE: u64 = 32;
 
 /// One scenario on one binary.
 #[derive(Debug)]
 pub(super) struct Session<'a> {
     /// The binary, and how it is started.
     pub(super) program: Started<'a>,
-    /// Those that have started already.
+    /// The processes from which runs are forked.
     pub(super) servers: &'a Servers,
-    /// What each run may cost.
+    /// The limits of each run.
     pub(super) limits: Limits,
-    /// Which programs are also run without probes.
-    pub(super) unprobed: Unprobed,
-    /// What is run.
+    /// Which programs are also run without checkpoints.
+    pub(super) uninstrumented: Uninstrumented,
+    /// The scenario of the runs.
     pub(super) scenario: &'a Scenario,
-    /// The machine it runs on: the scenario's, with HAL or without.
+    /// The scenario's machine, with HAL or without.
     pub(super) machine: &'a Machine,
-    /// Its files.
+    /// The files of the program.
     pub(super) source: &'a Source,
 }
 
-/// Which programs are also run without probes, to see that both do the same.
+/// Which programs also run without checkpoints, to check that observation changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unprobed {
-    /// One in [`SAMPLE`], always the same ones, and those whose outcome cannot be determined in another way.
+pub(super) enum Uninstrumented {
+    /// One in [`PROGRAMS_PER_SAMPLE`], always the same ones, and those whose outcome cannot be determined in another
+    /// way.
     Sample,
     /// All.
     All,
 }
 
-/// What a run's process comes from.
+/// How the process of a run is started.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum From {
     /// A start of its own.
     Start,
-    /// A fork of one that has started; a start of its own where that cannot be.
+    /// A fork of a started process; a start of its own if forking is not possible.
     Fork,
 }
 
-/// What the runs printed.
+/// The output of the runs.
 #[derive(Debug)]
 pub(super) struct Observed {
-    /// What the probes print.
+    /// The plan of the checkpoints.
     pub(super) plan: Plan,
     /// How the run under observation stopped, and its error output.
     pub(super) output: Output,
-    /// Its calls, texts and probes.
+    /// Its calls, texts and checkpoints.
     pub(super) lines: Vec<Line>,
     /// Whether an error stopped the program.
     pub(super) refused: bool,
-    /// Error output of the run without probes, whose line numbers are those of the program; empty without such a run.
+    /// Error output of the run without checkpoints, with the line numbers of the program; empty if there was no such
+    /// run.
     pub(super) plain_stderr: String,
     /// Numbered parameters that are not zero at the end.
     pub(super) parameters: BTreeMap<u32, f64>,
     /// The output after the program's end, if it reached its end.
-    pub(super) after_end: Option<Probe>,
-    /// Whether the program was stopped before an end that was none when it was entered by hand.
-    pub(super) stopped_in_vain: bool,
+    pub(super) after_end: Option<Checkpoint>,
+    /// Whether the program was stopped before a supposed end that did not end it when it was entered by hand.
+    pub(super) stopped_before_no_end: bool,
 }
 
 impl Session<'_> {
     /// Runs the program under observation and, if needed or requested, without; both must do the same.
     ///
     /// # Errors
-    /// It could not be run, was not understood, or did something else under observation.
+    /// The program could not be run, its output was not understood, or it differs under observation.
     pub(super) fn observe(&self) -> Result<Observed, HarnessError> {
         let mut ends = Ends::new(self.source, self.scenario.program.block_delete);
-        let mut observed = self.run_probed(&ends)?;
-        // A block that looks like an end and is none must show what it does where it stands.
-        while observed.stopped_in_vain && ends.count() > 0 {
-            let last = last_probe(&observed.lines).map_or((0, 0), |last| (last.file, last.line));
+        let mut observed = self.run_instrumented(&ends)?;
+        // A block that looks like an end, and is not one, is executed in the program instead.
+        while observed.stopped_before_no_end && ends.count() > 0 {
+            let last =
+                last_checkpoint(&observed.lines).map_or((0, 0), |last| (last.file, last.line));
             let others = ends.without(self.source.line(last.0, last.1 + 1));
             ends = if others.count() < ends.count() { others } else { Ends::default() };
-            observed = self.run_probed(&ends)?;
+            observed = self.run_instrumented(&ends)?;
         }
         let end_entered_anyway = observed.refused && !ends.has_substitutions();
         let exited = matches!(observed.output.stop, Stop::Exited(_));
@@ -107,13 +110,14 @@ impl Session<'_> {
         Ok(observed)
     }
 
-    /// Whether the run without probes is needed: parameters of a sub are gone once an error has stopped the program,
-    /// and line numbers count probe lines too.
+    /// Whether the run without checkpoints is needed: the parameters of a sub no longer exist after an error has
+    /// stopped the program, and line numbers count checkpoint lines, too.
     fn needs_plain(&self, observed: &Observed) -> bool {
-        let in_sub = last_probe(&observed.lines).is_some_and(|last| last.mode("_call_level") > 0);
+        let in_sub =
+            last_checkpoint(&observed.lines).is_some_and(|last| last.mode("_call_level") > 0);
         let message = refusal::message(&observed.output.stderr).unwrap_or_default();
         let may_tell_line = message.contains(|c: char| c.is_ascii_digit());
-        self.unprobed == Unprobed::All
+        self.uninstrumented == Uninstrumented::All
             || in_sub
             || self.source.names_line()
             || (observed.refused && may_tell_line)
@@ -125,19 +129,20 @@ impl Session<'_> {
         let bytes = self.source.all().flat_map(|(_, _, line)| line.bytes());
         let digest =
             bytes.fold(0_u64, |sum, byte| sum.wrapping_mul(31).wrapping_add(u64::from(byte)));
-        digest.is_multiple_of(SAMPLE)
+        digest.is_multiple_of(PROGRAMS_PER_SAMPLE)
     }
 
-    /// The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped
-    /// by an error before its last block, with its state alive, and that block and a probe are entered by hand.
+    /// Runs the program with checkpoints. No checkpoint is reached after the program's end. An error therefore stops
+    /// the program before its last block, without ending the interpreter; that block and a checkpoint are entered by
+    /// hand.
     ///
-    /// It runs once more if a parameter was written that no probe printed.
-    fn run_probed(&self, ends: &Ends) -> Result<Observed, HarnessError> {
+    /// The program runs again if it wrote a parameter that no checkpoint printed.
+    fn run_instrumented(&self, ends: &Ends) -> Result<Observed, HarnessError> {
         let mut more = BTreeSet::new();
         loop {
             let plan = Plan::new(self.source, &more);
-            let input = plan.mdi_probe(ends);
-            let text = |file: usize, lines: &[String]| plan.with_probes(file, lines, ends);
+            let input = plan.mdi_checkpoint(ends);
+            let text = |file: usize, lines: &[String]| plan.with_checkpoints(file, lines, ends);
             let (output, workspace) = self.run(From::Fork, MANUAL_INPUT, &input, text)?;
             let exited = matches!(output.stop, Stop::Exited(_));
             let parameters =
@@ -154,11 +159,11 @@ impl Session<'_> {
         }
     }
 
-    /// The run of the unchanged program. The parameters that it leaves count.
+    /// Runs the unchanged program, and takes the parameters at the end from this run.
     fn run_plain(&self, observed: &mut Observed) -> Result<(), HarnessError> {
         let plain =
             |_: usize, lines: &[String]| lines.iter().map(|line| format!("{line}\n")).collect();
-        let sampled = self.unprobed == Unprobed::All || self.is_sampled();
+        let sampled = self.uninstrumented == Uninstrumented::All || self.is_sampled();
         let from = if sampled { From::Start } else { From::Fork };
         let (output, workspace) = self.run(from, &[], "", plain)?;
         let exited = matches!(output.stop, Stop::Exited(_));
@@ -170,11 +175,12 @@ impl Session<'_> {
             observed.parameters = workspace.read_parameters(PARAMETERS)?;
         }
         let end = |refused: bool, stderr: &str| [format!("{refused} {:?}", kinds(stderr))];
-        let with = output::doings(&observed.lines)
+        let with = output::calls_and_texts(&observed.lines)
             .into_iter()
             .chain(end(observed.refused, &observed.output.stderr));
         let refused = matches!(output.stop, Stop::Exited(status) if status != 0);
-        let without = output::doings(&lines).into_iter().chain(end(refused, &output.stderr));
+        let without =
+            output::calls_and_texts(&lines).into_iter().chain(end(refused, &output.stderr));
         match with.zip(without).find(|(with, without)| with != without) {
             None => {
                 observed.plain_stderr = output.stderr;
@@ -254,14 +260,14 @@ fn observed(
         Some(_) => printed.take_while(|line| !is_sign(line)).collect(),
     };
     let mut lines = output::lines(&kept, &plan, !exited)?;
-    let last = lines.iter().rposition(|line| matches!(line, Line::Probe(_)));
+    let last = lines.iter().rposition(|line| matches!(line, Line::Checkpoint(_)));
     let after_end = match last.filter(|_| at_end).map(|at| lines.remove(at)) {
-        Some(Line::Probe(probe)) => Some(*probe),
+        Some(Line::Checkpoint(checkpoint)) => Some(*checkpoint),
         _ => None,
     };
     let is_end = |line: &Line| matches!(line, Line::Call(call) if call.name == "PROGRAM_END");
     Ok(Observed {
-        stopped_in_vain: at_end && !lines.iter().any(is_end),
+        stopped_before_no_end: at_end && !lines.iter().any(is_end),
         refused: stopped.is_some() && !at_end,
         plain_stderr: String::new(),
         plan,
@@ -272,15 +278,15 @@ fn observed(
     })
 }
 
-/// The last probe of a run.
-fn last_probe(lines: &[Line]) -> Option<&Probe> {
+/// The last checkpoint of a run.
+fn last_checkpoint(lines: &[Line]) -> Option<&Checkpoint> {
     lines.iter().rev().find_map(|line| match line {
-        Line::Probe(probe) => Some(probe.as_ref()),
+        Line::Checkpoint(checkpoint) => Some(checkpoint.as_ref()),
         Line::Call(_) | Line::Text(_) => None,
     })
 }
 
-/// The kinds of fault that an error output names: its words may hold a line number, which probes change.
+/// The kinds of fault that an error output names: its words may hold a line number, which checkpoints change.
 fn kinds(stderr: &str) -> Vec<FaultKind> {
     stderr.lines().take(2).filter_map(faults::kind).collect()
 }

@@ -285,7 +285,7 @@ fn what_it_stubs_is_unsupported() {
 }
 
 #[test]
-fn spline_without_a_probe_at_its_end_is_unsupported() {
+fn spline_without_a_checkpoint_at_its_end_is_unsupported() {
     let Some(outcome) = run("f9 g5.1 x1 y1 i1 j1 m2\n") else { return };
     let End::Unsupported { what, .. } = &outcome.end else { panic!("{:?}", outcome.end) };
     assert!(what.contains("where a spline ends"), "{what}");

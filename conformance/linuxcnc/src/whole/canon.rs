@@ -10,8 +10,8 @@ use gaugeblock_vocabulary::{
 };
 
 use super::stream::Issued;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::lengths::Lengths;
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::source::code;
 use crate::instrumentation::state;
 
@@ -65,8 +65,8 @@ impl Canon {
         }
     }
 
-    /// Begins the next block; `after` is the probe after it, `read` what #5399 was then.
-    pub(super) fn begin(&mut self, line: &str, after: &Probe, read: Option<f64>) {
+    /// Begins the next block; `after` is the checkpoint after it, `read` what #5399 was then.
+    pub(super) fn begin(&mut self, line: &str, after: &Checkpoint, read: Option<f64>) {
         self.block = code(line);
         self.read = read.unwrap_or_default();
         let unit = if after.is("_metric") { LengthUnit::Millimetre } else { LengthUnit::Inch };
@@ -74,11 +74,11 @@ impl Canon {
         self.set(Settings { units: Some(unit), ..rescaled });
     }
 
-    /// Ends the block: the settings of its probe, and its events.
+    /// Ends the block: the settings of its checkpoint, and its events.
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(super) fn finish(&mut self, after: &Probe) -> Result<Vec<Event>, HarnessError> {
+    pub(super) fn finish(&mut self, after: &Checkpoint) -> Result<Vec<Event>, HarnessError> {
         let modes = state::modes(after, &self.now, &self.block)?;
         self.set(modes);
         let mut others = state::others(after);
@@ -258,9 +258,9 @@ impl Canon {
             "TRAJ_SET_FO_ENABLE" => Settings { feed_override: switch(0)?, ..none },
             "TRAJ_SET_FH_ENABLE" => Settings { feed_stop: switch(0)?, ..none },
             "MOTION_ADAPTIVE" => Settings { adaptive_feed: switch(0)?, ..none },
-            // Which spindle is not told; the probe after the block shows the first one's.
+            // Which spindle is not told; the checkpoint after the block shows the first one's.
             "SPINDLE_ON" | "SPINDLE_OFF" if self.spindles == 1 => {
-                // The probe after the block shows which way it turns.
+                // The checkpoint after the block shows which way it turns.
                 let turn = SpindleTurn::Stopped;
                 Settings { spindle: Some(Indexed::one(0, turn)), ..none }
             }

@@ -163,7 +163,7 @@ class Driver:
         self.seen = {}
         self.begun = 0.0
         self.events = []
-        self.probe = []
+        self.checkpoint = []
         self.first, self.steps, self.starts = "", 0, 1
         self.looked = 0.0
         self.mode_told = None
@@ -367,7 +367,7 @@ class Driver:
         """Enters a block in MDI mode while nothing runs, and shows what is in force before and after it."""
 
         def show():
-            for line in self.probe:
+            for line in self.checkpoint:
                 self.command.mdi(line)
                 self.done()
 
@@ -458,7 +458,7 @@ class Driver:
         self.settings["marker"] = order["marker"]
         self.seen = {}
         self.events = order["events"]
-        self.probe = order["probe"]
+        self.checkpoint = order["checkpoint"]
         self.first, self.steps, self.starts = order["first"], order["steps"], 1
         self.mode_told = None
         self.reset(order)

@@ -1,11 +1,11 @@
 //! LinuxCNC's whole controller, version 2.9: headless, with a simulated machine.
 //!
 //! A scenario becomes a configuration (`setup`), which a controller in name spaces of its own is started with
-//! (`session`) and kept for the next scenario that needs the same one (`pool`). Inside, a script of ours
-//! (`driver.py`) is the display: it resets the controller, runs the program, plays the environment and the operator,
-//! and samples the pins. The controller prints each block that it reads and each command that it issues (`stream`);
-//! commands become settings and effects (`canon`), probe lines within the program the state after each block, and all
-//! together an outcome (`assemble`).
+//! (`session`) and kept for the next scenario that needs the same one (`pool`). Inside, a script of ours (`driver.py`)
+//! is the display: it resets the controller, runs the program, plays the environment and the operator, and samples the
+//! pins. The controller prints each block that it reads and each command that it issues (`stream`); commands become
+//! settings and effects (`canon`), checkpoint lines within the program the state after each block, and all together an
+//! outcome (`assemble`).
 //!
 //! Without an operator it reads ahead at most one command, so that all blocks before a refused one have been executed.
 //!
@@ -145,7 +145,7 @@ impl LinuxCnc {
                     continue;
                 }
             };
-            let first = recorded.items.iter().find_map(Item::probe).cloned();
+            let first = recorded.items.iter().find_map(Item::checkpoint).cloned();
             let shows_same = first.as_ref().is_none_or(|first| {
                 session.fresh.as_ref().is_none_or(|fresh| fresh.has_same_modes(first))
             });
@@ -259,7 +259,7 @@ impl LinuxCnc {
         loop {
             let plan = plan(scenario, &source, &more);
             let recorded = self.run_once(scenario, &source, &plan, new)?;
-            // Once more where it turns out that a parameter was written that no probe showed.
+            // Once more where it turns out that a parameter was written that no checkpoint showed.
             let is_unseen =
                 |number: &u32| is_plain(*number) && !plan.parameters.contains(&number.to_string());
             let unseen: BTreeSet<_> = recorded
@@ -296,7 +296,7 @@ fn run_on(
     session.add_late_programs()?;
     let mut by_hand = Value::Null;
     for (file, (name, lines)) in source.files().iter().enumerate() {
-        let text = plan.with_probes(file, lines, &Ends::default());
+        let text = plan.with_checkpoints(file, lines, &Ends::default());
         if file == 0 && scenario.program.start == Start::Mdi {
             by_hand = text.lines().filter(|line| !line.trim().is_empty()).collect();
         }

@@ -98,7 +98,7 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
         "inputs": inputs.collect::<Vec<_>>(),
         "events": events.collect::<Vec<_>>(),
         "by_hand": by_hand,
-        "probe": plan.probe(0, 0).lines().collect::<Vec<_>>(),
+        "checkpoint": plan.checkpoint(0, 0).lines().collect::<Vec<_>>(),
         "program": "programs/main.ngc",
         "after": "after.ngc",
         "linger": true,
@@ -123,7 +123,7 @@ fn action(action: &Action) -> Value {
     }
 }
 
-/// What is run after each program: a probe of what it left, and the way back to where the next one begins.
+/// The blocks that run after each program: a checkpoint of the state that it left, and the return to the initial state.
 pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String {
     let machine = &scenario.machine;
     let switches = (2..=8).any(|code| has(source, &format!("m6{code}")))
@@ -155,6 +155,6 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
     format!(
         "{}M71\nG40\nG17 {unit} G90 G94 G99 G49 G53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
-        plan.probe(0, 0)
+        plan.checkpoint(0, 0)
     )
 }

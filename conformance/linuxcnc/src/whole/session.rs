@@ -15,7 +15,7 @@ use gaugeblock_adapter::clock::now;
 use serde_json::Value;
 
 use super::setup::Setup;
-use crate::instrumentation::probe::Probe;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::workspace::{RECORDED_SAMPLES, Workspace};
 
 /// What begins a line of the driver.
@@ -62,8 +62,8 @@ pub(super) struct Session {
     pub(super) setup: Setup,
     /// Names that programs have given values: they stay for as long as it runs.
     pub(super) names: BTreeSet<String>,
-    /// The probe at the beginning of the first program.
-    pub(super) fresh: Option<Probe>,
+    /// The checkpoint at the beginning of the first program.
+    pub(super) fresh: Option<Checkpoint>,
     /// Text of the tool table that it has read.
     pub(super) tools: String,
     workspace: Workspace,

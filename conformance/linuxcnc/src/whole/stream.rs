@@ -4,8 +4,8 @@ use gaugeblock_adapter::HarnessError;
 use serde_json::Value;
 
 use super::session::MARK;
+use crate::instrumentation::checkpoint::{Checkpoint, Reader};
 use crate::instrumentation::instrument::Plan;
-use crate::instrumentation::probe::{Probe, Reader};
 
 /// A command that the task controller issues, as it prints it: `Issuing EMC_TRAJ_DELAY -- ( +219,+104, +0,1.5,)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ impl Issued {
     }
 }
 
-/// What a line says, or several lines of a probe.
+/// The content of a line, or of all lines of a checkpoint.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Item {
     /// A block is about to be executed by the interpreter: its text, and its line in the file that is open.
@@ -90,8 +90,8 @@ pub(super) enum Item {
     Log(String),
     /// The log file is closed.
     LogClose,
-    /// A probe.
-    Probe(Box<Probe>),
+    /// A checkpoint.
+    Checkpoint(Box<Checkpoint>),
     /// Text that the program printed.
     Text(String),
     /// Word from the driver.
@@ -99,9 +99,9 @@ pub(super) enum Item {
 }
 
 impl Item {
-    /// The probe, if it is one.
-    pub(super) fn probe(&self) -> Option<&Probe> {
-        if let Self::Probe(probe) = self { Some(probe) } else { None }
+    /// The checkpoint, if it is one.
+    pub(super) fn checkpoint(&self) -> Option<&Checkpoint> {
+        if let Self::Checkpoint(checkpoint) = self { Some(checkpoint) } else { None }
     }
 
     /// Whether it is anything except the driver's report that pins differed from those before the first run.
@@ -149,12 +149,14 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
             let report: Value =
                 serde_json::from_str(report).map_err(|_| unreadable("driver", line))?;
             if report.get("ends").is_some() {
-                // A run may end within a probe, and print the rest of it until it stands.
+                // A run may end within a checkpoint, and print the rest of it until it stands.
                 reader = Reader::is_incomplete(plan);
             }
             items.push(Item::Driver(report));
-        } else if let Some(probe) = line.strip_prefix(&plan.marker) {
-            items.extend(reader.take(probe)?.map(|probe| Item::Probe(Box::new(probe))));
+        } else if let Some(checkpoint) = line.strip_prefix(&plan.marker) {
+            items.extend(
+                reader.take(checkpoint)?.map(|checkpoint| Item::Checkpoint(Box::new(checkpoint))),
+            );
         } else if let Some(item) = controller(line) {
             executing = matches!(item, Item::Block(..)) || executing && item != Item::Executed;
             if let Item::Refused(message) = &item {

@@ -1,12 +1,12 @@
-//! Which line the interpreter has before it, by the numbers that it prints: for naming a refused block.
+//! Follows the line numbers that the interpreter prints, to name the line of a refused block.
 
 use crate::instrumentation::instrument::{Ends, Plan};
 use crate::instrumentation::source::Source;
 
-/// The interpreter's place in the probed files.
+/// The interpreter's place in the instrumented files.
 #[derive(Debug)]
 pub(super) struct Trace {
-    /// For each file its probed text, and the numbers of its own lines.
+    /// For each file its instrumented text, and the numbers of its own lines.
     files: Vec<(String, Vec<Option<u32>>)>,
     file: usize,
     line: u32,
@@ -14,23 +14,23 @@ pub(super) struct Trace {
 }
 
 impl Trace {
-    /// At the beginning of the main program.
+    /// The place at the beginning of the main program.
     pub(super) fn new(source: &Source, plan: &Plan) -> Self {
-        let probed = |(file, (_, lines)): (usize, &(String, Vec<String>))| {
-            let text = plan.with_probes(file, lines, &Ends::default());
+        let instrumented = |(file, (_, lines)): (usize, &(String, Vec<String>))| {
+            let text = plan.with_checkpoints(file, lines, &Ends::default());
             let own = plan.own_lines(&text);
             (text, own)
         };
-        let files = source.files().iter().enumerate().map(probed).collect();
+        let files = source.files().iter().enumerate().map(instrumented).collect();
         Self { files, file: 0, line: 0, executing: false }
     }
 
-    /// A probe reported which file is open.
-    pub(super) fn stands_in(&mut self, file: usize) {
+    /// Takes over the open file from a checkpoint.
+    pub(super) fn set_file(&mut self, file: usize) {
         self.file = file;
     }
 
-    /// A block is about to be executed.
+    /// Records that the execution of a block begins.
     pub(super) fn block(&mut self, text: &str, line: u32) {
         if !self.has(self.file, line, text) {
             let other = (0..self.files.len()).find(|file| self.has(*file, line, text));
@@ -40,19 +40,19 @@ impl Trace {
         self.executing = true;
     }
 
-    /// Its execution is over.
+    /// Records that the execution of the block has ended.
     pub(super) fn executed(&mut self) {
         self.executing = false;
     }
 
-    /// The interpreter is after this line.
+    /// Records the last line that the interpreter read.
     pub(super) fn line(&mut self, line: u32) {
         if !self.executing {
             self.line = line;
         }
     }
 
-    /// The text of the line that is refused: the one that is executed, or else the next one that is read.
+    /// The text of the refused line: the executed one, or else the next one that is read.
     pub(super) fn refused_line(&self) -> Option<String> {
         let line = if self.executing { self.line } else { self.line + 1 };
         let (text, own) = self.files.get(self.file)?;

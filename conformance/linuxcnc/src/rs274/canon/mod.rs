@@ -15,8 +15,8 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
 
 use super::output::Call;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::lengths::Lengths;
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::source::{code, plain_word};
 use crate::instrumentation::state;
 
@@ -108,14 +108,14 @@ impl Canon {
         state::set(&mut self.now, &mut self.events, &change);
     }
 
-    /// Takes over the modes of a probe.
+    /// Takes over the modes of a checkpoint.
     ///
     /// # Errors
     /// A mode that is not known.
-    pub(super) fn settle(&mut self, probe: &Probe) -> Result<(), HarnessError> {
-        let modes = state::modes(probe, &self.now, &self.block)?;
+    pub(super) fn settle(&mut self, checkpoint: &Checkpoint) -> Result<(), HarnessError> {
+        let modes = state::modes(checkpoint, &self.now, &self.block)?;
         self.set(modes);
-        self.lengths.precise_feed(probe.number("_feed"));
+        self.lengths.precise_feed(checkpoint.number("_feed"));
         Ok(())
     }
 

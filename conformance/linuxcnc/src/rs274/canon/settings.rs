@@ -41,8 +41,8 @@ impl Canon {
         Ok(Mark::None)
     }
 
-    /// Comments report modes that no call prints. A comment of the program may say the same; the probe after the block
-    /// corrects that.
+    /// Comments report modes that no call prints. A comment of the program may say the same; the checkpoint after the
+    /// block corrects that.
     fn comment(&mut self, text: &str) -> Settings {
         let none = Settings::default();
         let Some(text) = text.strip_prefix("interpreter: ") else { return none };
@@ -101,7 +101,7 @@ impl Canon {
             _ if has("g17.1") => Some(Plane::Uv),
             _ if has("g18.1") => Some(Plane::Wu),
             _ if has("g19.1") => Some(Plane::Vw),
-            // The probe after the block shows it.
+            // The checkpoint after the block shows it.
             _ => None,
         }
     }

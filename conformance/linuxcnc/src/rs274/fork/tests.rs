@@ -17,7 +17,7 @@ use super::*;
 use crate::instrumentation::instrument::{Ends, Plan};
 use crate::instrumentation::source::Source;
 use crate::rs274::process::{Limits, Output, Process, Run};
-use crate::rs274::session::{From, MANUAL_INPUT, Session, Unprobed};
+use crate::rs274::session::{From, MANUAL_INPUT, Session, Uninstrumented};
 use crate::rs274::streams::Stop;
 use crate::rs274::{LIMITS, Rs274};
 
@@ -130,7 +130,7 @@ fn forked_run_equals_started_run() {
             program: controller.program(),
             servers: &controller.servers,
             limits: LIMITS,
-            unprobed: Unprobed::Sample,
+            uninstrumented: Uninstrumented::Sample,
             scenario,
             machine: &scenario.machine,
             source: &source,
@@ -138,8 +138,8 @@ fn forked_run_equals_started_run() {
         let ends = Ends::new(&source, scenario.program.block_delete);
         let plan = Plan::new(&source, &BTreeSet::new());
         let run = |from: From| {
-            let text = |file: usize, lines: &[String]| plan.with_probes(file, lines, &ends);
-            session.run(from, MANUAL_INPUT, &plan.mdi_probe(&ends), text)
+            let text = |file: usize, lines: &[String]| plan.with_checkpoints(file, lines, &ends);
+            session.run(from, MANUAL_INPUT, &plan.mdi_checkpoint(&ends), text)
         };
         match (run(From::Fork), run(From::Start)) {
             (Ok((forked, its_folder)), Ok((started, folder))) => {

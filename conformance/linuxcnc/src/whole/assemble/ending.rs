@@ -4,8 +4,8 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
 
 use super::{Assembly, is_end, unreadable};
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::faults;
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::source::{Form, form};
 
 impl Assembly<'_> {
@@ -13,7 +13,7 @@ impl Assembly<'_> {
     ///
     /// # Errors
     /// Nothing reports how it ended, or an error message is unknown.
-    pub(super) fn end(&mut self, after_end: Option<&Probe>) -> Result<End, HarnessError> {
+    pub(super) fn end(&mut self, after_end: Option<&Checkpoint>) -> Result<End, HarnessError> {
         if let Some(end) = self.end_by_status()? {
             return Ok(end);
         }
@@ -25,13 +25,13 @@ impl Assembly<'_> {
             return Ok(if self.aborted { End::Aborted } else { End::ProgramEnd });
         }
         if self.issued.iter().any(is_end) {
-            let Some(probe) = after_end else {
+            let Some(checkpoint) = after_end else {
                 return Err(unreadable("an end without its state"));
             };
             let (printed, issued) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
-            let events = self.events(printed, &issued, probe)?;
-            self.program_ended(probe, events)?;
+            let events = self.events(printed, &issued, checkpoint)?;
+            self.program_ended(checkpoint, events)?;
             return Ok(End::ProgramEnd);
         }
         if let Some(message) = self.stopped.take() {
@@ -66,12 +66,12 @@ impl Assembly<'_> {
     /// The program ended, in the mode that the controller was in then.
     pub(super) fn program_ended(
         &mut self,
-        probe: &Probe,
+        checkpoint: &Checkpoint,
         events: Vec<Event>,
     ) -> Result<(), HarnessError> {
         let mode = self.steps.mode;
         self.steps.mode = self.mode_at_end.or(mode);
-        self.steps.record_end(probe, None, events, self.canon.tool)?;
+        self.steps.record_end(checkpoint, None, events, self.canon.tool)?;
         self.steps.mode = mode;
         Ok(())
     }
@@ -81,8 +81,8 @@ impl Assembly<'_> {
     fn paused(&mut self, is_held: bool) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
-        let events = if let Some((printed, probe)) = self.read.pop_front() {
-            self.events(printed, &issued, &probe)?
+        let events = if let Some((printed, checkpoint)) = self.read.pop_front() {
+            self.events(printed, &issued, &checkpoint)?
         } else {
             for effect in std::mem::take(&mut self.printed) {
                 self.canon.push(effect);
@@ -123,23 +123,23 @@ impl Assembly<'_> {
         }
     }
 
-    /// The run was aborted, has ended before, or waits for another MDI block; what a probe printed afterwards.
-    fn ends_before(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
-        let Some(probe) = after_end else { return Ok(()) };
+    /// The run was aborted, has ended before, or waits for another MDI block; what a checkpoint printed afterwards.
+    fn ends_before(&mut self, after_end: Option<&Checkpoint>) -> Result<(), HarnessError> {
+        let Some(checkpoint) = after_end else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
-        let events = self.events(Vec::new(), &issued, probe)?;
+        let events = self.events(Vec::new(), &issued, checkpoint)?;
         self.aborted(events);
         Ok(())
     }
 
     /// The block that was being carried out when the run stopped: its events and what was in force afterwards; no
     /// state.
-    fn unfinished(&mut self, after_end: Option<&Probe>) -> Result<(), HarnessError> {
-        let (Some(next), Some(probe)) = (self.steps.next(), after_end) else { return Ok(()) };
+    fn unfinished(&mut self, after_end: Option<&Checkpoint>) -> Result<(), HarnessError> {
+        let (Some(next), Some(checkpoint)) = (self.steps.next(), after_end) else { return Ok(()) };
         let read = self.read.pop_front().map(|(printed, _)| printed);
         let printed = read.unwrap_or_else(|| std::mem::take(&mut self.printed));
         let issued = std::mem::take(&mut self.issued);
-        let events = self.events(printed, &issued, probe)?;
+        let events = self.events(printed, &issued, checkpoint)?;
         if !matches!(form(self.source.line(next.0, next.1)), Form::Empty) && !events.is_empty() {
             self.steps.step(next, events, None);
         }

@@ -8,11 +8,11 @@ const FILE: &str = "mdi";
 /// Where the driver is with a block.
 #[derive(Clone, Debug)]
 pub(super) enum Entering {
-    /// The next probe has the settings before it.
+    /// The next checkpoint has the settings before it.
     Before { line: u32, text: String },
     /// The block itself comes.
     Block { line: u32, text: String },
-    /// The next probe has the settings after it.
+    /// The next checkpoint has the settings after it.
     After { line: u32, text: String },
 }
 

@@ -1,6 +1,6 @@
 //! Blocks that a person enters by hand while no program runs.
 //!
-//! The driver reports the settings before such a block and after it: the first probe ends what came before, the
+//! The driver reports the settings before such a block and after it: the first checkpoint ends what came before, the
 //! program's end among it.
 
 use gaugeblock_adapter::HarnessError;
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::entering::{Entering, block};
 use super::{Assembly, is_end};
-use crate::instrumentation::probe::Probe;
+use crate::instrumentation::checkpoint::Checkpoint;
 
 impl Assembly<'_> {
     /// The driver's word on a block that is entered.
@@ -25,11 +25,11 @@ impl Assembly<'_> {
         }
     }
 
-    /// A probe before or after a block that is entered.
-    pub(super) fn probes_around_entry(
+    /// A checkpoint before or after a block that is entered.
+    pub(super) fn checkpoints_around_entry(
         &mut self,
         entering: Entering,
-        probe: &Probe,
+        checkpoint: &Checkpoint,
     ) -> Result<(), HarnessError> {
         let (printed, issued) =
             (std::mem::take(&mut self.printed), std::mem::take(&mut self.issued));
@@ -38,9 +38,9 @@ impl Assembly<'_> {
                 // What was read ahead is never carried out.
                 self.read.clear();
                 self.marked.clear();
-                let events = self.events(printed, &issued, probe)?;
+                let events = self.events(printed, &issued, checkpoint)?;
                 if issued.iter().any(is_end) {
-                    self.program_ended(probe, events)?;
+                    self.program_ended(checkpoint, events)?;
                     self.has_ended = true;
                 } else {
                     self.aborted(events);
@@ -48,8 +48,8 @@ impl Assembly<'_> {
                 self.entering = Some(Entering::Block { line, text });
             }
             Entering::Block { line, text } | Entering::After { line, text } => {
-                let events = self.events_of(&text, printed, &issued, probe)?;
-                self.steps.record_mdi_block(block(line), probe, events, self.canon.tool)?;
+                let events = self.events_of(&text, printed, &issued, checkpoint)?;
+                self.steps.record_mdi_block(block(line), checkpoint, events, self.canon.tool)?;
             }
         }
         Ok(())

@@ -1,8 +1,8 @@
-//! Puts blocks, issued commands and probes together to an outcome.
+//! Assembles an outcome from blocks, issued commands and checkpoints.
 //!
-//! The controller reads ahead: probes tell what the interpreter did, marks in the queue what has been carried out
-//! since. Both come in the order of the program, so that the n-th probe and the n-th mark belong together. A block
-//! whose mark never came was read, and not executed.
+//! The controller reads ahead: checkpoints report what the interpreter did, and marks in the queue report what has been
+//! executed since. Both come in the order of the program, so that the n-th checkpoint and the n-th mark belong
+//! together. A block without its mark was read, but not executed.
 
 mod ending;
 mod entering;
@@ -23,14 +23,14 @@ use entering::Entering;
 use super::canon::Canon;
 use super::stream::{Issued, Item};
 use super::trace::Trace;
+use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::instrument::Plan;
-use crate::instrumentation::probe::Probe;
 use crate::instrumentation::refusal;
 use crate::instrumentation::source::Source;
 use crate::instrumentation::steps::{self, Steps};
 
-/// A block as it was read: what was printed meanwhile, and the probe after it.
-type ReadBlock = (Vec<Effect>, Probe);
+/// A block as it was read: what was printed meanwhile, and the checkpoint after it.
+type ReadBlock = (Vec<Effect>, Checkpoint);
 
 /// An outcome in the making.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub(super) struct Assembly<'a> {
     steps: Steps<'a>,
     trace: Trace,
     start: Settings,
-    /// What was printed since the last probe.
+    /// What was printed since the last checkpoint.
     printed: Vec<Effect>,
     /// Blocks that were read and not yet carried out.
     read: VecDeque<ReadBlock>,
@@ -49,7 +49,7 @@ pub(super) struct Assembly<'a> {
     reset: Vec<Issued>,
     /// What was issued since the last mark.
     issued: Vec<Issued>,
-    /// What was issued up to each mark whose probe is still to come.
+    /// What was issued up to each mark whose checkpoint is still to come.
     marked: VecDeque<Vec<Issued>>,
     /// Where the interpreter is.
     reading_at: Option<(usize, u32)>,
@@ -66,7 +66,7 @@ pub(super) struct Assembly<'a> {
     asked_to_pause: bool,
     /// Whether each line of the program is entered by hand.
     by_hand: bool,
-    /// What the next probe has to do with a block that a person enters besides the program.
+    /// The relation of the next checkpoint to a block that the operator enters by hand.
     entering: Option<Entering>,
     /// The mode in which the program ended.
     mode_at_end: Option<ControllerMode>,
@@ -125,7 +125,7 @@ impl<'a> Assembly<'a> {
         for item in run {
             assembly.item(item)?;
         }
-        let after_end = after.iter().find_map(Item::probe);
+        let after_end = after.iter().find_map(Item::checkpoint);
         let end = assembly.end(after_end)?;
         let mut outcome = Outcome {
             language: Language::Rs274,
@@ -158,7 +158,7 @@ impl<'a> Assembly<'a> {
             Item::UserProgramFailed(status) => {
                 self.stopped = Some(format!("user program: exit status {status}"));
             }
-            Item::Probe(probe) => self.probe(probe)?,
+            Item::Checkpoint(checkpoint) => self.checkpoint(checkpoint)?,
             Item::Text(text) => self.printed.push(print(Channel::Print, text)),
             Item::Log(text) if self.log_is_open => self.printed.push(print(Channel::Log, text)),
             Item::Log(_) => {}
@@ -243,72 +243,72 @@ impl<'a> Assembly<'a> {
         gates.zip(place).is_some_and(|(gates, place)| gates.contains(&place))
     }
 
-    fn probe(&mut self, probe: &Probe) -> Result<(), HarnessError> {
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), HarnessError> {
         if let Some(entering) = self.entering.take() {
-            return self.probes_around_entry(entering, probe);
+            return self.checkpoints_around_entry(entering, checkpoint);
         }
-        if (probe.file, probe.line) == (0, 0)
+        if (checkpoint.file, checkpoint.line) == (0, 0)
             && self.reading_at.is_some()
             && self.restarts < self.starts
         {
             // What was read ahead before the program was started again is never carried out.
             self.read.clear();
         }
-        self.reading_at = Some((probe.file, probe.line));
-        self.trace.stands_in(probe.file);
-        self.read.push_back((std::mem::take(&mut self.printed), probe.clone()));
+        self.reading_at = Some((checkpoint.file, checkpoint.line));
+        self.trace.set_file(checkpoint.file);
+        self.read.push_back((std::mem::take(&mut self.printed), checkpoint.clone()));
         self.block_executed()
     }
 
     /// Blocks that are both read and carried out become steps.
     fn block_executed(&mut self) -> Result<(), HarnessError> {
         while !self.marked.is_empty() && !self.read.is_empty() {
-            let (Some(issued), Some((printed, probe))) =
+            let (Some(issued), Some((printed, checkpoint))) =
                 (self.marked.pop_front(), self.read.pop_front())
             else {
                 break;
             };
             if !self.steps.has_begun() {
-                self.canon.begin("", &probe, None);
+                self.canon.begin("", &checkpoint, None);
                 for issued in std::mem::take(&mut self.reset) {
                     self.canon.issue(&issued)?;
                 }
-                self.canon.finish(&probe)?;
+                self.canon.finish(&checkpoint)?;
                 self.start = self.canon.now.clone();
-                self.steps.begin(&probe)?;
+                self.steps.begin(&checkpoint)?;
                 continue;
             }
-            let events = self.events(printed, &issued, &probe)?;
-            if (probe.file, probe.line) == (0, 0) && self.restarts < self.starts {
+            let events = self.events(printed, &issued, &checkpoint)?;
+            if (checkpoint.file, checkpoint.line) == (0, 0) && self.restarts < self.starts {
                 self.restarts += 1;
                 if issued.iter().any(is_end) {
-                    self.program_ended(&probe, events)?;
+                    self.program_ended(&checkpoint, events)?;
                 } else {
                     self.aborted(events);
                 }
-                self.steps.resume_at(&probe);
+                self.steps.resume_at(&checkpoint);
                 continue;
             }
             if self.by_hand && std::mem::take(&mut self.aborted) {
                 // The block was broken off; the next one is entered all the same.
                 self.aborted(events);
-                self.steps.resume_at(&probe);
+                self.steps.resume_at(&checkpoint);
                 continue;
             }
-            self.steps.record_block(&probe, events, self.canon.tool)?;
+            self.steps.record_block(&checkpoint, events, self.canon.tool)?;
         }
         Ok(())
     }
 
-    /// The events of a block, under the settings of its probe.
+    /// The events of a block, under the settings of its checkpoint.
     fn events(
         &mut self,
         printed: Vec<Effect>,
         issued: &[Issued],
-        probe: &Probe,
+        checkpoint: &Checkpoint,
     ) -> Result<Vec<Event>, HarnessError> {
         let (file, line) = self.steps.next().unwrap_or((0, 1));
-        self.events_of(self.source.line(file, line), printed, issued, probe)
+        self.events_of(self.source.line(file, line), printed, issued, checkpoint)
     }
 
     /// What a block of this text did.
@@ -317,18 +317,18 @@ impl<'a> Assembly<'a> {
         text: &str,
         printed: Vec<Effect>,
         issued: &[Issued],
-        probe: &Probe,
+        checkpoint: &Checkpoint,
     ) -> Result<Vec<Event>, HarnessError> {
         let read = self.plan.parameters.iter().position(|name| name == "5399");
-        let read = read.and_then(|place| probe.parameters.get(place).copied().flatten());
-        self.canon.begin(text, probe, read);
+        let read = read.and_then(|place| checkpoint.parameters.get(place).copied().flatten());
+        self.canon.begin(text, checkpoint, read);
         for effect in printed {
             self.canon.push(effect);
         }
         for issued in issued {
             self.canon.issue(issued)?;
         }
-        self.canon.finish(probe)
+        self.canon.finish(checkpoint)
     }
 
     fn refused(&mut self, message: &str) -> Result<(), HarnessError> {

@@ -1,4 +1,4 @@
-"""The program with its probes: lines after each line that say where the run is, and show what parameters can show.
+"""The program with its checkpoints: lines after each line that say where the run is, and show what parameters can show.
 
 (DEBUG,…) would do as well, but a program can switch it off.
 """
@@ -6,7 +6,7 @@ from .text import DEBUG_SWITCH, LAST_PARAMETER, Form, form, has_slash, without_n
 
 LONGEST_LINE = 252  # that the interpreter reads
 ROOM_TO_BIND = 40  # characters that binding an end to a parameter may take
-# How many parameters a probe line shows: a message of more than about 500 characters, values and all, crashes the interpreter, and large numbers
+# How many parameters a checkpoint line shows: a message of more than about 500 characters, values and all, crashes the interpreter, and large numbers
 # are long.
 MOST_VALUES = 12
 
@@ -38,11 +38,11 @@ class Plan:
         self.stop = f"(ABORT,{self.marker})"
         self.by_hand_sign = f"{self.marker}by hand"
 
-    def probed(self, file, lines, ends):
-        """The text of a file with probes and tags, and with an error before each line of `ends`: the program stops there, its state alive."""
+    def instrumented(self, file, lines, ends):
+        """The text of a file with checkpoints and tags, and with an error before each line of `ends`: the program stops there, its state alive."""
         first = next((line for line in lines if line.strip()), "")
         begun = form(first) is not Form.PERCENT
-        text = self.probe(file, 0) if file == 0 and begun else ""
+        text = self.checkpoint(file, 0) if file == 0 and begun else ""
         for number, line in enumerate(lines, 1):
             end = ends.place(line)
             if end is not None:
@@ -50,18 +50,18 @@ class Plan:
             text += line + self.tag(file, number, line) + "\n"
             # Nothing but blanks may stand before the first percent sign.
             begun = begun or line.strip() != ""
-            text += self.probe(file, number) if begun else ""
+            text += self.checkpoint(file, number) if begun else ""
         return text
 
-    def probe(self, file, line):
-        """The probe lines that stand after a line."""
+    def checkpoint(self, file, line):
+        """The checkpoint lines that stand after a line."""
         shown = [*(("%d", [f"<{name}>" for name in names]) for names in MODES), ("%.9f", [f"<{name}>" for name in NUMBERS])]
         shown += [("%.9f", group) for group in self.groups]
         return "".join(f"(PRINT,{self.marker} {file} {line} {part} {how}" + "".join(f" #{name}" for name in names) + ")\n"
                        for part, (how, names) in enumerate(shown))
 
     def by_hand(self, ends):
-        """What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a probe.
+        """What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a checkpoint.
 
         An end is bound to a parameter that is set before it, so that none is executed where an error stopped the program; one that leaves no room
         for that is entered as it is.
@@ -70,7 +70,7 @@ class Plan:
         for place, end in enumerate(ends.blocks):
             reached = self.reached(place)
             text += (f"#<{reached}>=[1/#<{reached}>] {end}" if has_room(end) else end) + "\n"
-        return text + self.probe(0, 0) + "quit\n"
+        return text + self.checkpoint(0, 0) + "quit\n"
 
     def reached(self, end):
         """The parameter that says before which end the program stopped."""
@@ -122,7 +122,7 @@ class Ends:
 
 
 def groups(parameters):
-    """The parameters that one probe line after another shows."""
+    """The parameters that one checkpoint line after another shows."""
     found, room = [], 0
     for name in parameters:
         if not found or len(found[-1]) == MOST_VALUES or room <= length(name) + 2:

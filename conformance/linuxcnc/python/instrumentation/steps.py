@@ -1,4 +1,4 @@
-"""Executed blocks, made of one probe after the other."""
+"""Executed blocks, made of one checkpoint after the other."""
 from .settings import take
 from .state import state
 from .text import Form, code, form, has_slash, opens_probe_log
@@ -11,8 +11,8 @@ class Steps:
         self.source, self.block_delete = source, block_delete
         self.taken = []
         self.known = {}  # of the state, as it was told
-        self.level = 0  # depth of calls where the last probe stood
-        self.at = None  # the place of the last probe
+        self.level = 0  # depth of calls where the last checkpoint stood
+        self.at = None  # the place of the last checkpoint
         self.changed = False  # whether the tool was changed since the last T: then none is selected, though parameters may keep the old one
         self.logs_probing = False  # whether a file for probed points is open
 
@@ -23,18 +23,18 @@ class Steps:
     def next_form(self):
         return form(self.source.line(self.next()))
 
-    def begin(self, probe):
-        """The first probe: parameters that the program does not name are taken as they are, only their changes are of interest."""
+    def begin(self, checkpoint):
+        """The first checkpoint: parameters that the program does not name are taken as they are, only their changes are of interest."""
         is_named = lambda name: name.isdecimal() and int(name) in self.source.numbered
-        take(self.known, {"parameter": {name: value for name, value in probe.parameters.items() if not is_named(name)}})
-        self.at = probe.place
+        take(self.known, {"parameter": {name: value for name, value in checkpoint.parameters.items() if not is_named(name)}})
+        self.at = checkpoint.place
 
-    def passed(self, probe, events, tool):
+    def passed(self, checkpoint, events, tool):
         """A block was executed; the run is now behind it, or where it jumped to."""
         self.tool_codes(events)
-        place, jumped = self.next(), probe.place != self.next()
+        place, jumped = self.next(), checkpoint.place != self.next()
         kind, line = self.next_form(), self.source.line(place)
-        was, self.level = self.level, probe.modes["_call_level"]
+        was, self.level = self.level, checkpoint.modes["_call_level"]
         if was != self.level or kind is Form.RETURN:
             self.led_elsewhere()
         is_skipped = self.block_delete and has_slash(line)
@@ -46,15 +46,15 @@ class Steps:
         elif kind in (Form.CALL, Form.CONTROL, Form.RETURN):
             self.step(place, events)
         elif not does_nothing and not is_skipped:
-            self.step(place, events, take(self.known, self.shown(probe, tool)))
-        if jumped and form(self.source.line(probe.place)) is Form.CALL:
-            self.step(probe.place, [])
-        self.at = probe.place
+            self.step(place, events, take(self.known, self.shown(checkpoint, tool)))
+        if jumped and form(self.source.line(checkpoint.place)) is Form.CALL:
+            self.step(checkpoint.place, [])
+        self.at = checkpoint.place
 
-    def ended(self, probe, parameters, events, tool):
+    def ended(self, checkpoint, parameters, events, tool):
         """The program ended with the next block; what was shown afterwards, and all numbered parameters that are not zero."""
         self.tool_codes(events)
-        shown = self.shown(probe, tool)
+        shown = self.shown(checkpoint, tool)
         if self.level:
             self.led_elsewhere()
             # It was not the end but the stop before it that showed #1 to #30: the list at the end has what they are.
@@ -82,8 +82,8 @@ class Steps:
             if effect in ("prepare_tool", "change_tool"):
                 self.changed = effect == "change_tool"
 
-    def shown(self, probe, tool):
-        return state(probe, tool) | ({"prepared_tool": -1} if self.changed else {})
+    def shown(self, checkpoint, tool):
+        return state(checkpoint, tool) | ({"prepared_tool": -1} if self.changed else {})
 
     def step(self, place, events, changes=None):
         """A block; where no state is told, only its events are known."""

@@ -1,4 +1,4 @@
-"""What a probe shows, in the fields of the vocabulary."""
+"""What a checkpoint shows, in the fields of the vocabulary."""
 from .settings import position
 
 PLANES = {170: "xy", 180: "zx", 190: "yz", 171: "uv", 181: "wu", 191: "vw"}
@@ -11,9 +11,9 @@ MOTIONS = {
     800: "none", -1: "none"}  # after G5.3 no code is active
 
 
-def modes(probe, was, block):
+def modes(checkpoint, was, block):
     """Settings that canonical calls do not show, or show only in part. `was` is what was in force before, `block` the code of the block."""
-    shown = probe.modes
+    shown = checkpoint.modes
     distance = lambda name: "absolute" if shown[name] else "incremental"
     per = "per_minute" if shown["_units_per_minute"] else "per_revolution"
     return {
@@ -29,29 +29,29 @@ def compensation(side, was, block):
     return dynamic if side != "off" and (was == dynamic or "g41.1" in block or "g42.1" in block) else side
 
 
-def others(probe):
+def others(checkpoint):
     """Settings that parameters show of the first spindle and of the rest, beside the modes: all that is known before the first block."""
-    shown = probe.modes
+    shown = checkpoint.modes
     switch = lambda name: "on" if shown[name] else "off"
     turn = "clockwise" if shown["_spindle_cw"] else "counterclockwise"
     return {
-        "units": "mm" if shown["_metric"] else "inch", "feed_rate": probe.numbers["_feed"], "mist": switch("_mist"), "flood": switch("_flood"),
+        "units": "mm" if shown["_metric"] else "inch", "feed_rate": checkpoint.numbers["_feed"], "mist": switch("_mist"), "flood": switch("_flood"),
         "feed_override": switch("_feed_override"), "adaptive_feed": switch("_adaptive_feed"), "feed_stop": switch("_feed_hold"),
         "speed_override": {"0": switch("_speed_override")}, "spindle": {"0": turn if shown["_spindle_on"] else "stopped"},
-        "spindle_mode": {"0": "surface_speed" if shown["_spindle_css_mode"] else "rpm"}, "spindle_speed": {"0": probe.numbers["_rpm"]}}
+        "spindle_mode": {"0": "surface_speed" if shown["_spindle_css_mode"] else "rpm"}, "spindle_speed": {"0": checkpoint.numbers["_rpm"]}}
 
 
-def point(probe):
+def point(checkpoint):
     """The controlled point; U, V and W do not exist on this controller."""
-    return position("xyzabc", (probe.numbers[f"_{axis}"] for axis in "xyzabc"))
+    return position("xyzabc", (checkpoint.numbers[f"_{axis}"] for axis in "xyzabc"))
 
 
-def state(probe, tool):
+def state(checkpoint, tool):
     """The state after a block, as far as it is shown. The tool comes from the calls: its parameter keeps an old value."""
-    shown = probe.modes
+    shown = checkpoint.modes
     # T0 selects no tool, since tools do not change places here; once one was selected it shows as tool 0.
     is_selected = shown["_selected_pocket"] != -1 and shown["_selected_tool"] != 0
     return {
-        "motion": MOTIONS[shown["_motion_mode"]], "position": point(probe), "tool": tool,
+        "motion": MOTIONS[shown["_motion_mode"]], "position": point(checkpoint), "tool": tool,
         "prepared_tool": shown["_selected_tool"] if is_selected else -1, "call_level": abs(shown["_call_level"]),
-        "parameter": dict(probe.parameters)}
+        "parameter": dict(checkpoint.parameters)}

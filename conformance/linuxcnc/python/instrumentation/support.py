@@ -53,7 +53,7 @@ def is_length(number):
 def shows(declared, resolution, scenario, source):
     """What is observed of a scenario, of what is declared.
 
-    Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the number of a line, probes change what
+    Stored data of a millimetre machine stay hidden: this controller stores inches. Where a program asks for the number of a line, checkpoints change what
     it computes, and where its moves lead. F under inverse time is had from the text, or back from the moves, if they lead anywhere.
     """
     shown = dict(declared)

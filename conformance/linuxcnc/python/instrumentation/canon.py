@@ -19,7 +19,7 @@ SWITCHES = {
     "ENABLE_FEED_OVERRIDE": {"feed_override": "on"}, "DISABLE_FEED_OVERRIDE": {"feed_override": "off"},
     "ENABLE_ADAPTIVE_FEED": {"adaptive_feed": "on"}, "DISABLE_ADAPTIVE_FEED": {"adaptive_feed": "off"},
     "ENABLE_FEED_HOLD": {"feed_stop": "on"}, "DISABLE_FEED_HOLD": {"feed_stop": "off"}}
-# Modes that no call shows are told in comments. A comment of the program may say the same; the probe after the block puts that right.
+# Modes that no call shows are told in comments. A comment of the program may say the same; the checkpoint after the block puts that right.
 COMMENTS = {
     "distance mode changed to absolute": {"distance": "absolute"}, "distance mode changed to incremental": {"distance": "incremental"},
     "IJK distance mode changed to absolute": {"arc_distance": "absolute"},
@@ -48,28 +48,28 @@ class Canon:
         self.speed = None  # of the next move under inverse time, which the calls show in place of F
         self.block = ""  # code of the block that is executed, for what the calls leave out
 
-    def stands_before(self, line, probe):
+    def stands_before(self, line, checkpoint):
         """The block that comes next, and where it begins."""
-        self.block, self.point = code(line), state.point(probe)
+        self.block, self.point = code(line), state.point(checkpoint)
 
     def take_events(self):
         """The events since the last time."""
         events, self.events, self.speed = self.events, [], None
         return events
 
-    def settle(self, probe):
-        """Takes over what a probe shows: modes, F with all its decimals, and where a spline ends, which no call does."""
-        self.set(state.modes(probe, self.now, self.block))
-        self.lengths.precise_feed(probe.numbers["_feed"])
+    def settle(self, checkpoint):
+        """Takes over what a checkpoint shows: modes, F with all its decimals, and where a spline ends, which no call does."""
+        self.set(state.modes(checkpoint, self.now, self.block))
+        self.lengths.precise_feed(checkpoint.numbers["_feed"])
         for event in self.events:
             if event.get("do", {}).get("effect") == "nurbs_feed":
-                event["do"]["end"] = state.point(probe)
+                event["do"]["end"] = state.point(checkpoint)
 
-    def program_end(self, probe):
+    def program_end(self, checkpoint):
         """M2 or M30. What it resets without a call is reset before M30 exchanges pallets, as what it resets by calls is."""
         has_shuttle = self.events[-1:] == [{"do": {"effect": "pallet_shuttle"}}]
         shuttle = [self.events.pop()] if has_shuttle else []
-        self.settle(probe)
+        self.settle(checkpoint)
         self.events += shuttle
         self.do("program_end")
 
@@ -139,7 +139,7 @@ class Canon:
                 unit = UNITS[call.words()[0]]
                 self.set({"units": unit} | self.lengths.use_unit(unit))
             case ("SELECT_PLANE", _):
-                # The call does not tell U, V and W planes from each other; the block does, or the probe after it.
+                # The call does not tell U, V and W planes from each other; the block does, or the checkpoint after it.
                 by_code = next((plane for code, plane in PLANE_CODES.items() if code in self.block), self.now.get("plane"))
                 self.set(plane=PLANES.get(call.words()[0], by_code))
             case ("SET_G5X_OFFSET", [index, *offset]):

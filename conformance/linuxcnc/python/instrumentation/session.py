@@ -1,10 +1,10 @@
-"""The runs that one outcome takes: one under observation and beyond the end, and one without probes where that is needed."""
+"""The runs that one outcome takes: one under observation and beyond the end, and one without checkpoints where that is needed."""
 import dataclasses
 import re
 
 from . import faults, machine, printed
 from .plan import Ends, Plan, is_seen
-from .printed import Call, Probe
+from .printed import Call, Checkpoint
 
 # What rs274 says when an error has stopped the program and it takes blocks from standard input, and the arguments that make it do so.
 BY_HAND = "starting MDI"
@@ -16,15 +16,15 @@ class Observed:
     """What the runs showed."""
 
     plan: Plan
-    lines: list  # calls, texts and probes, as printed.read tells them
+    lines: list  # calls, texts and checkpoints, as printed.read tells them
     errors: str  # error output of the program itself
     refused: bool  # whether an error stopped the program
-    after_end: Probe | None  # what was shown after the program's end, if it reached that
+    after_end: Checkpoint | None  # what was shown after the program's end, if it reached that
     parameters: dict[int, float]  # those that are not zero at the end
-    plain_errors: str = ""  # error output of the run without probes, whose line numbers are those of the program
+    plain_errors: str = ""  # error output of the run without checkpoints, whose line numbers are those of the program
 
-    def last_probe(self):
-        return next((line for line in reversed(self.lines) if isinstance(line, Probe)), None)
+    def last_checkpoint(self):
+        return next((line for line in reversed(self.lines) if isinstance(line, Checkpoint)), None)
 
     def stopped_in_vain(self):
         """Whether the program was stopped before an end that was none when it was entered by hand."""
@@ -32,7 +32,7 @@ class Observed:
 
 
 class DecidedByLine(Exception):
-    """#<_line> decides what is done, and probes are lines, too."""
+    """#<_line> decides what is done, and checkpoints are lines, too."""
 
 
 class Session:
@@ -44,26 +44,26 @@ class Session:
     def observe(self):
         """Runs the program; None where it does not end."""
         ends = Ends(self.source, self.scenario["program"].get("block_delete", False))
-        observed = self.run_probed(ends)
+        observed = self.run_instrumented(ends)
         # A block that looks like an end and is none must show what it does where it stands.
         while observed and observed.stopped_in_vain() and ends.blocks:
-            file, line = observed.last_probe().place if observed.last_probe() else (0, 0)
+            file, line = observed.last_checkpoint().place if observed.last_checkpoint() else (0, 0)
             ends.drop(self.source.line((file, line + 1)))
-            observed = self.run_probed(ends)
+            observed = self.run_instrumented(ends)
         if observed and (self.needs_plain(observed) or observed.refused and not ends.are_bound()):
             self.run_plain(observed)
         return observed
 
-    def run_probed(self, ends):
-        """The run with probes, and beyond the program's end: there no probe is reached, so that the program is stopped by an error before its last
-        block, with its state alive, and that block and a probe are entered by hand.
+    def run_instrumented(self, ends):
+        """The run with checkpoints, and beyond the program's end: there no checkpoint is reached, so that the program is stopped by an error before its last
+        block, with its state alive, and that block and a checkpoint are entered by hand.
 
-        Once more where it turns out that a parameter was written that no probe showed.
+        Once more where it turns out that a parameter was written that no checkpoint showed.
         """
         more = set()
         while True:
             plan = Plan(self.source, more)
-            texts = [plan.probed(file, lines, ends) for file, (_, lines) in enumerate(self.source.files)]
+            texts = [plan.instrumented(file, lines, ends) for file, (_, lines) in enumerate(self.source.files)]
             ran = machine.start(self.scenario, self.source, texts, self.has_hal, *MANUAL_INPUT, typed=plan.by_hand(ends))
             unseen = {number for number in ran.parameters if not is_seen(number, plan)}
             if ran.status is None:
@@ -73,8 +73,8 @@ class Session:
             more |= unseen
 
     def needs_plain(self, observed):
-        """Parameters of a sub are gone once an error has stopped the program, and line numbers count probe lines too."""
-        last = observed.last_probe()
+        """Parameters of a sub are gone once an error has stopped the program, and line numbers count checkpoint lines too."""
+        last = observed.last_checkpoint()
         in_sub = last is not None and last.modes["_call_level"] > 0
         may_tell_line = observed.refused and re.search("[0-9]", faults.message(observed.errors) or "")
         return in_sub or may_tell_line or self.source.names_line()
@@ -108,7 +108,7 @@ def observed(plan, ran):
     elif is_stopped:
         text = text.split(plan.by_hand_sign + "\n")[0]
     seen = Observed(plan, printed.read(text, plan), "\n".join(errors), is_stopped and not at_end, None, ran.parameters)
-    if at_end and seen.last_probe():
-        seen.after_end = seen.last_probe()
+    if at_end and seen.last_checkpoint():
+        seen.after_end = seen.last_checkpoint()
         seen.lines = [line for line in seen.lines if line is not seen.after_end]
     return seen

@@ -1,10 +1,10 @@
-"""Puts calls, probes and the error message together to an outcome."""
+"""Puts calls, checkpoints and the error message together to an outcome."""
 import copy
 
 from . import state
 from .canon import Canon
 from .faults import fault, message
-from .printed import Call, Probe
+from .printed import Call, Checkpoint
 from .steps import Steps
 from .text import Form
 
@@ -17,7 +17,7 @@ def outcome(scenario, source, observed):
         if making.end:
             break
     end = making.end or making.fault()
-    # Where not even the first probe was reached, what the calls have set is all that is known of the start.
+    # Where not even the first checkpoint was reached, what the calls have set is all that is known of the start.
     start = making.canon.now if making.start is None else making.start
     return {"language": "rs274", "start": start, "steps": making.steps.taken, "end": end,
             "parameters": shown_parameters(scenario, observed.parameters)}
@@ -34,8 +34,8 @@ class Making:
 
     def read(self, line):
         match line:
-            case Probe():
-                self.probe(line)
+            case Checkpoint():
+                self.checkpoint(line)
             case Call(name="PROGRAM_END"):
                 self.program_end()
             case Call(name="FINISH"):
@@ -46,16 +46,16 @@ class Making:
             case str():
                 self.canon.message("print", line)
 
-    def probe(self, probe):
-        self.canon.settle(probe)
+    def checkpoint(self, checkpoint):
+        self.canon.settle(checkpoint)
         if self.steps.at is None:
-            self.canon.set({"tool_offset": {}} | state.others(probe))
+            self.canon.set({"tool_offset": {}} | state.others(checkpoint))
             self.canon.take_events()
             self.start = copy.deepcopy(self.canon.now)
-            self.steps.begin(probe)
+            self.steps.begin(checkpoint)
         else:
-            self.steps.passed(probe, self.canon.take_events(), self.canon.tool)
-        self.canon.stands_before(self.source.line(self.steps.next()), probe)
+            self.steps.passed(checkpoint, self.canon.take_events(), self.canon.tool)
+        self.canon.stands_before(self.source.line(self.steps.next()), checkpoint)
 
     def program_end(self):
         if self.steps.next_form() is Form.RETURN:

@@ -112,7 +112,7 @@ def kind_of(message):
 
 
 def kinds(errors):
-    """The kinds of fault that an error output names: its words may hold a line number, which probes change."""
+    """The kinds of fault that an error output names: its words may hold a line number, which checkpoints change."""
     return [kind_of(line) for line in errors.split("\n")[:2] if kind_of(line)]
 
 

@@ -1,4 +1,4 @@
-"""What rs274 printed: canonical calls, probes, and what (PRINT,…) prints."""
+"""What rs274 printed: canonical calls, checkpoints, and what (PRINT,…) prints."""
 import dataclasses
 import re
 import typing
@@ -27,7 +27,7 @@ class Call(typing.NamedTuple):
 
 
 @dataclasses.dataclass
-class Probe:
+class Checkpoint:
     """A place that the run reached, and what it showed there: modes and numbers by their names, the plan's parameters where they exist."""
 
     place: tuple[int, int]
@@ -37,7 +37,7 @@ class Probe:
 
 
 def read(text, plan):
-    """The lines of an output: calls, probes (each of several lines), and text. One without its end is left out."""
+    """The lines of an output: calls, checkpoints (each of several lines), and text. One without its end is left out."""
     lines, parts, due = [], [], 1
     for line in text.split("\n")[:-1]:
         call = CALL.fullmatch(line)
@@ -46,7 +46,7 @@ def read(text, plan):
             parts = [] if part == "0" else parts
             parts.append(values)
             if len(parts) == len(MODES) + 1 + len(plan.groups):
-                lines.append(probe((int(file), int(number)), parts, plan))
+                lines.append(checkpoint((int(file), int(number)), parts, plan))
         elif call and int(call[1]) == due:
             due += 1
             lines.append(Call(call[2], call[3]))
@@ -55,25 +55,25 @@ def read(text, plan):
     return lines
 
 
-def probe(place, parts, plan):
+def checkpoint(place, parts, plan):
     modes, numbers = parts[:len(MODES)], parts[len(MODES)]
     names = [name.strip("<>") for name in plan.parameters]
     shown = zip(names, sum(parts[len(MODES) + 1:], []), strict=True)
-    return Probe(
+    return Checkpoint(
         place, dict(zip(sum(MODES, []), map(int, sum(modes, [])), strict=True)), dict(zip(NUMBERS, map(float, numbers), strict=True)),
         {name: float(value) for name, value in shown if not value.startswith("######")})
 
 
 def doings(lines):
-    """What the program did, probes aside: for comparing a run under observation with one without."""
-    return [line for line in lines if not isinstance(line, Probe) and line != ("ON_RESET", "")]
+    """What the program did, checkpoints aside: for comparing a run under observation with one without."""
+    return [line for line in lines if not isinstance(line, Checkpoint) and line != ("ON_RESET", "")]
 
 
 def adopt(observed, unobserved):
-    """Takes over the numbers and texts of a run without probes where the same was done: `#<_line>` counts probe lines too."""
+    """Takes over the numbers and texts of a run without checkpoints where the same was done: `#<_line>` counts checkpoint lines too."""
     others = iter(unobserved)
     for place, mine in enumerate(observed):
-        if isinstance(mine, Probe):
+        if isinstance(mine, Checkpoint):
             continue
         match mine, next(others, None):
             case (Call(name=name), Call(name=same) as other) if name == same:

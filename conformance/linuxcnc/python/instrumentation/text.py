@@ -57,7 +57,7 @@ class Source:
         return {*range(1, 31), DEBUG_SWITCH} | {number for number in self.numbered if 1 <= number <= LAST_PARAMETER}
 
     def names_line(self):
-        """Whether it asks for line numbers, which probes change."""
+        """Whether it asks for line numbers, which checkpoints change."""
         return any("#<_line>" in compact(line) for _, _, line in self.all())
 
     def names_hal(self):
