@@ -180,7 +180,7 @@ impl Interpreter {
                 named: Named::new(),
                 line: 0,
                 call_level: 0,
-                drives: true,
+                controls_machine: true,
                 value: 0.0,
                 value_returned: false,
                 items: Vec::new(),
@@ -222,7 +222,7 @@ impl Interpreter {
     /// Sets whether this run is a preview of what a program would do. `#<_task>` is 0 in a preview, so that a program
     /// can skip what only a machine can answer (11.4.3.5).
     pub fn set_preview(&mut self, preview: bool) {
-        self.parameters.drives = !preview;
+        self.parameters.controls_machine = !preview;
     }
 
     /// Behaves like LinuxCNC's `rs274` where that differs from its manual: only a few points, which the module

@@ -1,4 +1,4 @@
-//! Expressions and variables: read from left to right, written as operations after their operands.
+//! Compiles expressions and variables from left to right into postfix operations.
 
 use gaugeblock_vocabulary::FaultKind;
 
@@ -8,21 +8,23 @@ use super::program::{IndexRange, Operation, Sum, VariableRef};
 use super::variables::Variable;
 use super::words::{self, Compare, Keyword};
 
-/// The refusal of a text where a number belongs, or the other way.
-pub(super) const WRONG_TYPE: Stop =
-    Stop::Refused(FaultKind::WrongType, "a text where a number belongs, or the other way");
+/// The refusal of a text in place of a number, or a number in place of a text.
+pub(super) const WRONG_TYPE: Stop = Stop::Refused(
+    FaultKind::WrongType,
+    "a text in place of a number, or a number in place of a text",
+);
 
-/// A value or variable that has been read.
+/// An operand that has been read.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Node {
-    /// A variable alone, of which only the index has been written.
+    /// A variable alone. Only the operations of its index have been emitted.
     Variable { place: VariableRef, is_text: bool },
-    /// Something else, written.
+    /// Any other expression; its operations have been emitted.
     Number,
 }
 
 impl Compiler<'_> {
-    /// The variable of a place.
+    /// The variable to which a reference refers.
     pub(super) fn variable(&self, place: VariableRef) -> Option<&Variable> {
         match place {
             VariableRef::Alone(slot) => self.variables.variable_of(slot),
@@ -30,8 +32,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Writes what has been read as an operand.
-    fn write(&mut self, node: Node) -> Result<(), Stop> {
+    /// Emits the operation of an operand, which must be a number.
+    fn emit_operand(&mut self, node: Node) -> Result<(), Stop> {
         match node {
             Node::Number => {}
             Node::Variable { is_text: true, .. } => return Err(WRONG_TYPE),
@@ -45,7 +47,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// An expression, or a variable alone. What a test may look like in parentheses is left open in a condition.
+    /// An expression, or a variable alone. In a condition, parentheses around a test are unspecified.
     pub(super) fn sum(&mut self, in_condition: bool) -> Result<Node, Stop> {
         self.chain(&[("+", Sum::Add), ("-", Sum::Subtract)], Self::product, in_condition)
     }
@@ -68,9 +70,9 @@ impl Compiler<'_> {
                 return Ok(node);
             };
             self.take()?;
-            self.write(node)?;
+            self.emit_operand(node)?;
             let right = operand(self, in_condition)?;
-            self.write(right)?;
+            self.emit_operand(right)?;
             self.program.operations.push(Operation::Two(*operation));
             node = Node::Number;
         }
@@ -81,7 +83,7 @@ impl Compiler<'_> {
             Token::Sign(sign @ ("+" | "-")) => {
                 self.enter()?;
                 let node = self.factor(in_condition)?;
-                self.write(node)?;
+                self.emit_operand(node)?;
                 if sign == "-" {
                     self.program.operations.push(Operation::Negate);
                 }
@@ -108,11 +110,11 @@ impl Compiler<'_> {
             }
             Token::Text(_) => Err(WRONG_TYPE),
             Token::Word(word) => {
-                let flag = matches!(
+                let is_set_test = matches!(
                     words::keyword(&word.to_ascii_uppercase()),
                     Some(Keyword::VarSet | Keyword::VarNotSet)
                 );
-                if flag && in_condition && self.depth > 0 {
+                if is_set_test && in_condition && self.depth > 0 {
                     return Err(Stop::Open("parentheses around a test"));
                 }
                 let (place, is_text) = self.reference(word, true)?;
@@ -122,7 +124,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// What an `IF_SET` of GPP2 tests: a variable, perhaps in parentheses, and no expression.
+    /// The variable that an `IF_SET` of GPP2 tests: in parentheses or not, but not an expression.
     pub(super) fn tested(&mut self) -> Result<VariableRef, Stop> {
         if !self.takes("(")? {
             let Token::Word(word) = self.take()? else { return Err(NO_STATEMENT) };
@@ -135,7 +137,7 @@ impl Compiler<'_> {
         Ok(place)
     }
 
-    /// Whether what comes next belongs to a condition and to no expression.
+    /// Whether the next token can be part of a condition, but not of an expression.
     fn is_of_condition(&self) -> Result<bool, Stop> {
         Ok(match self.peek()? {
             Token::Sign("&&" | "||") => true,
@@ -159,8 +161,8 @@ impl Compiler<'_> {
         self.depth = self.depth.saturating_sub(1);
     }
 
-    /// A variable by its name and, of an array, its index; whether it is a text. In an expression a name may be that
-    /// of a function.
+    /// A reference to a variable, by its name and the index of an array, and whether the variable is a text. In an
+    /// expression the name can be that of a function, which is unspecified.
     pub(super) fn reference(
         &mut self,
         word: &str,
@@ -181,7 +183,7 @@ impl Compiler<'_> {
         let (first, size, is_text) = (of.first, of.size, of.is_text());
         let has_index = self.raw() == Token::Sign("[");
         if has_index != size.is_some() {
-            let why = "an array without an index, or an index on what is none";
+            let why = "an array without an index, or an index on a variable that is not an array";
             return Err(Stop::Refused(FaultKind::Statement, why));
         }
         if !has_index {
@@ -191,7 +193,7 @@ impl Compiler<'_> {
         self.enter()?;
         let from = self.program.operations.len();
         let node = self.sum(false)?;
-        self.write(node)?;
+        self.emit_operand(node)?;
         let index = IndexRange { from, to: self.program.operations.len() };
         self.expect("]")?;
         self.leave();

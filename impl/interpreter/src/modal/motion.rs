@@ -1,4 +1,4 @@
-//! Moves (11.5.3 to 11.5.5, 11.5.33) and the dwell (11.5.6).
+//! Moves (11.5.3 to 11.5.5, 11.5.33) and the dwell (11.5.6). G codes are in tenths: 530 is G53, 800 is G80.
 
 use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, Motion};
 
@@ -25,7 +25,7 @@ impl Modal {
         self.perform(words.line, &Effect::Dwell { seconds }, sink)
     }
 
-    /// The block's move, and the motion mode that it sets. An aborted motion has selected none.
+    /// Performs the block's move and sets its motion mode. An aborted motion does not change the mode.
     pub(super) fn execute_motion<K: Sink>(
         &mut self,
         block: &Block<'_>,
@@ -48,7 +48,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let Some(code) = block.motion else { return Ok(()) };
         let code = if block.g(MOTION).is_none() && block.m().any(|(_, code)| code == 72) {
-            // Which motion is made again M72 of the same block may have decided.
+            // M72 in the same block may have restored the motion mode that this block repeats.
             self.repeated_motion()?
         } else {
             code

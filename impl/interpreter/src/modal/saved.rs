@@ -12,13 +12,13 @@ use super::refusal::{Refusal, refuse};
 use super::saved_states::Saved;
 
 impl Modal {
-    /// No call is open any more: only what the main program has saved is there.
+    /// Ends all calls: only the states that the main program has saved remain.
     pub(crate) fn leave_saved_calls(&mut self) {
         self.saved.leave_calls();
     }
 
-    /// The program has ended, or the next one begins: no call is open any more, and where the options say so nothing
-    /// is saved either.
+    /// The program has ended, or the next one begins: ends all calls. If the options say so, the states that the main
+    /// program has saved are removed, too.
     pub(crate) fn end_run(&mut self) {
         self.saved.leave_calls();
         if self.choices.saved_for_one_run {
@@ -33,7 +33,7 @@ impl Modal {
         self.saved.level = self.saved.level.saturating_add(levels);
     }
 
-    /// Ends a call level, on whichever way back, and restores what M73 saved there.
+    /// Ends a call level, by whatever return, and restores the state that M73 saved there.
     #[inline]
     pub(crate) fn leave_call<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K, line: u32) {
         while let Some(place) = self.saved.places.last()
@@ -64,8 +64,8 @@ impl Modal {
                     compensation_radius: self.compensation_radius,
                     feed_spindle: self.feed_spindle,
                 };
-                let place = if self.choices.one_place { 70 } else { code };
-                self.saved.save(place, code, state);
+                let slot_code = if self.choices.one_place { 70 } else { code };
+                self.saved.save(slot_code, code, state);
                 Ok(())
             }
             71 => self.invalidate(),
@@ -81,7 +81,7 @@ impl Modal {
         }
     }
 
-    /// M71: nothing at this call level can be restored from any more.
+    /// M71: the states that were saved at this call level can no longer be restored.
     fn invalidate(&mut self) -> Result<(), Refusal> {
         if planted(PlantedFault::NotInvalidated) {
             return Ok(());
@@ -97,7 +97,8 @@ impl Modal {
         Ok(())
     }
 
-    /// Units first, so that the saved feed and lengths are in their own unit; then everything else (11.6.21).
+    /// Restores the units first, so that the saved feed and lengths are in their own unit, then everything else
+    /// (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
         let modes = &saved.modes;
         if !planted(PlantedFault::UnitsForgotten) {
@@ -117,7 +118,7 @@ impl Modal {
             modes.feed_rate
         };
         let now = self.active.set();
-        // G61 and G61.1 have no tolerances of their own; what they do not use stays.
+        // G61 and G61.1 have no tolerances: restoring them keeps the present ones.
         let own = if modes.path == PathControlMode::Continuous { modes } else { &*now };
         let tolerances = (own.blend_tolerance, own.naive_cam_tolerance);
         let mut spindles = modes.spindles;
@@ -126,7 +127,7 @@ impl Modal {
         }
         *now = Modes {
             spindles,
-            // What the list does not name: offsets, of which the units were changed above.
+            // The list of restored modes does not name the offsets. `change_units` has converted them above.
             g5x_offset: now.g5x_offset,
             g92_offset: now.g92_offset,
             rotation: now.rotation,
@@ -143,7 +144,8 @@ impl Modal {
     }
 }
 
-/// The list names M3, M4 and M5 only: a spindle that was at its angle is not turned there again, but does not turn.
+/// The list of restored modes has M3, M4 and M5 only. A spindle that was oriented at the save is stopped, not oriented
+/// again.
 fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
     match (saved, now) {
         (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,

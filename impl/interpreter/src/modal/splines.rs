@@ -1,4 +1,5 @@
-//! Splines: G5, G5.1 and the data block of G5.2 and G5.3 (11.5.7 to 11.5.9).
+//! Splines: G5, G5.1 and the data block of G5.2 and G5.3 (11.5.7 to 11.5.9). G codes are in tenths: 50 is G5, 52 is
+//! G5.2.
 
 use gaugeblock_vocabulary::{Effect, FaultKind, Motion, Plane};
 
@@ -37,7 +38,7 @@ impl Modal {
         self.perform_move(words.line, start, &effect, sink)
     }
 
-    /// Refuses what no spline takes: another plane, another axis, compensation.
+    /// Refuses a plane other than XY, axis words other than X and Y, and cutter compensation.
     fn check_spline(&self, words: &Words) -> Result<(), Refusal> {
         if self.active.now().plane != Plane::Xy && !planted(PlantedFault::AnySplinePlane) {
             return refuse(FaultKind::ModalConflict, "a spline outside of the XY plane");
@@ -48,7 +49,7 @@ impl Modal {
         self.check_compensated_move(false)
     }
 
-    /// I and J: both or neither, and both in the first of a series.
+    /// Checks I and J of G5: both or neither, and both in the first G5 of a series.
     fn check_cubic(&self, words: &Words) -> Result<(), Refusal> {
         let given = words.present & (I | J);
         let follows = self.motion == Motion::CubicSpline && self.series.cubic;
@@ -60,7 +61,7 @@ impl Modal {
         }
     }
 
-    /// G5.2, and the lines after it: the first one opens the data block, axis words add a control point.
+    /// Executes G5.2 and the blocks after it: G5.2 opens the data block, axis words add a control point.
     pub(super) fn add_control_point(&mut self, words: &Words) -> Result<(), Refusal> {
         self.check_spline(words)?;
         let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
@@ -85,7 +86,8 @@ impl Modal {
         Ok(())
     }
 
-    /// The effect of another motion code on an open data block is not documented: the curve is not dropped silently.
+    /// Ends the run as unspecified at another motion code within a data block: its effect on the curve is not
+    /// documented.
     pub(super) fn check_open_curve(&self, code: u16) -> Result<(), Refusal> {
         if self.series.curve.is_none() || matches!(code, 52 | 53) {
             return Ok(());
@@ -94,7 +96,7 @@ impl Modal {
         Err(Refusal::Unspecified(why.into()))
     }
 
-    /// G5.3: the curve is fed along, and no motion mode is in force then.
+    /// Executes G5.3: feeds along the curve. No motion mode is active afterwards.
     pub(super) fn close_curve<K: Sink>(&mut self, line: u32, sink: &mut K) -> Result<(), Refusal> {
         let open = self.series.curve.filter(|_| self.motion == Motion::Nurbs);
         let Some(curve) = open else {

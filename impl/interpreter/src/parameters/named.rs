@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::parameters::names::{NameId, Names};
 
-/// The predefined names that the interpreter's loop answers; the modes answer the others.
+/// Predefined parameters with values of the interpreter's loop. Those with values of the modes are elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Internal {
     /// `_line`: line of the block.
@@ -15,9 +15,9 @@ pub(crate) enum Internal {
     ValueReturned,
     /// `_call_level`: depth of calls.
     CallLevel,
-    /// `_task`: whether the interpreter drives a machine, as the caller says.
+    /// `_task`: whether the interpreter controls a machine; the caller decides.
     Task,
-    /// `_remap_level`: nothing is remapped.
+    /// `_remap_level`: always 0; no code is remapped.
     RemapLevel,
     /// `_vmajor`: 2.9, the version of the manual.
     VersionMajor,
@@ -28,7 +28,7 @@ pub(crate) enum Internal {
 }
 
 impl Internal {
-    /// The name in lower case and without blanks.
+    /// The parameter of a name in lower case and without blanks.
     pub(crate) fn from_name(name: &str) -> Option<Self> {
         Some(match name {
             "_line" => Self::Line,
@@ -44,9 +44,9 @@ impl Internal {
     }
 }
 
-/// Scope of a global parameter that exists.
+/// Scope of an existing global parameter.
 const GLOBAL: u64 = u64::MAX;
-/// Scope of a parameter that does not.
+/// Scope of a parameter that does not exist.
 const NOWHERE: u64 = 0;
 
 /// A parameter: its value, and in which scope it exists.
@@ -61,7 +61,7 @@ impl Slot {
         self.value
     }
 
-    /// Whether it is that of a global parameter.
+    /// Whether it holds a global parameter.
     pub(crate) fn is_global(&self) -> bool {
         self.scope == GLOBAL
     }
@@ -74,7 +74,7 @@ struct Hidden {
     slot: Slot,
 }
 
-/// Where a scope began, to end it with.
+/// The state at the beginning of a scope; [`Named::leave`] returns to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScopeMark {
     scope: u64,
@@ -83,14 +83,14 @@ pub(crate) struct ScopeMark {
 
 /// Values of the named parameters.
 ///
-/// A name has one slot. A call opens a new scope, under which no slot of another scope is seen; what a scope
-/// overwrites is kept aside and put back at its end. Reading is one comparison, and a call that sets nothing costs
-/// nothing.
+/// A name has one slot. A call opens a new scope, in which local parameters of other scopes do not exist. If a scope
+/// overwrites a slot, the previous content is kept in `hidden` and restored at the end of the scope. Reading is one
+/// comparison, and a call that sets nothing costs nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct Named {
     slots: Vec<Slot>,
     hidden: Vec<Hidden>,
-    /// The scope of the running level.
+    /// The scope of the current call level.
     scope: u64,
     /// The last scope that was opened; scopes are never used twice.
     last: u64,
@@ -109,7 +109,7 @@ impl Named {
         }
     }
 
-    /// How many names there is room for.
+    /// The number of names that have a slot.
     #[inline]
     pub(crate) fn covered(&self) -> usize {
         self.slots.len()
@@ -119,25 +119,25 @@ impl Named {
         usize::try_from(id).ok().and_then(|id| self.slots.get(id))
     }
 
-    /// A global parameter, where it exists.
+    /// The value of a global parameter, if it exists.
     #[inline]
     pub(crate) fn global(&self, id: NameId) -> Option<f64> {
         self.slot(id).filter(|slot| slot.scope == GLOBAL).map(|slot| slot.value)
     }
 
-    /// A local parameter, where it exists at this level.
+    /// The value of a local parameter, if it exists at this call level.
     #[inline]
     pub(crate) fn local(&self, id: NameId) -> Option<f64> {
         self.slot(id).filter(|slot| slot.scope == self.scope).map(|slot| slot.value)
     }
 
-    /// Sets a global parameter; it exists from then on. What it was comes back.
+    /// Sets a global parameter, which exists from then on. Returns the previous slot.
     #[inline]
     pub(crate) fn set_global(&mut self, id: NameId, value: f64) -> Slot {
         self.restore_slot(id, Slot { value, scope: GLOBAL })
     }
 
-    /// Sets a local parameter; it exists until its level is left. What it was comes back.
+    /// Sets a local parameter, which exists until its call level ends. Returns the previous slot.
     #[inline]
     pub(crate) fn set_local(&mut self, id: NameId, value: f64) -> Slot {
         let scope = self.scope;
@@ -148,8 +148,8 @@ impl Named {
         before
     }
 
-    /// Makes a parameter what it was. One that its level hid stays noted as hidden, which restores it to the same
-    /// once more.
+    /// Restores an earlier slot of a parameter, and returns the present one. An entry of the slot in `hidden` remains;
+    /// it restores the same content once more at the end of the scope.
     #[inline]
     pub(crate) fn restore_slot(&mut self, id: NameId, before: Slot) -> Slot {
         match usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
@@ -186,7 +186,7 @@ impl Named {
         self.scope = mark.scope;
     }
 
-    /// Every parameter that exists and is seen at this level, with its name.
+    /// Every parameter that exists at this call level, with its name.
     pub(crate) fn existing<'a>(
         &'a self,
         names: &'a Names,

@@ -1,3 +1,5 @@
+//! Tests the resolver: settings and effects become path segments in machine coordinates.
+
 use gaugeblock_vocabulary::Position;
 
 use super::*;

@@ -11,35 +11,35 @@ use super::super::refusal::Refusal;
 use super::drilling::{At, CycleMove, Drilling, Levels};
 
 impl Modal {
-    /// Performs the next move of a cycle; whether the cycle is over then.
+    /// Performs the next move of a cycle. Returns whether it was the last one.
     pub(super) fn perform_cycle_move<K: Sink>(
         &mut self,
         drilling: &mut Drilling,
         line: u32,
         sink: &mut K,
     ) -> Result<bool, Refusal> {
-        let Some(perform_cycle_move) = drilling.next() else { return Ok(true) };
+        let Some(cycle_move) = drilling.next() else { return Ok(true) };
         let cycle = drilling.cycle;
         let Levels { retract, bottom, clear } = cycle.levels;
         let normal = cycle.axes.normal;
         let level = self.position.coordinate_of(normal);
         let to = |modal: &Self, level| modal.position.with_axis(normal, level);
-        match perform_cycle_move {
+        match cycle_move {
             CycleMove::Across => {
                 let [first, second] = cycle.hole;
                 let across = self.position.with_axis(cycle.axes.first, first);
                 self.traverse_to(line, across.with_axis(cycle.axes.second, second), sink)?;
             }
             CycleMove::Approach => {
-                let once = drilling.at == At::Preliminary;
-                if level < retract || !once && level > retract {
+                let is_preliminary = drilling.at == At::Preliminary;
+                if level < retract || !is_preliminary && level > retract {
                     self.traverse_to(line, to(self, retract), sink)?;
                 }
             }
             CycleMove::Drill => self.feed_to(line, to(self, bottom), sink)?,
             CycleMove::DrillBreaking | CycleMove::DrillPecking => {
                 let clearance = self.peck_clearance();
-                let breaking = perform_cycle_move == CycleMove::DrillBreaking;
+                let breaking = cycle_move == CycleMove::DrillBreaking;
                 let (level, feeds, done) = drilling.next_peck(breaking, clearance);
                 if feeds {
                     self.feed_to(line, to(self, level), sink)?;
@@ -73,18 +73,18 @@ impl Modal {
         Ok(drilling.advance())
     }
 
-    /// Sets what spindles do and reports it at once, before the next move sets it again.
+    /// Starts or stops spindles and reports it at once, since a later move of the cycle can change it again.
     fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
         self.for_spindles(which, |spindle| spindle.turn = turn);
         self.active.report(line, sink);
     }
 
-    /// Overrides as they were before the cycle.
+    /// Restores the overrides that were active before the cycle.
     pub(super) fn restore_overrides(&mut self, drilling: &Drilling) {
         self.set_overrides(drilling.cycle.spindle, drilling.cycle.overrides);
     }
 
-    /// .010 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.
+    /// The distance of a rapid move after each peck: 0.01 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.
     fn peck_clearance(&self) -> f64 {
         match self.active.now().units {
             LengthUnit::Inch => 0.01,
@@ -92,7 +92,7 @@ impl Modal {
         }
     }
 
-    /// The feed override, and the speed override of a spindle.
+    /// Sets the feed override, and the speed override of a spindle.
     fn set_overrides(&mut self, spindle: Spindles, (feed, speed): (Switch, Switch)) {
         self.active.put(|modes| &mut modes.feed_override, feed);
         self.set_speed_override(spindle, speed);
