@@ -5,6 +5,7 @@ mod files;
 mod graph;
 mod independence;
 mod licences;
+mod mutants;
 mod prose;
 mod toolchain;
 
