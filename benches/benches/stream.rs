@@ -21,7 +21,7 @@ use gaugeblock_vocabulary::{Effect, End, Machine, Options, Settings};
 const MEMORY_MAX_KIB: u64 = 64 << 10;
 /// Blocks of a slice. The caller can stop the run between two slices.
 const SLICE_BLOCKS: u64 = 10_000;
-/// What the long program repeats.
+/// The blocks that the long program repeats.
 const TEXT: &str = "G1 X1.25 Y-2.5 F800\nX2.5\n#1=[#1+0.001]\nG0 Z5 (up)\nG1 Z-#1\n";
 /// An endless loop of four blocks.
 const LOOP: &str = "G21 F100\no1 while [1]\n#1=[#1+1]\nG1 X[#1 mod 10]\no1 endwhile\nM2\n";
@@ -35,7 +35,7 @@ fn main() -> Result<()> {
     let taken = peak_memory()?;
     println!("{taken} KiB of memory at most, of {MEMORY_MAX_KIB}");
     if taken > MEMORY_MAX_KIB {
-        return Err(Error::other("more memory than it may take"));
+        return Err(Error::other("the process takes more memory than allowed"));
     }
     Ok(())
 }
@@ -46,9 +46,9 @@ fn interpreter() -> Result<Interpreter> {
 }
 
 fn long_program(bytes: u64) -> Result<()> {
-    let mut source = Endless { left: bytes / TEXT.len() as u64, at: 0 };
+    let mut source = Generated { left: bytes / TEXT.len() as u64, at: 0 };
     let mut interpreter = interpreter()?;
-    let mut count = Count::default();
+    let mut count = MoveCounter::default();
     let begin = Instant::now();
     loop {
         match interpreter.run(&mut source, &mut count, SLICE_BLOCKS) {
@@ -66,22 +66,22 @@ fn long_program(bytes: u64) -> Result<()> {
 fn endless_loop(blocks: u64) -> Result<()> {
     let mut source = Memory::new(LOOP);
     let mut interpreter = interpreter()?;
-    let mut count = Count::default();
+    let mut count = MoveCounter::default();
     let begin = Instant::now();
     let mut longest = Duration::ZERO;
     for _ in 0..blocks / SLICE_BLOCKS {
-        let asked = Instant::now();
+        let slice_begin = Instant::now();
         let progress = interpreter
             .run(&mut source, &mut count, SLICE_BLOCKS)
             .map_err(|error| Error::other(error.to_string()))?;
         if progress != Progress::More {
             return Err(Error::other(format!("{progress:?}")));
         }
-        longest = longest.max(asked.elapsed());
+        longest = longest.max(slice_begin.elapsed());
     }
     let seconds = begin.elapsed().as_secs_f64();
     println!(
-        "{blocks} blocks of a loop: {seconds:.1} s; stopped when asked, at the latest after {:.1} ms",
+        "{blocks} blocks of a loop: {seconds:.1} s; the longest slice, after which it can stop, took {:.1} ms",
         longest.as_secs_f64() * 1e3
     );
     Ok(())
@@ -92,16 +92,16 @@ fn peak_memory() -> Result<u64> {
     let status = fs::read_to_string("/proc/self/status")?;
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let peak = peak.and_then(|rest| rest.trim().trim_end_matches(" kB").parse().ok());
-    peak.ok_or_else(|| Error::other("the system does not tell"))
+    peak.ok_or_else(|| Error::other("/proc/self/status has no VmHWM"))
 }
 
-/// A program that is made while it is read.
-struct Endless {
+/// A program that is generated while it is read.
+struct Generated {
     left: u64,
     at: usize,
 }
 
-impl Source for Endless {
+impl Source for Generated {
     fn text(&mut self) -> std::result::Result<&[u8], SourceError> {
         let text = if self.left == 0 { "M2\n" } else { TEXT };
         Ok(text.as_bytes().get(self.at..).unwrap_or(&[]))
@@ -126,11 +126,11 @@ impl Source for Endless {
     fn close(&mut self) {}
 }
 
-/// Counts moves.
+/// A sink that counts moves.
 #[derive(Default)]
-struct Count(u64);
+struct MoveCounter(u64);
 
-impl Sink for Count {
+impl Sink for MoveCounter {
     fn set(&mut self, _line: u32, _changed: &Settings) {}
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {

@@ -25,7 +25,8 @@ pub struct MotionRequest<'a> {
     pub limits: &'a MotionLimits,
     /// What the operator and the inputs do.
     pub script: &'a MotionScript,
-    /// Servo cycles between segments that the planner gets; without it, the planner gets them as fast as it takes them.
+    /// Servo cycles between two segments that are sent to the planner. Without it, segments are sent as fast as the
+    /// planner accepts them.
     pub feed_interval: Option<u32>,
 }
 
@@ -96,11 +97,11 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         None
     }
 
-    /// From now on each program also runs unobserved, if observing could change it; without this call, only a sample
+    /// Makes each program also run without observation, if observation could change it. Without this call, only a sample
     /// does.
     fn check_observation(&mut self) {}
 
-    /// Notes for the report about how it was run, a sentence each.
+    /// Notes about the run for the report, a sentence each.
     fn notes(&self) -> Vec<String> {
         Vec::new()
     }

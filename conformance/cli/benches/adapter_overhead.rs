@@ -7,8 +7,8 @@
 //! with one job: the referee computes the model and the verdict while the controller works. The cost of a run alone is
 //! the latency of one outcome for a caller that only waits.
 //!
-//! The bare round trips follow each other immediately, so that neither side sleeps. The cost of a round trip next to
-//! each case of a campaign in this process, where both sides may sleep in between, is printed below.
+//! The bare round trips follow each other immediately, so that neither side sleeps. The line below the table has the
+//! cost of a round trip after each case of a campaign in this process, where both sides may sleep in between.
 #![expect(clippy::print_stdout, reason = "a measurement is printed")]
 
 use std::env;
@@ -33,10 +33,10 @@ use serde_json::Value;
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
-/// How often each case is run each way.
+/// Runs of each case in each of the three ways.
 const ROUNDS: u32 = 15;
 
-/// How often each case is certified each way.
+/// Campaigns in each of the three ways.
 const CAMPAIGNS: u32 = 5;
 
 fn main() -> Result<()> {
@@ -74,7 +74,7 @@ fn main() -> Result<()> {
             alone.bare(place, time(|| bare.round_trip(size))?);
         }
     }
-    let each = bytes.iter().map(|(asked, answered)| asked + answered).sum::<usize>() / bytes.len();
+    let each = bytes.iter().map(|(request, answer)| request + answer).sum::<usize>() / bytes.len();
     println!("{} cases, {each} bytes each, out and back; microseconds a case", bytes.len());
     let with_trips = InProcessWithRoundTrip {
         production: Production::default(),
@@ -88,7 +88,7 @@ fn main() -> Result<()> {
     let [alone_within, through, with_trip] = campaign.means();
     print("in a campaign", [alone_within, through, with_trips.mean_of_consecutive_trips()?]);
     print("a run alone", alone.means());
-    println!("a bare round trip beside each case of a campaign: {:.1}", with_trip - alone_within);
+    println!("a bare round trip after each case of a campaign: {:.1}", with_trip - alone_within);
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite: &suite, edition, only: &[], jobs };
@@ -102,7 +102,8 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// What a case costs a campaign of one job in this process, and through the protocol.
+/// The times of each case in a campaign of one job: in this process, through the protocol, and in this process with a
+/// round trip.
 fn campaigns(
     edition: &Edition,
     (production, external): (&Production, &Exec),
@@ -128,14 +129,13 @@ fn campaigns(
     Ok(minimum)
 }
 
-/// Production in this process that makes a bare round trip after each run. The trips take the sizes of all cases in
-/// turn.
+/// Production in this process, with a bare round trip after each run. The n-th trip has the size of the n-th case.
 #[derive(Debug)]
 struct InProcessWithRoundTrip {
     production: Production,
-    /// The trips, and how many were made.
+    /// The process at the other end, and the count of trips so far.
     bare: Mutex<(EchoProcess, usize)>,
-    /// Sizes of all cases.
+    /// Bytes of request and answer of each case.
     bytes: Vec<(usize, usize)>,
 }
 
@@ -206,7 +206,7 @@ impl MinimumTimes {
         times[place] = times[place].min(time);
     }
 
-    /// Microseconds a case.
+    /// The means over all cases, microseconds.
     fn means(&self) -> [f64; 3] {
         let cases = u32::try_from(self.cases).unwrap_or(u32::MAX);
         self.modes
@@ -224,29 +224,29 @@ fn print(what: &str, [within, external, bare]: [f64; 3]) {
     );
 }
 
-/// How many bytes a run sends and gets: its own two lines, and those of the reset before it.
+/// The bytes of the requests and of the answers of a run: its own line, and that of the reset before it.
 fn sizes(scenario: &Scenario, production: &Production, suite: &Suite) -> Result<(usize, usize)> {
     let defaults = suite.defaults();
     let operation =
         Operation::Run { scenario: Box::new(scenario.clone()), modes: RunModes::default() };
     let mut request = serde_json::to_value(&Request { id: 1, operation })?;
     let default = serde_json::to_value(Scenario::default())?;
-    if let Some(told) = request["scenario"].as_object_mut() {
-        if let Some(options) = told.get_mut("options").and_then(Value::as_object_mut) {
+    if let Some(sent) = request["scenario"].as_object_mut() {
+        if let Some(options) = sent.get_mut("options").and_then(Value::as_object_mut) {
             options.retain(|id, option| defaults.get(id) != option.as_str());
         }
-        told.retain(|name, value| *value != default[name]);
+        sent.retain(|name, value| *value != default[name]);
         for part in ["program", "environment"] {
-            if let Some(told) = told.get_mut(part).and_then(Value::as_object_mut) {
-                told.retain(|name, value| *value != default[part][name] || name == "language");
+            if let Some(fields) = sent.get_mut(part).and_then(Value::as_object_mut) {
+                fields.retain(|name, value| *value != default[part][name] || name == "language");
             }
         }
     }
     let outcome = production.run(scenario).map_err(failed)?;
     let answer = Answer { id: 1, reply: Reply::Outcome(Box::new(outcome)) };
-    let (asked, answered) = (serde_json::to_vec(&request)?, serde_json::to_vec(&answer)?);
+    let (request, answer) = (serde_json::to_vec(&request)?, serde_json::to_vec(&answer)?);
     let (reset, done) = ("{\"id\":1,\"op\":\"reset\"}\n", "{\"id\":1,\"done\":{}}\n");
-    Ok((asked.len() + 1 + reset.len(), answered.len() + 1 + done.len()))
+    Ok((request.len() + 1 + reset.len(), answer.len() + 1 + done.len()))
 }
 
 fn failed(error: HarnessError) -> Error {
@@ -282,20 +282,20 @@ impl EchoProcess {
         Ok(Self { child, requests, answers, line: Vec::new() })
     }
 
-    /// A line of so many bytes out, and one of so many back.
-    fn round_trip(&mut self, (asked, answered): (usize, usize)) -> Result<()> {
+    /// Sends a line of `sent` bytes, and receives one of `received` bytes.
+    fn round_trip(&mut self, (sent, received): (usize, usize)) -> Result<()> {
         self.line.clear();
-        write!(self.line, "{answered:012}")?;
-        self.line.resize(asked.max(14) - 1, b' ');
+        write!(self.line, "{received:012}")?;
+        self.line.resize(sent.max(14) - 1, b' ');
         self.line.push(b'\n');
         self.requests.write_all(&self.line)?;
         self.line.clear();
         self.answers.read_until(b'\n', &mut self.line)?;
         let found = self.line.len();
-        if found == answered {
+        if found == received {
             Ok(())
         } else {
-            Err(Error::other(format!("expected an echo of {answered} bytes, found {found}")))
+            Err(Error::other(format!("expected an echo of {received} bytes, found {found}")))
         }
     }
 }

@@ -1,5 +1,5 @@
-//! The matrix: document × section, with what became of its items, the rules that carry them, and what each controller's
-//! verdicts on those rules are and rest on.
+//! The matrix of `gaugeblock suite matrix`. A row is a section of a document: how its sentences are classified, the
+//! rules that carry them, and each controller's verdicts on these rules with the kinds of value that were compared.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::merge::read;
 use super::{Report, RuleVerdict};
 
-/// What a run of the suite said of each rule.
+/// The verdicts of one run of the suite, by rule.
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// The controller and its version.
@@ -40,7 +40,7 @@ struct WrittenRule {
 }
 
 impl Judged {
-    /// What a report says.
+    /// The verdicts of a report.
     pub fn of(report: &Report<'_>) -> Self {
         let rules = report.rules().into_iter();
         Self {
@@ -55,7 +55,7 @@ impl Judged {
     /// Reads a report that `certify --format json` or `--report` wrote.
     ///
     /// # Errors
-    /// It is not such a report; the message follows the name of the file.
+    /// The text is not such a report. The caller writes the name of the file before the message.
     pub fn read(text: &str) -> Result<Self, String> {
         let written: Written = read(text)?;
         let rules = written.rules.into_iter();

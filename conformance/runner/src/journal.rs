@@ -1,5 +1,5 @@
-//! The journal of a long run: a header that identifies the run, then a line for each finished piece. A kill loses at
-//! most the pieces in work.
+//! The journal of a long run: a header that identifies the run, then a line for each finished piece (a case, or a chunk
+//! of generated programs). A run that is killed loses at most the pieces that it had begun.
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// Name of the journal in its folder.
+/// The name of the journal's file in its folder.
 pub const FILE: &str = "journal.jsonl";
 
 /// An open journal.
@@ -18,11 +18,10 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens a journal in a folder, new or to resume; `done` gets each finished piece, one at a time.
+    /// Creates a journal in a folder, or opens one to resume its run; `done` receives each finished piece.
     ///
     /// # Errors
-    /// The folder cannot be written, a journal is there although nothing is to be resumed, or it belongs to another
-    /// run.
+    /// The folder cannot be written, a journal exists although `resume` is false, or it belongs to another run.
     pub fn open<H, T>(
         folder: &Path,
         header: &H,
@@ -39,14 +38,14 @@ impl Journal {
         let mut kept = 0;
         if path.exists() {
             if !resume {
-                return Err(format!("{name}: there is a journal already"));
+                return Err(format!("{name}: the journal exists already"));
             }
             let mut lines = BufReader::new(File::open(&path).map_err(failed)?);
             let mut line = Vec::new();
             for at in 1.. {
                 line.clear();
                 lines.read_until(b'\n', &mut line).map_err(failed)?;
-                // A line without its end was being written at the kill.
+                // A line without its end was being written when the run was killed.
                 if line.last() != Some(&b'\n') {
                     break;
                 }
@@ -55,7 +54,10 @@ impl Journal {
                     done(serde_json::from_slice(&line).map_err(unreadable)?);
                 } else if serde_json::from_slice::<H>(&line).map_err(unreadable)? != *header {
                     let first = String::from_utf8_lossy(&line);
-                    return Err(format!("{name}: it is of another run: {}", first.trim_end()));
+                    return Err(format!(
+                        "{name}: the journal belongs to another run: {}",
+                        first.trim_end()
+                    ));
                 }
                 kept += line.len();
             }
@@ -72,7 +74,7 @@ impl Journal {
     /// Records a finished piece.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The file cannot be written.
     pub fn done(&mut self, piece: &impl Serialize) -> Result<(), String> {
         self.line(piece)
     }

@@ -1,4 +1,4 @@
-//! What is written is read back equal: text form, JSON and TOML, of whatever the vocabulary can say.
+//! Random outcomes, scenarios, settings and effects are equal after they were written and read: as text, JSON and TOML.
 
 use gaugeblock_vocabulary::{Effect, Outcome, Scenario, Settings};
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ proptest! {
         prop_assert_eq!(serde_json::to_string(&read).unwrap(), json, "the form is not unique");
     }
 
-    /// A trace holds what changed: the change laid over the earlier record gives the later one.
+    /// Settings are recorded as changes: the change applied to the earlier settings gives the later ones.
     #[test]
     fn settings_as_changes(earlier in generate::settings(), later in generate::settings()) {
         let mut whole = earlier.clone();
@@ -58,7 +58,7 @@ proptest! {
         prop_assert_eq!(json["effect"].as_str(), Some(effect.name()));
     }
 
-    /// Whatever stands in a text, reading it ends with an outcome or one message.
+    /// Reading a text with one wrong character gives an outcome or one error with its line.
     #[test]
     fn any_text_is_read_or_refused(
         outcome in generate::outcome(),
@@ -77,7 +77,7 @@ proptest! {
     }
 }
 
-/// An indexed field in which nothing stands says no more than an absent one, in every form.
+/// An indexed field without entries means the same as an absent field, in every form.
 #[test]
 fn nothing_by_index_is_nothing() {
     let settings = Settings { spindle_speed: Some(Default::default()), ..Settings::default() };

@@ -13,8 +13,8 @@ use crate::protocol::digest::digest;
 use crate::protocol::{Answer, Extension, Operation, Reply, RunModes, Stream};
 use crate::{Expected, HarnessError, MotionRequest, NoSamples};
 
-/// How many batches may come before the referee has read them.
-const CREDIT: u32 = 8;
+/// Batches of steps that the adapter may send before it needs new credit.
+const BATCHES_PER_CREDIT: u32 = 8;
 
 /// Why a run has no outcome, and whether the session is still usable.
 #[derive(Debug)]
@@ -38,8 +38,8 @@ impl Session {
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
         let line = self.encode_run(scenario, expected.is_some())?;
-        let asked = self.send_run(line);
-        self.receive_outcome(asked, scenario, expected)
+        let pending = self.send_run(line);
+        self.receive_outcome(pending, scenario, expected)
     }
 
     /// Encodes a request to run a scenario. With `by_digest` the answer may be a digest.
@@ -49,8 +49,8 @@ impl Session {
         by_digest: bool,
     ) -> Result<(Vec<u8>, RunModes), HarnessError> {
         let digest = by_digest && self.has_extension(Extension::Digest);
-        let stream =
-            (self.has_extension(Extension::Stream) && !digest).then_some(Stream { credit: CREDIT });
+        let stream = (self.has_extension(Extension::Stream) && !digest)
+            .then_some(Stream { credit: BATCHES_PER_CREDIT });
         let (live, at_once) = self.split_operator_events(&scenario.operator);
         let live = live.iter().map(|event| event.when.clone()).collect();
         let modes = RunModes { stream, digest, live };
@@ -63,12 +63,8 @@ impl Session {
         self.has_run = true;
         self.last += 1;
         let credit = modes.stream.map_or(0, |stream| stream.credit);
-        let before = ReceivedSoFar { credit, ..ReceivedSoFar::default() };
-        PendingRun {
-            unsent: self.lines.write_line(&line),
-            accepts_digest: modes.digest,
-            received: before,
-        }
+        let received = ReceivedSoFar { credit, ..ReceivedSoFar::default() };
+        PendingRun { unsent: self.lines.write_line(&line), accepts_digest: modes.digest, received }
     }
 
     /// Receives the outcome of a run. The time limit begins here: a thread that prefetched may have done something else
@@ -76,17 +72,19 @@ impl Session {
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
     pub(super) fn receive_outcome(
         &mut self,
-        PendingRun { unsent, accepts_digest: by_digest, received: before }: PendingRun,
+        PendingRun { unsent, accepts_digest, received }: PendingRun,
         scenario: &Scenario,
         expected: Option<&Expected<'_>>,
     ) -> Result<Outcome, Stopped> {
-        // It is computed while the controller runs.
+        // The expected outcome is computed here, while the controller runs.
         let expected: Option<&Outcome> = expected.map(|expected| &**expected);
         let (live, _) = self.split_operator_events(&scenario.operator);
-        let (reply, steps) = self.await_reply((RUN, expected), unsent, live, before)?;
+        let (reply, steps) = self.await_reply((RUN, expected), unsent, live, received)?;
         let mut outcome = match reply {
             Reply::Unsupported(why) => return Ok(unsupported(scenario, why)),
-            Reply::Digest(reported) if by_digest => self.outcome_by_digest(&reported, expected)?,
+            Reply::Digest(reported) if accepts_digest => {
+                self.outcome_by_digest(&reported, expected)?
+            }
             reply => self.outcome_from_reply(RUN, reply)?,
         };
         outcome.steps.splice(0..0, steps);
@@ -110,16 +108,15 @@ impl Session {
         &mut self,
         motion: &MotionRequest<'_>,
     ) -> Result<Result<Samples, NoSamples>, Stopped> {
-        let asked = Operation::Move {
+        let operation = Operation::Move {
             scenario: Box::new(motion.scenario.clone()),
             limits: motion.limits.clone(),
             script: motion.script.clone(),
             every: motion.feed_interval,
         };
-        let line = request(self.last + 1, &asked)?;
-        let PendingRun { unsent, received: before, .. } =
-            self.send_run((line, RunModes::default()));
-        let (reply, _) = self.await_reply((asked.name(), None), unsent, &[], before)?;
+        let line = request(self.last + 1, &operation)?;
+        let PendingRun { unsent, received, .. } = self.send_run((line, RunModes::default()));
+        let (reply, _) = self.await_reply((operation.name(), None), unsent, &[], received)?;
         let samples = match reply {
             Reply::Unsupported(why) => return Ok(Err(NoSamples::Unsupported(shown(&why)))),
             // The controller has no samples; the session is still usable.
@@ -134,10 +131,10 @@ impl Session {
                     Ok(_) | Err(_) => Samples::from_bytes(&bytes),
                 }
             }
-            reply => return Err(self.unexpected_reply(asked.name(), &reply).into()),
+            reply => return Err(self.unexpected_reply(operation.name(), &reply).into()),
         };
-        let wrong = |error| unreadable("samples", format!("{error}").as_bytes());
-        Ok(Ok(samples.map_err(wrong)?))
+        let invalid = |error| unreadable("samples", format!("{error}").as_bytes());
+        Ok(Ok(samples.map_err(invalid)?))
     }
 
     /// The expected outcome if the digest is equal, or the one that the controller sends on request.
@@ -151,22 +148,26 @@ impl Session {
         {
             return Ok(expected.clone());
         }
-        let whole = Operation::Outcome {};
-        let reply = self.request(&whole)?;
-        self.outcome_from_reply(whole.name(), reply)
+        let operation = Operation::Outcome {};
+        let reply = self.request(&operation)?;
+        self.outcome_from_reply(operation.name(), reply)
     }
 
     /// The outcome in a reply, or in the file that it names.
     #[expect(clippy::wildcard_enum_match_arm, reason = "whatever else is answered is amiss")]
-    fn outcome_from_reply(&mut self, asked: &str, reply: Reply) -> Result<Outcome, HarnessError> {
+    fn outcome_from_reply(
+        &mut self,
+        operation: &str,
+        reply: Reply,
+    ) -> Result<Outcome, HarnessError> {
         match reply {
             Reply::Outcome(outcome) => Ok(*outcome),
             Reply::File(name) => {
                 let bytes = self.take_answer_file(&name)?;
                 serde_json::from_slice(&bytes)
-                    .map_err(|error| unreadable(&format!("file of `{asked}`: {error}"), &bytes))
+                    .map_err(|error| unreadable(&format!("file of `{operation}`: {error}"), &bytes))
             }
-            reply => Err(self.unexpected_reply(asked, &reply)),
+            reply => Err(self.unexpected_reply(operation, &reply)),
         }
     }
 
@@ -174,7 +175,10 @@ impl Session {
     fn take_answer_file(&self, name: &str) -> Result<Vec<u8>, HarnessError> {
         let folder = self.folder.as_ref().filter(|_| self.has_extension(Extension::Files));
         let folder = folder.ok_or_else(|| {
-            unreadable("it names a file, but has declared none or has no folder", name.as_bytes())
+            unreadable(
+                "it names a file, but has not declared the extension `files` or has no folder",
+                name.as_bytes(),
+            )
         })?;
         folder
             .take(name, self.limits.whole)
@@ -185,59 +189,60 @@ impl Session {
     #[expect(clippy::wildcard_enum_match_arm, reason = "any other answer is the answer proper")]
     fn await_reply(
         &mut self,
-        (name, expected): (&str, Option<&Outcome>),
-        mut line: Vec<u8>,
+        (operation, expected): (&str, Option<&Outcome>),
+        mut unsent: Vec<u8>,
         events: &[OperatorEvent],
-        mut before: ReceivedSoFar,
+        mut received: ReceivedSoFar,
     ) -> Result<(Reply, Vec<Step>), Stopped> {
-        let streams = before.credit > 0;
+        let streams = received.credit > 0;
         let deadline = now() + self.limits.time;
-        let mut left = self.limits.whole;
+        let mut bytes_left = self.limits.whole;
         loop {
-            let reply = match self.exchange(&line, name, deadline, expected) {
+            let reply = match self.exchange(&unsent, operation, deadline, expected) {
                 Ok(reply) => reply,
                 Err(NoReply::Late { all_said: true }) => return Err(self.cancel_late_run()),
                 Err(no_reply) => return Err(no_reply.into_error(self.limits).into()),
             };
-            line.clear();
+            unsent.clear();
             match reply {
                 Reply::Steps(steps) if streams => {
-                    if before.credit == 0 {
+                    if received.credit == 0 {
                         let what = "it sends more batches than it had credit for";
                         return Err(unreadable(what, b"steps").into());
                     }
-                    before.credit -= 1;
-                    left = left
+                    received.credit -= 1;
+                    bytes_left = bytes_left
                         .checked_sub(self.lines.last_line_length())
                         .ok_or(HarnessError::Flooded { bytes: self.limits.whole })?;
-                    before.steps.extend(steps);
+                    received.steps.extend(steps);
                 }
-                Reply::At(place) if !events.is_empty() => {
-                    let event = usize::try_from(place)
+                Reply::At(index) if !events.is_empty() => {
+                    let event = usize::try_from(index)
                         .ok()
-                        .filter(|place| *place == before.operator_events_sent);
-                    let event = event.and_then(|place| events.get(place)).ok_or_else(|| {
-                        let what = "it is at a place of the operator that is not the next one";
-                        unreadable(what, place.to_string().as_bytes())
+                        .filter(|index| *index == received.operator_events_sent);
+                    let event = event.and_then(|index| events.get(index)).ok_or_else(|| {
+                        let what = "it requests an operator's event that is not the next one";
+                        unreadable(what, index.to_string().as_bytes())
                     })?;
-                    before.operator_events_sent += 1;
-                    line = request(self.last, &Operation::Operator { event: event.clone() })?;
+                    received.operator_events_sent += 1;
+                    unsent = request(self.last, &Operation::Operator { event: event.clone() })?;
                 }
                 reply => {
-                    if let Some(unasked) = self.lines.surplus() {
-                        return Err(unreadable("it answers more than once", unasked).into());
+                    if let Some(surplus) = self.lines.surplus() {
+                        return Err(unreadable("it answers more than once", surplus).into());
                     }
-                    return Ok((reply, before.steps));
+                    return Ok((reply, received.steps));
                 }
             }
             // A controller that never stops could always send one more batch.
             if now() >= deadline {
                 return Err(self.cancel_late_run());
             }
-            // Output without credit is an error, and is found first.
-            if streams && before.credit == 0 && self.lines.unrequested().is_none() {
-                before.credit = CREDIT;
-                line.extend(request(self.last, &Operation::Credit { batches: CREDIT })?);
+            // Output without credit is an error: it is detected before new credit is sent.
+            if streams && received.credit == 0 && self.lines.unrequested().is_none() {
+                received.credit = BATCHES_PER_CREDIT;
+                let credit = Operation::Credit { batches: BATCHES_PER_CREDIT };
+                unsent.extend(request(self.last, &credit)?);
             }
         }
     }
@@ -245,30 +250,31 @@ impl Session {
     /// Cancels a run that takes too long, if the adapter can.
     fn cancel_late_run(&mut self) -> Stopped {
         let error = NoReply::Late { all_said: true }.into_error(self.limits);
-        let goes_on = self.has_extension(Extension::Cancel) && self.cancel(Vec::new());
-        Stopped { error, session_usable: goes_on }
+        let session_usable = self.has_extension(Extension::Cancel) && self.cancel(Vec::new());
+        Stopped { error, session_usable }
     }
 
     /// Sends the rest of a request and cancels the run. True if the session is still usable.
-    pub(super) fn cancel(&mut self, mut line: Vec<u8>) -> bool {
+    pub(super) fn cancel(&mut self, mut unsent: Vec<u8>) -> bool {
         let run = self.last;
         self.last += 1;
         let Ok(cancel) = request(self.last, &Operation::Cancel {}) else { return false };
-        line.extend(cancel);
+        unsent.extend(cancel);
         let deadline = now() + self.limits.time.min(4 * GRACE);
         loop {
             let peer = &mut self.peer;
-            let answer = self.lines.exchange(&line, self.limits.bytes, deadline, || peer.is_gone());
+            let answer =
+                self.lines.exchange(&unsent, self.limits.bytes, deadline, || peer.is_gone());
             let Some(answer) = answer.ok().and_then(|line| serde_json::from_slice(&line).ok())
             else {
                 return false;
             };
-            line.clear();
+            unsent.clear();
             match answer {
                 // A controller that never stops could always send one more line.
                 _ if now() >= deadline => return false,
                 Answer { id, reply } if id == self.last => return reply == (Reply::Done {}),
-                // It was sent before the cancel.
+                // The adapter sent this answer before it read the cancel.
                 Answer { id, .. } if id == run => (),
                 Answer { .. } => return false,
             }

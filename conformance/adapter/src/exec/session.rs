@@ -163,7 +163,7 @@ impl Session {
             let state = self.state()?;
             let fresh = self.reset_state.get_or_insert_with(|| state.clone());
             if *fresh != state {
-                let what = "after `reset` something else is in force than after the first one";
+                let what = "after `reset` the state differs from that after the first `reset`";
                 return Err(unreadable(what, first_difference(fresh, &state).as_bytes()));
             }
         }
@@ -266,11 +266,14 @@ impl Session {
     }
 
     /// The error for a reply that does not belong to the request.
-    pub(super) fn unexpected_reply(&mut self, asked: &str, reply: &Reply) -> HarnessError {
+    pub(super) fn unexpected_reply(&mut self, operation: &str, reply: &Reply) -> HarnessError {
         if let Reply::Refused(why) = reply {
-            return HarnessError::NotRun(format!("the adapter refuses `{asked}`: {}", shown(why)));
+            return HarnessError::NotRun(format!(
+                "the adapter refuses `{operation}`: {}",
+                shown(why)
+            ));
         }
-        let what = format!("`{}` answered with `{}`", asked, reply.name());
+        let what = format!("`{}` answered with `{}`", operation, reply.name());
         HarnessError::Unreadable { what, line: self.lines.stderr_tail() }
     }
 }

@@ -7,31 +7,28 @@ use gaugeblock_vocabulary::{Machine, Program, Scenario};
 
 /// Every feature, and what a controller that declares it can do.
 pub const FEATURES: &[(&str, &str)] = &[
-    (
-        "another-environment",
-        "its outside answers as a named environment does, whatever else is said",
-    ),
+    ("another-environment", "its inputs and signals behave like those of a named environment"),
     ("axes", "its axes can be others than X Y Z A B C"),
     ("block-delete", "blocks that begin with a slash can be skipped"),
     ("fanuc-subs-off", "M98 and M99 can be switched off"),
-    ("files", "subroutines lie in files of their own"),
+    ("files", "subroutines can be in files of their own"),
     ("ini", "programs can read entries of an INI file"),
     ("inputs", "inputs can be wired to outputs, and change while a program runs"),
-    ("io-counts", "the number of inputs and outputs is not 4 of each kind"),
-    ("limits", "axes have limits"),
+    ("io-counts", "the number of inputs and outputs can differ from 4 of each kind"),
+    ("limits", "axes can have limits"),
     ("manual-tool-change", "a person changes tools when the controller requests it"),
     ("mdi", "blocks can be entered by hand"),
     ("operator", "a person can act while a program runs: pause, resume, abort, overrides"),
     ("orient", "a spindle's encoder can answer late, never, or with a fault"),
-    ("orient-offset", "an offset is added to R of M19"),
+    ("orient-offset", "an offset can be added to R of M19"),
     ("parameters", "parameters can be stored before a run"),
-    ("probe", "a probe can touch"),
+    ("probe", "a probe can make contact"),
     ("random-tool-changer", "tools change places in the changer"),
-    ("spindles", "there can be more spindles than one"),
-    ("tool-change-settings", "a tool change may move, retract, or leave the spindle on"),
+    ("spindles", "there can be more than one spindle"),
+    ("tool-change-settings", "a tool change can move, retract, or leave the spindle on"),
     ("tool-change-time", "a tool change takes a time that can be set"),
     ("tools", "a tool table can be loaded before a run"),
-    ("user-programs", "there can be programs of user-defined M codes"),
+    ("user-programs", "user-defined M codes can run programs"),
 ];
 
 /// The features that a scenario requires.

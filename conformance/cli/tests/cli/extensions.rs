@@ -16,19 +16,19 @@ use crate::template::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
 
 const ALL: &str = "cancel,digest,files,fresh,live-operator,motion,shows,state,stream";
 
-/// An adapter in Python that offers something, and does this on one program.
+/// The command of a Python adapter that offers extensions and executes the statement `does` on one program.
 fn offering(name: &str, offers: &str, does: &str) -> String {
     let (head, _) = TEMPLATE.split_once(LOOP).expect("the template has a loop");
     let offers: Vec<&str> = offers.split(',').filter(|offer| *offer != "-").collect();
     let offering = include_str!("offering.py");
-    let (before, after) = offering.split_once("    pass\n").expect("a place to meddle");
+    let (before, after) = offering.split_once("    pass\n").expect("a place for the statement");
     let adapter =
         format!("{head}DECLARATION[\"offers\"] = {offers:?}\n{before}    {does}\n{after}");
     format!("python3 {}", file(&format!("{}.py", name.replace(' ', "-")), &adapter))
 }
 
-/// Whether a case came to what is said: not judged for this reason, or a pass where no reason is said.
-fn came_to(verdict: &Verdict, reason: &str) -> bool {
+/// Whether a verdict is as expected: not judged for this reason, or a pass if the reason is empty.
+fn is_expected(verdict: &Verdict, reason: &str) -> bool {
     match verdict.undetermined_reason() {
         Some(why) => !reason.is_empty() && why.contains(reason) && !why.contains(char::is_control),
         None => reason.is_empty() && *verdict == Verdict::Pass,
@@ -54,12 +54,12 @@ fn declared_extensions_do_not_change_other_verdicts() {
         let reason = next().trim_start_matches("> ");
         let controller = start(&offering(name, offers, does));
         let (verdict, others) = verdicts_on(&controller, &suite, RepeatSampling(0));
-        if !came_to(&verdict.0, reason) || others != usual {
+        if !is_expected(&verdict.0, reason) || others != usual {
             wrong
                 .push(format!("{name}: {verdict:?}, the others are the same: {}", others == usual));
         }
         let is_spoilt = !controller.notes().is_empty();
-        // Without a reset in between it may be the next run that meets who has died behind an answer.
+        // Without a reset between two runs, the next run may detect an adapter that ended after its answer.
         let may_be = offers == "fresh" && does.contains("_exit");
         if is_spoilt != (offers == "state") && !may_be {
             wrong.push(format!("{name}: {:?}", controller.notes()));
@@ -70,7 +70,7 @@ fn declared_extensions_do_not_change_other_verdicts() {
     let own = format!("gaugeblock-answers-{}-", std::process::id());
     let left = left.flatten().filter(|entry| entry.file_name().to_string_lossy().starts_with(&own));
     for left in left.map(|entry| entry.path()) {
-        // An adapter has moved that away.
+        // One of the adapters renames its folder.
         assert_eq!(left.extension().and_then(|end| end.to_str()), Some("moved"));
         std::fs::remove_dir_all(left).expect("it can be removed");
     }
@@ -94,7 +94,7 @@ fn a_session_goes_on_after_a_cancelled_run() {
             .expect("the adapter");
         let controller = Exec::start(&command, limits()).expect("it starts");
         let (verdict, _) = verdicts_on(&controller, &suite, RepeatSampling(0));
-        assert!(came_to(&verdict.0, "no end after 1 s"), "{verdict:?}");
+        assert!(is_expected(&verdict.0, "no end after 1 s"), "{verdict:?}");
         assert_eq!(std::fs::read_to_string(&count).expect("the count").len(), sessions);
     }
 }

@@ -1,5 +1,5 @@
-//! rs274 through the adapter protocol: the built-in adapter gets the same verdicts, and so does one in Python that has
-//! grown from the template, case by case.
+//! `rs274` through the adapter protocol gets the same verdict for each case as the built-in adapter: served by this
+//! command, and by a Python adapter that is based on the template.
 
 use std::collections::BTreeMap;
 use std::io::Write as _;
@@ -19,12 +19,12 @@ const SAMPLE: &[&str] =
     &["saved-state", "arcs", "tool", "active-comments", "fanuc-subs", "program-end"];
 const ALL: &str = "GAUGEBLOCK_ALL_CHAPTERS";
 
-/// The one line that whoever offers `shows` adds to the loop of the template.
+/// The line that an adapter with the extension `shows` adds to the loop of the template.
 const SHOWS: &str = "    answer = {\"shows\": shows(request[\"scenario\"])} if request[\"op\"] == \"shows\" else answer\n";
 
 type Cases = BTreeMap<(String, String), (String, Value)>;
 
-/// What came of each case: the verdict, and what was found, or why it was not judged.
+/// For each case its verdict, and the found value or the reason why it was not judged.
 fn cases(arguments: &[&str]) -> Cases {
     let output =
         gaugeblock(&[&["certify", "--format", "json", "--controller"], arguments].concat());
@@ -32,12 +32,12 @@ fn cases(arguments: &[&str]) -> Cases {
         panic!("{error}: {}", String::from_utf8_lossy(&output.stderr));
     });
     let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let told = report["cases"].as_array().expect("cases").iter().map(|case| {
+    let cases = report["cases"].as_array().expect("cases").iter().map(|case| {
         let why = &case["why"];
         let why = if why["found"].is_null() { &why["reason"] } else { &why["found"] };
         ((word(&case["rule"]), word(&case["case"])), (word(&case["verdict"]), why.clone()))
     });
-    told.collect()
+    cases.collect()
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn grown_adapter_contains_the_template() {
     assert!(ADAPTER.contains(part) && TEMPLATE.contains(part));
 }
 
-/// Whether rs274 is there; where not it is told that something is left out.
+/// Whether `rs274` is installed. If it is not, a notice names the skipped test.
 fn is_there() -> bool {
     let found = Rs274::find(None);
     if let Err(error) = &found {
@@ -61,7 +61,7 @@ fn is_there() -> bool {
     found.is_ok()
 }
 
-/// Compares the cases of two controllers, those of the sample or all; what both have in common is returned.
+/// Compares the cases of two controllers, those of the sample or all, and returns them.
 fn same(one: &[&str], other: &[&str]) -> Cases {
     let sample = if std::env::var_os(ALL).is_some() { &[] } else { SAMPLE };
     let only: Vec<&str> = sample.iter().flat_map(|chapter| ["--only", chapter]).collect();
@@ -70,7 +70,7 @@ fn same(one: &[&str], other: &[&str]) -> Cases {
     let mut wrong = Vec::new();
     for (case, found) in &one {
         let expected = other.remove(case).expect("a case of both");
-        // Reasons of what is not run are for people.
+        // The reasons of unsupported cases may differ.
         let same = *found == expected || found.0 == expected.0 && found.0 == "unsupported";
         if !same {
             wrong.push(format!("{case:?}: {found:?}, not {expected:?}"));
@@ -80,8 +80,8 @@ fn same(one: &[&str], other: &[&str]) -> Cases {
     one
 }
 
-/// Holds the verdicts of whatever is behind a command against those of the adapter that is built in.
-fn gets_the_verdicts_of_the_one_that_is_built_in(command: &str) {
+/// Compares the verdicts of a controller with those of the built-in adapter for `rs274`.
+fn check_verdicts_of(command: &str) {
     if is_there() {
         let found = same(&[command], &["rs274"]);
         let judged = |word: &str| found.values().filter(|(verdict, _)| verdict == word).count();
@@ -92,10 +92,10 @@ fn gets_the_verdicts_of_the_one_that_is_built_in(command: &str) {
 #[test]
 fn protocol_adapter_gets_the_verdicts_of_the_built_in_one() {
     let served = format!("exec:{} serve --controller rs274", env!("CARGO_BIN_EXE_gaugeblock"));
-    gets_the_verdicts_of_the_one_that_is_built_in(&served);
+    check_verdicts_of(&served);
 }
 
 #[test]
 fn in_python_it_gets_the_verdicts_of_the_adapter_that_is_built_in() {
-    gets_the_verdicts_of_the_one_that_is_built_in(COMMAND);
+    check_verdicts_of(COMMAND);
 }

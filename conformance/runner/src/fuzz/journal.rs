@@ -101,7 +101,7 @@ mod tests {
         std::fs::write(&path, &text[..text.len() - 5]).unwrap();
         assert!(open(&header(), false).is_err(), "nothing is overwritten");
         let other = Header { seed: 2, ..header() };
-        assert!(open(&other, true).is_err(), "another run is not gone on with");
+        assert!(open(&other, true).is_err(), "the journal of another run is refused");
         let (mut journal, done) = open(&header(), true).unwrap();
         assert_eq!(done, [chunk(0)]);
         journal.done(&chunk(2)).unwrap();

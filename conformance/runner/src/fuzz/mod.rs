@@ -1,8 +1,9 @@
-//! Two controllers on generated programs: what differs, by signature, with the smallest program of each.
+//! Compares two controllers on generated programs. Divergences are grouped by signature, with the smallest program of
+//! each.
 //!
 //! Programs are numbered; a number under a seed is one scenario ([`Plan::scenario`]). Chunks of numbers run in any
-//! order and on any machine, each is [journaled](journal) when it is done, and what they found is put together in the
-//! order of numbers, so that the same plan gives the same report however often it was interrupted.
+//! order and on any machine. Each finished chunk is written to a [journal]. The findings are merged in the order of
+//! numbers, so that the same plan gives the same report, whether it was interrupted or not.
 
 pub mod comparability;
 mod comparable;
@@ -29,23 +30,24 @@ pub use judge::{Difference, FuzzResult};
 pub use plan::{ALIKE, Plan, Random};
 use statistics::Statistics;
 
-/// How many programs a chunk has.
+/// Programs of a chunk.
 pub const CHUNK: u64 = 64;
-/// How many programs without a verdict a chunk keeps.
-const KEPT: usize = 2;
+/// Programs without a verdict that the report of a chunk lists; it counts the others.
+const NOT_JUDGED_MAX: usize = 2;
 
 impl Plan<'_> {
-    /// Runs a chunk of programs.
+    /// Runs a chunk of programs. `None` if the run was stopped.
     fn chunk(&self, chunk: u64, programs: u64, stop: &AtomicBool) -> Option<Chunk> {
         let mut statistics = Statistics::default();
         let mut groups = Groups::default();
         let mut not_judged = Vec::new();
         let first = chunk * CHUNK;
         let numbers: Vec<_> = (first..(first + CHUNK).min(programs)).collect();
-        // Each side runs many programs in a row, which keeps its code in the cache: a tenth faster.
-        let both_within = self.iut.is_in_process() && self.against.is_in_process();
-        let together = if both_within { numbers.len().max(1) } else { 1 };
-        for numbers in numbers.chunks(together) {
+        // Controllers in this process run all programs of a chunk in a row: that keeps their code in the cache, and is
+        // a tenth faster.
+        let both_in_process = self.iut.is_in_process() && self.against.is_in_process();
+        let programs_in_a_row = if both_in_process { numbers.len().max(1) } else { 1 };
+        for numbers in numbers.chunks(programs_in_a_row) {
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
@@ -58,22 +60,23 @@ impl Plan<'_> {
                         .map(move |number| (*number, self.scenario_under(*number, options.clone())))
                 })
                 .collect();
-            // The last one made comes first, while it is in the cache. Only sums are counted, so the order does not
+            // The last scenario runs first, while it is in the cache. The statistics are sums, so the order does not
             // matter.
             let last_first = scenarios.iter().rev();
             let expected =
                 last_first.map(|(_, scenario)| self.run_expected(scenario, &mut statistics));
             let expected: Vec<_> = expected.collect();
-            let first_last = expected.into_iter().rev();
-            for ((number, scenario), expected) in scenarios.into_iter().zip(first_last) {
+            let first_first = expected.into_iter().rev();
+            for ((number, scenario), expected) in scenarios.into_iter().zip(first_first) {
                 let both = expected
                     .and_then(|expected| self.run_tested(&scenario, expected, &mut statistics));
                 let result = both.map(|both| self.compare_pair(&scenario, both, &mut statistics));
-                match result.unwrap_or_else(|result| result) {
+                let (Ok(result) | Err(result)) = result;
+                match result {
                     FuzzResult::Differs(difference) => {
                         groups.add(Finding::of(number, scenario, *difference));
                     }
-                    FuzzResult::NotJudged(why) if not_judged.len() < KEPT => {
+                    FuzzResult::NotJudged(why) if not_judged.len() < NOT_JUDGED_MAX => {
                         not_judged.push(NotJudged { number, why, scenario });
                     }
                     FuzzResult::Same
@@ -88,14 +91,14 @@ impl Plan<'_> {
     }
 }
 
-/// The extent of a campaign.
+/// The part of a campaign that runs here.
 #[derive(Debug)]
 pub struct Extent<'a> {
-    /// The part of all chunks.
+    /// The shard of the chunks.
     pub shard: Shard,
-    /// Programs of all shards together; `u64::MAX` for no end.
+    /// Programs of all shards together; `u64::MAX` for an endless run.
     pub programs: u64,
-    /// How many chunks run at once.
+    /// Chunks that run at the same time.
     pub jobs: NonZero<usize>,
     /// Finished chunks of an earlier run.
     pub done: &'a BTreeSet<u64>,
@@ -103,7 +106,8 @@ pub struct Extent<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// Runs chunk after chunk. `each` gets every finished one, on the caller's thread, and returns whether to go on.
+/// Runs chunk after chunk. `each` receives every finished chunk on the caller's thread, and returns whether to
+/// continue.
 pub fn run(plan: &Plan<'_>, extent: &Extent<'_>, each: &mut dyn FnMut(Chunk) -> bool) {
     let next = AtomicU64::new(0);
     let (sender, receiver) = mpsc::sync_channel::<Chunk>(64);

@@ -1,4 +1,4 @@
-//! What is run on what: the scenario of each number.
+//! The plan of a fuzzing run: its controllers, and the scenario of each number.
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
@@ -7,34 +7,33 @@ use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Options, Scenario};
 
-/// So many programs on end have the same options: to choose others for each would cost 6 % of a program.
+/// Consecutive programs that share their options. New options for each would add 6 % to the time of a program.
 pub const ALIKE: u64 = 8;
 
-/// What is run on what.
+/// The controllers of a fuzzing run, and how its programs are generated.
 #[derive(Debug)]
 pub struct Plan<'a> {
     /// The controller under test.
     pub iut: &'a dyn Adapter,
     /// The controller that it is compared with.
     pub against: &'a dyn Adapter,
-    /// What is generated.
+    /// Settings of the generator.
     pub config: GeneratorConfig,
-    /// What all choices follow from.
+    /// The seed of all random decisions.
     pub seed: u64,
-    /// How many of a hundred programs are parts of other ones.
+    /// Percent of the programs that are spliced from parts of `seeds`.
     pub spliced: u32,
-    /// Those other ones: the suite's cases.
+    /// The programs to splice: the suite's cases.
     pub seeds: Seeds,
-    /// The options of the edition that applies, without those that are the default of their choice: each run reads
-    /// what is listed.
+    /// The options of the edition, without defaults: every run reads all listed options, so a shorter list is faster.
     pub options: Options,
-    /// Choices of which each program takes some at random; none where the edition's options stand.
+    /// Choices whose options are selected at random; empty if the edition's options apply.
     pub random: Vec<Random<'a>>,
-    /// The environment that answers where a scenario has none.
+    /// The environment of scenarios that have none.
     pub environment: Option<String>,
 }
 
-/// A choice of which programs take an option at random.
+/// A choice whose option is selected at random for each group of programs.
 #[derive(Clone, Copy, Debug)]
 pub struct Random<'a> {
     choice: &'a Choice,
@@ -43,7 +42,7 @@ pub struct Random<'a> {
 }
 
 impl<'a> Random<'a> {
-    /// The choices among some; a quirk is none.
+    /// The choices among `choices`, without quirks.
     pub fn all(choices: impl IntoIterator<Item = &'a Choice>, options: &Options) -> Vec<Self> {
         let choices = choices.into_iter().filter(|choice| choice.kind == ChoiceKind::Choice);
         let listed = |choice: &Choice| options.get(&choice.id).is_some();
@@ -57,7 +56,7 @@ impl Plan<'_> {
         self.scenario_under(number, self.options_of(number / ALIKE))
     }
 
-    /// The same; the options are those of its group.
+    /// The scenario of a number, with the options of its group.
     pub(super) fn scenario_under(&self, number: u64, options: Options) -> Scenario {
         let mut entropy = Entropy::from_seed(self.seed, number);
         let mut scenario = match self.splice(number) {
