@@ -6,8 +6,7 @@ use gaugeblock_suite::sections;
 use serde::Serialize;
 
 use super::Report;
-use super::grouping::without_guard;
-use super::grouping::{explain, group_divergences};
+use super::grouping::{explain, size, title, without_guard};
 use super::side_by_side::{Side, side_by_side};
 
 /// Bytes of programs and traces of all cards together; the rest is only in the JSON report.
@@ -43,17 +42,23 @@ pub(super) fn class(word: &str) -> String {
     word.replace(' ', "-")
 }
 
-/// Cards with the same difference.
+/// The cards of a finding.
 #[derive(Debug, Serialize)]
 pub(super) struct Kind<'a> {
+    /// What differs, or what explains it.
     what: String,
+    /// The rule that is broken; none if the cause is unknown.
+    rule: Option<&'a str>,
+    severity: &'static str,
+    /// Other rules of which an assertion fails by it.
+    touched: Vec<&'a str>,
     size: String,
     class: String,
     /// The one with the smallest program first.
     cases: Vec<Card<'a>>,
 }
 
-/// All divergences in groups, the worst first.
+/// All findings, the worst first.
 pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut left = TRACE_BYTES_MAX;
     let mut card = |(result, divergence): (&'a CaseResult<'_>, &'a RuleDivergence)| {
@@ -70,13 +75,21 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
         }
         card
     };
-    let groups = group_divergences(report).into_iter().map(|group| {
-        let size = group.size();
-        let cases: Vec<_> = group.cases.into_iter().map(&mut card).collect();
+    let controller = &report.header.controller;
+    let kinds = report.findings().iter().map(|finding| {
+        let cases: Vec<_> = finding.divergent().map(&mut card).collect();
         let class = cases.first().map(|card| card.class.clone()).unwrap_or_default();
-        Kind { what: group.what, size, class, cases }
+        Kind {
+            what: title(controller, finding),
+            rule: finding.rule.map(|rule| rule.id.as_str()),
+            severity: finding.severity.heading(),
+            touched: finding.touched_rules().into_iter().collect(),
+            size: size(finding),
+            class,
+            cases,
+        }
     });
-    groups.collect()
+    kinds.collect()
 }
 
 fn card<'a>(

@@ -1,68 +1,43 @@
-//! Groups divergences by their most likely cause: one mistake of a controller appears in many cases, and in many rules.
+//! What a finding is, in words: what differs, what explains it, and how much hangs on it.
 
-use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_compare::Divergence;
-use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Traces};
+use gaugeblock_runner::certify::{RuleDivergence, Traces};
+use gaugeblock_runner::findings::{Finding, FindingCause};
 use gaugeblock_runner::fuzz::signature::Signature;
 
-use super::Report;
 use super::side_by_side::{field, tokens};
 
-/// Cases with the same difference.
-#[derive(Clone, Debug)]
-pub struct Group<'a, 'r> {
-    /// The difference without lines and numbers, or its explanation.
-    pub what: String,
-    /// Whether expectations, a baseline or a waiver accept them.
-    pub is_known: bool,
-    /// How many rules they belong to.
-    pub rules: usize,
-    /// The cases and their divergences, the smallest program first.
-    pub cases: Vec<(&'r CaseResult<'a>, &'r RuleDivergence)>,
-}
-
-/// The divergences of a run in groups: unknown ones first, of these the unexplained, of these the ones in most rules.
-pub fn group_divergences<'a, 'r>(report: &'r Report<'a>) -> Vec<Group<'a, 'r>> {
-    let mut alike: BTreeMap<_, Vec<_>> = BTreeMap::new();
-    for result in &report.run.cases {
-        let Some(divergence) = result.verdict.own_divergence() else { continue };
-        let explanation = explain(&report.header.controller, divergence);
-        let is_known = result.verdict.accepted_by().is_some();
-        let key = match &explanation {
-            Some(Explanation { applies_to_controller: true, text }) => {
-                (is_known, true, text.clone())
-            }
-            Some(_) | None => (is_known, false, cause(divergence)),
-        };
-        alike.entry(key).or_default().push((result, divergence));
+/// Its size in words.
+pub fn size(finding: &Finding<'_, '_>) -> String {
+    let counted = |count: usize, what: &str| match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    };
+    let mut parts = vec![counted(finding.cases.len(), "case")];
+    if !finding.touched.is_empty() {
+        let rules = counted(finding.touched_rules().len(), "other rule");
+        parts.push(format!("{} of {rules}", finding.touched.len()));
     }
-    let mut all = Vec::new();
-    for ((is_known, is_explained, what), mut cases) in alike {
-        cases.sort_by_key(|(result, divergence)| program(result, divergence).len());
-        let rules: BTreeSet<_> = cases.iter().map(|(result, _)| &result.rule.id).collect();
-        all.push((is_explained, Group { what, is_known, rules: rules.len(), cases }));
+    if !finding.side_differences.is_empty() {
+        parts.push(counted(finding.side_differences.len(), "side difference"));
     }
-    all.sort_by_key(|(is_explained, group)| {
-        (group.is_known, *is_explained, Reverse(group.rules), Reverse(group.cases.len()))
-    });
-    all.into_iter().map(|(_, group)| group).collect()
+    parts.join(", ")
 }
 
-/// The smallest program with a divergence.
-pub fn program<'r>(result: &CaseResult<'r>, divergence: &'r RuleDivergence) -> &'r str {
-    divergence.shrunk.as_deref().unwrap_or(result.program)
-}
-
-impl Group<'_, '_> {
-    /// Its size in words.
-    pub fn size(&self) -> String {
-        let counted = |count: usize, what: &str| match count {
-            1 => format!("1 {what}"),
-            _ => format!("{count} {what}s"),
-        };
-        format!("{} of {}", counted(self.cases.len(), "case"), counted(self.rules, "rule"))
+/// What a finding is, in a line.
+pub fn title(controller: &str, finding: &Finding<'_, '_>) -> String {
+    let first = finding.divergent().next();
+    match &finding.cause {
+        FindingCause::Options(_) => {
+            let explanation = first.and_then(|(_, divergence)| explain(controller, divergence));
+            explanation.map(|explanation| explanation.text).unwrap_or_default()
+        }
+        FindingCause::Rule => {
+            first.map(|(_, divergence)| difference_in_words(divergence)).unwrap_or_default()
+        }
+        FindingCause::Unknown(what) => what.clone(),
     }
 }
 
@@ -95,8 +70,8 @@ pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanat
     Some(Explanation { applies_to_controller, text })
 }
 
-/// The difference without lines and numbers.
-fn cause(divergence: &RuleDivergence) -> String {
+/// What differs, without lines and numbers.
+pub(crate) fn difference_in_words(divergence: &RuleDivergence) -> String {
     // Effects of a block that should have been refused, or missing ones after a wrong refusal, follow from that alone.
     if let Some(told) = divergence.traces.as_ref().and_then(refusal_difference) {
         return told;
@@ -202,11 +177,11 @@ mod tests {
                 "end: expected refused (repeated_word), found program end",
             ),
         ] {
-            assert_eq!(cause(&divergence(difference, &[])), expected);
+            assert_eq!(difference_in_words(&divergence(difference, &[])), expected);
         }
         let assertion = Some(("when a.b=c: after 4 g5x_offset = (x1)".to_owned(), "x".to_owned()));
         let asserted = RuleDivergence { assertion, ..RuleDivergence::default() };
-        assert_eq!(cause(&asserted), "asserted: after g5x_offset =");
+        assert_eq!(difference_in_words(&asserted), "asserted: after g5x_offset =");
     }
 
     #[test]
@@ -223,7 +198,7 @@ mod tests {
             let traces = Some(Traces { expected, found });
             let divergence =
                 RuleDivergence { traces, ..divergence("effect: expected 1, found 2", &[]) };
-            assert_eq!(cause(&divergence), told);
+            assert_eq!(difference_in_words(&divergence), told);
         }
     }
 

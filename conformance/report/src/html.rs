@@ -216,7 +216,7 @@ fn counts(report: &Report<'_>) -> Vec<Count> {
         count("diverge", counts.diverges, "diverges"),
     ];
     let more = [
-        ("pass except for a quirk of other rules", counts.charged_elsewhere, "charged elsewhere"),
+        ("with a side difference", counts.side_difference, "side difference"),
         ("known", counts.known, "known"),
         ("waived", counts.waived, "waived"),
         ("unsupported", counts.unsupported, "unsupported"),

@@ -2,6 +2,7 @@
 
 use gaugeblock_compare::Tally;
 use gaugeblock_runner::expectations::ExpectationMismatch;
+use gaugeblock_runner::findings::{Divergent, Finding, FindingCause, Severity};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Source;
@@ -10,6 +11,7 @@ use schemars::{JsonSchema, Schema, schema_for};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::grouping::title;
 use super::merge::VERSION;
 use super::stored::StoredCase;
 use super::{Counts, Header, Report, RuleVerdict};
@@ -57,12 +59,67 @@ pub struct Document {
     pub rules: Vec<JudgedRule>,
     /// Rules that do not exist in the edition.
     pub void: Vec<VoidRule>,
+    /// What the controller does otherwise, by cause, the worst first.
+    pub findings: Vec<ReportedFinding>,
     /// What the controller shows of each choice and quirk, where it was asked for.
     pub fingerprint: Option<Vec<FingerprintEntry>>,
     /// Each case.
     pub cases: Vec<StoredCase>,
     /// Where it disagrees with what is known of it, if it was held against that.
     pub expectations: Option<Vec<ExpectationMismatch>>,
+}
+
+/// What a controller does otherwise, by one cause.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct ReportedFinding {
+    /// The rule that is broken; none if the cause is unknown.
+    pub rule: Option<String>,
+    /// How bad it is.
+    pub severity: Severity,
+    /// The quirks and other options of choices that explain every case.
+    pub explanation: Vec<String>,
+    /// What differs, or what explains it, in words.
+    pub what: String,
+    /// Whether expectations, a baseline or a waiver accept all of it.
+    pub known: bool,
+    /// The cases of the rule of which an assertion does not hold, the smallest program first; without a rule, all cases.
+    pub cases: Vec<CaseName>,
+    /// Cases of other rules of which an assertion does not hold by the same cause.
+    pub touched: Vec<CaseName>,
+    /// Cases of which every assertion holds, and that differ by the same cause.
+    pub side_differences: Vec<CaseName>,
+}
+
+/// A case.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct CaseName {
+    /// Id of the rule.
+    pub rule: String,
+    /// Name of its case.
+    pub case: String,
+}
+
+fn reported_finding(report: &Report<'_>, finding: &Finding<'_, '_>) -> ReportedFinding {
+    let names = |cases: &[Divergent<'_, '_>]| {
+        let names = cases.iter().map(|(result, _)| CaseName {
+            rule: result.rule.id.clone(),
+            case: result.name.to_owned(),
+        });
+        names.collect()
+    };
+    ReportedFinding {
+        rule: finding.rule.map(|rule| rule.id.clone()),
+        severity: finding.severity,
+        explanation: match &finding.cause {
+            FindingCause::Options(options) => options.clone(),
+            FindingCause::Rule | FindingCause::Unknown(_) => Vec::new(),
+        },
+        what: title(&report.header.controller, finding),
+        known: finding.is_known,
+        cases: names(&finding.cases),
+        touched: names(&finding.touched),
+        side_differences: names(&finding.side_differences),
+    }
 }
 
 /// A profile: claimed or not, passed or not, and how many of its rules came to what.
@@ -155,6 +212,7 @@ pub fn document(report: &Report<'_>) -> Document {
         profiles: profiles(report),
         rules: rules.collect(),
         void: void.collect(),
+        findings: report.findings().iter().map(|it| reported_finding(report, it)).collect(),
         fingerprint: report.run.fingerprint.clone(),
         cases: report.run.cases.iter().map(StoredCase::of).collect(),
         expectations: report.mismatches.clone(),

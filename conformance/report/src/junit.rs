@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use gaugeblock_runner::certify::{NotJudgedReason, Verdict};
 use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 
+use super::grouping::title;
 use super::{Report, escape_line, escape_text};
 
 /// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
-/// waived is skipped.
+/// waived is skipped. A side difference does not fail its case: a finding that no rule owns fails as a test of its own.
 ///
 /// # Errors
 /// A text that XML cannot hold.
@@ -20,7 +21,7 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
     for result in &report.run.cases {
         let word = result.verdict.word();
         let status = match &result.verdict {
-            Verdict::Pass | Verdict::AttributedElsewhere(_) => TestCaseStatus::success(),
+            Verdict::Pass | Verdict::SideDifference(_) => TestCaseStatus::success(),
             Verdict::Diverges(divergence) => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
                 status.set_type(word).set_message(escape_text(&divergence.summary()).into_owned());
@@ -43,6 +44,23 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
         let name = format!("{} / {}", result.rule.id, result.name);
         suite.add_test_case(TestCase::new(name, status));
     }
+    let mut findings = TestSuite::new("findings without a rule");
+    for finding in report.findings() {
+        let (None, false, Some((result, divergence))) =
+            (finding.rule, finding.is_known, finding.divergent().next())
+        else {
+            continue;
+        };
+        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+        let said = escape_text(&divergence.summary()).into_owned();
+        status.set_type("side difference").set_message(said);
+        status.set_description(divergence.program(result).to_owned());
+        let title = escape_line(&title(&report.header.controller, finding));
+        findings.add_test_case(TestCase::new(title, status));
+    }
     document.add_test_suites(chapters.into_values());
+    if !findings.test_cases.is_empty() {
+        document.add_test_suite(findings);
+    }
     document.to_string().map_err(|error| error.to_string())
 }

@@ -17,6 +17,7 @@ mod side_by_side;
 pub mod stored;
 pub mod terminal;
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 pub use escape::{escape_line, escape_text};
@@ -25,12 +26,16 @@ pub use profiles::ProfileResult;
 pub(crate) use rule::verdicts;
 pub use rule::{Counts, RuleResult, RuleVerdict};
 
-use gaugeblock_runner::certify::{CaseResult, Run, Verdict};
+use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
+use gaugeblock_runner::findings::{Finding, findings};
+use gaugeblock_suite::Suite;
 
 /// A run with its mismatches.
 #[derive(Clone, Debug)]
 pub struct Report<'a> {
+    /// The suite.
+    pub suite: &'a Suite,
     /// The run.
     pub run: &'a Run<'a>,
     /// What it is of.
@@ -41,9 +46,24 @@ pub struct Report<'a> {
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
     pub mismatches: Option<Vec<ExpectationMismatch>>,
+    /// What the controller does otherwise, by cause, once it has been asked for.
+    pub findings: OnceCell<Vec<Finding<'a, 'a>>>,
 }
 
 impl<'a> Report<'a> {
+    /// The report of a run without notes and profiles, compared with no list.
+    pub fn of(suite: &'a Suite, run: &'a Run<'a>, header: Header) -> Self {
+        Self {
+            suite,
+            run,
+            header,
+            notes: Vec::new(),
+            profiles: Vec::new(),
+            mismatches: None,
+            findings: OnceCell::new(),
+        }
+    }
+
     /// Counts over all cases.
     pub fn counts(&self) -> Counts {
         let mut counts = Counts::default();
@@ -58,7 +78,19 @@ impl<'a> Report<'a> {
         verdicts(self.run)
     }
 
-    /// Cases that diverge, known or not, in order.
+    /// What the controller does otherwise, a finding for each cause, the worst first.
+    pub fn findings(&self) -> &[Finding<'a, 'a>] {
+        self.findings.get_or_init(|| {
+            let controller = &self.header.controller;
+            let is_explained = |divergence: &RuleDivergence| {
+                grouping::explain(controller, divergence)
+                    .is_some_and(|explanation| explanation.applies_to_controller)
+            };
+            findings(self.suite, self.run, &is_explained, &grouping::difference_in_words)
+        })
+    }
+
+    /// Cases of which an assertion does not hold, known or not, in order.
     pub fn divergences(&self) -> Vec<&CaseResult<'a>> {
         let diverges = |result: &&CaseResult<'a>| result.verdict.own_divergence().is_some();
         self.run.cases.iter().filter(diverges).collect()
@@ -98,7 +130,7 @@ impl<'a> Report<'a> {
         let counts = self.counts();
         let wrong = match &self.mismatches {
             Some(mismatches) => !mismatches.is_empty(),
-            None => counts.diverges + counts.charged_elsewhere > 0,
+            None => counts.diverges + counts.side_difference > 0,
         };
         let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
         if wrong || fails {

@@ -4,13 +4,12 @@
 //! Text of a controller is in code spans, in a run of backticks that it cannot close: it makes no heading, no link, no
 //! mention, no HTML. The page has a limit, and says what it leaves out.
 
-use gaugeblock_runner::certify::CaseResult;
 use gaugeblock_runner::expectations::ExpectationMismatch;
+use gaugeblock_runner::findings::Finding;
 use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
-use super::grouping::without_guard;
-use super::grouping::{self, Group, explain};
+use super::grouping::{explain, size, title, without_guard};
 use super::terminal::shortened;
 use super::{Report, RuleResult, html};
 
@@ -49,7 +48,7 @@ fn head(report: &Report<'_>) -> String {
         ("cases", counts.all(), true),
         ("pass", counts.pass, true),
         ("diverge", counts.diverges, true),
-        ("pass except for a quirk of other rules", counts.charged_elsewhere, true),
+        ("with a side difference", counts.side_difference, true),
         ("known", counts.known, false),
         ("waived", counts.waived, false),
         ("unsupported", counts.unsupported, true),
@@ -132,26 +131,19 @@ fn rules(report: &Report<'_>) -> String {
     )
 }
 
-/// Divergences in groups, each with its smallest program, in at most so many bytes: unexplained ones first.
+/// Findings that no list accepts, each with its smallest program, in at most so many bytes: the worst first.
 fn divergences(report: &Report<'_>, room: usize) -> String {
-    let mismatches = report.mismatches.as_ref();
-    let is_known = |result: &CaseResult<'_>| {
-        let place = (result.rule.id.as_str(), result.name);
-        mismatches.is_some_and(|all| !all.iter().any(|mismatch| mismatch.place() == place))
-    };
-    let mut all = grouping::group_divergences(report);
-    all.iter_mut().for_each(|group| group.cases.retain(|(result, _)| !is_known(result)));
-    all.retain(|group| !group.cases.is_empty());
+    let all: Vec<_> = report.findings().iter().filter(|finding| !finding.is_known).collect();
     if all.is_empty() {
         return String::new();
     }
-    let title = match mismatches {
-        None => "What differs, and the smallest program of each",
-        Some(_) => "What differs and is new or has changed, and the smallest program of each",
+    let title = match &report.mismatches {
+        None => "Findings, and the smallest program of each",
+        Some(_) => "Findings that are new or have changed, and the smallest program of each",
     };
-    let mut text = format!("\n### {title}\n\nWhat differs alike may be one mistake.\n");
-    for (shown, group) in all.iter().enumerate() {
-        let card = card(report, group);
+    let mut text = format!("\n### {title}\n\nThe worst first; each has one cause.\n");
+    for (shown, finding) in all.iter().enumerate() {
+        let card = card(report, finding);
         // Room for the sentence that tells of the rest.
         if text.len() + card.len() + 100 > room {
             text.push_str(&format!("\n… and {} more: see report.html\n", all.len() - shown));
@@ -162,19 +154,23 @@ fn divergences(report: &Report<'_>, room: usize) -> String {
     text
 }
 
-/// The smallest of what differs alike, folded.
-fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
-    let Some((result, divergence)) = group.cases.first() else { return String::new() };
-    let CaseResult { rule, name, .. } = result;
-    let summary = escaped(&format!("{} / {name}", rule.id));
-    let size = group.size();
-    let mut text = format!("\n<details><summary>{size}: <code>{summary}</code></summary>\n\n");
-    if group.cases.len() > 1 {
-        text.push_str(&format!("{size}: {}. The smallest:\n\n", code(&group.what)));
+/// A finding, folded: the rule, what differs, the smallest program.
+fn card(report: &Report<'_>, finding: &Finding<'_, '_>) -> String {
+    let Some((result, divergence)) = finding.divergent().next() else { return String::new() };
+    let severity = finding.severity.heading();
+    let rule = finding.rule.map_or("no rule is known to be broken", |rule| rule.id.as_str());
+    let (rule, size) = (escaped(rule), size(finding));
+    let mut text =
+        format!("\n<details><summary>{severity}: <code>{rule}</code> ({size})</summary>\n\n");
+    if let Some(rule) = finding.rule {
+        let sources = sections(&rule.sources);
+        let sources: Vec<_> = sources.iter().map(|section| plain(section)).collect();
+        text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
     }
-    let sources: Vec<_> = sections(&rule.sources).iter().map(|section| plain(section)).collect();
-    text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
-    text.push_str(&program(grouping::program(result, divergence), result.rule.language));
+    let place = format!("{} / {}", result.rule.id, result.name);
+    let title = title(&report.header.controller, finding);
+    text.push_str(&format!("{}. The smallest, {}:\n\n", code(&title), code(&place)));
+    text.push_str(&program(divergence.program(result), result.rule.language));
     text.push('\n');
     if let Some((said, found)) = &divergence.assertion {
         let said = without_guard(said);
@@ -183,8 +179,14 @@ fn card(report: &Report<'_>, group: &Group<'_, '_>) -> String {
     if let Some(divergence) = &divergence.difference {
         text.push_str(&format!("- first difference {}\n", code(divergence)));
     }
-    if let Some(explanation) = explain(&report.header.controller, divergence) {
+    if let Some(explanation) = explain(&report.header.controller, divergence)
+        && explanation.text != title
+    {
         text.push_str(&format!("- {}\n", code(&explanation.text)));
+    }
+    let touched: Vec<_> = finding.touched_rules().into_iter().take(ITEMS).map(code).collect();
+    if !touched.is_empty() {
+        text.push_str(&format!("- cases of these rules fail by it, too: {}\n", touched.join(", ")));
     }
     text.push_str("\n</details>\n");
     text

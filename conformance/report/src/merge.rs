@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::stored::StoredCase;
 
 /// Version of the form.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Reads a report, or those of its parts that are of use.
 ///

@@ -11,10 +11,10 @@ use serde::{Deserialize, Serialize};
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
 )]
 pub enum RuleVerdict {
-    /// Every case that was judged passes, or passes but for a quirk of other rules, and at least one was.
+    /// The assertions of every case that was judged hold, and at least one was judged.
     #[serde(rename = "pass")]
     Pass,
-    /// A case diverges, known or not.
+    /// An assertion of a case does not hold, known or not.
     #[serde(rename = "diverges")]
     Diverges,
     /// No case could be run on this controller.
@@ -57,10 +57,12 @@ pub struct Counts {
     pub cases: usize,
     /// Cases that pass.
     pub pass: usize,
-    /// Cases that diverge, and nobody knows of it.
+    /// Cases of which an assertion does not hold, and no list accepts that.
     pub diverges: usize,
-    /// Cases that pass but for a quirk that is charged to other rules.
-    pub charged_elsewhere: usize,
+    /// Cases of which every assertion holds, and that differ in something else.
+    pub side_difference: usize,
+    /// Cases of which an assertion does not hold, accepted or not: they break their rule.
+    pub broken: usize,
     /// Cases that diverge exactly as is known.
     pub known: usize,
     /// Cases that diverge, and somebody answers for it.
@@ -84,10 +86,11 @@ pub struct Counts {
 impl Counts {
     pub(crate) fn add(&mut self, verdict: &Verdict) {
         self.cases += 1;
+        self.broken += usize::from(verdict.own_divergence().is_some());
         let count = match verdict {
             Verdict::Pass => &mut self.pass,
             Verdict::Diverges(_) => &mut self.diverges,
-            Verdict::AttributedElsewhere(_) => &mut self.charged_elsewhere,
+            Verdict::SideDifference(_) => &mut self.side_difference,
             Verdict::Known(..) => &mut self.known,
             Verdict::Waived(..) => &mut self.waived,
             Verdict::Unsupported(_) => &mut self.unsupported,
@@ -127,15 +130,15 @@ impl Counts {
 
     /// Cases of which something is known: they pass, or they depart, whoever knows of it.
     pub fn judged(self) -> usize {
-        self.pass + self.charged_elsewhere + self.diverges + self.known + self.waived
+        self.pass + self.side_difference + self.diverges + self.known + self.waived
     }
 
     fn verdict(self) -> RuleVerdict {
-        if self.diverges + self.known + self.waived > 0 {
+        if self.broken > 0 {
             RuleVerdict::Diverges
         } else if self.not_judged() > 0 {
             RuleVerdict::NotJudged
-        } else if self.pass + self.charged_elsewhere > 0 {
+        } else if self.judged() > 0 {
             RuleVerdict::Pass
         } else {
             RuleVerdict::Unsupported

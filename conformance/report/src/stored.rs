@@ -52,11 +52,11 @@ pub struct JournalCase {
 pub enum StoredVerdict {
     /// As the documents say.
     Pass,
-    /// Otherwise.
+    /// An assertion of the case does not hold.
     Diverges(StoredDivergence),
-    /// Otherwise, by a quirk that other rules are about.
-    #[serde(rename = "charged elsewhere")]
-    AttributedElsewhere(StoredDivergence),
+    /// The assertions of the case hold, and something else in the outcome differs.
+    #[serde(rename = "side difference")]
+    SideDifference(StoredDivergence),
     /// Otherwise, exactly as is known.
     Known(AcceptedDivergence),
     /// Otherwise, and somebody answers for it.
@@ -141,7 +141,7 @@ impl StoredVerdict {
         match &result.verdict {
             Verdict::Pass => Self::Pass,
             Verdict::Diverges(found) => Self::Diverges(divergence(found)),
-            Verdict::AttributedElsewhere(found) => Self::AttributedElsewhere(divergence(found)),
+            Verdict::SideDifference(found) => Self::SideDifference(divergence(found)),
             Verdict::Known(found, why) => Self::Known(excused(found, why)),
             Verdict::Waived(found, why) => Self::Waived(excused(found, why)),
             Verdict::Unsupported(why) => Self::Unsupported(reason(why)),
@@ -158,13 +158,13 @@ impl StoredVerdict {
 
     /// Whether it says that the controller does what the documents say.
     pub fn is_pass(&self) -> bool {
-        matches!(self, Self::Pass | Self::AttributedElsewhere(_))
+        matches!(self, Self::Pass | Self::SideDifference(_))
     }
 
     /// What the controller does otherwise, whoever knows of it.
     pub fn divergence(&self) -> Option<&StoredDivergence> {
         match self {
-            Self::Diverges(divergence) | Self::AttributedElsewhere(divergence) => Some(divergence),
+            Self::Diverges(divergence) | Self::SideDifference(divergence) => Some(divergence),
             Self::Known(excused) | Self::Waived(excused) => Some(&excused.divergence),
             Self::Pass
             | Self::Unsupported(_)
@@ -192,11 +192,11 @@ impl StoredVerdict {
         };
         match self {
             Self::Pass => Verdict::Pass,
-            Self::Diverges(found) => Verdict::Diverges(divergence(found)),
-            Self::AttributedElsewhere(found) => Verdict::AttributedElsewhere(divergence(found)),
-            Self::Known(AcceptedDivergence { divergence: found, .. })
+            Self::Diverges(found)
+            | Self::SideDifference(found)
+            | Self::Known(AcceptedDivergence { divergence: found, .. })
             | Self::Waived(AcceptedDivergence { divergence: found, .. }) => {
-                Verdict::Diverges(divergence(found))
+                Verdict::of_divergence(divergence(found))
             }
             Self::Unsupported(why) => Verdict::Unsupported(why.reason.clone()),
             Self::Inconclusive(why) => Verdict::Inconclusive(why.reason.clone()),

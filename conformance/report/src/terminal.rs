@@ -4,10 +4,11 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, Verdict};
+use gaugeblock_runner::findings::{Finding, FindingCause};
 use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
-use super::grouping::{explain, group_divergences, without_guard};
+use super::grouping::{explain, size, title, without_guard};
 use super::{Report, RuleVerdict, escape_line, escape_text};
 
 const BOLD: Style = Style::new().bold();
@@ -27,21 +28,19 @@ macro_rules! line {
     }};
 }
 
-/// The report, with every divergence in full unless they are all known.
+/// The report: a table of the chapters, the findings, what was not judged. With `verbose`, every divergence in full.
 pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     let mut text = String::new();
     head(&mut text, report);
     chapters(&mut text, report);
-    let known = report.mismatches.is_some();
-    let is_listed = |result: &&CaseResult<'_>| {
-        verbose || matches!(result.verdict, Verdict::Diverges(_)) && !known
-    };
-    let listed: Vec<_> = report.divergences().into_iter().filter(is_listed).collect();
-    for result in &listed {
-        divergence(&mut text, report, result);
+    if verbose {
+        let divergent = report.run.cases.iter();
+        for result in divergent.filter(|result| result.verdict.divergence().is_some()) {
+            divergence(&mut text, report, result);
+        }
     }
-    notation(&mut text, &listed);
-    causes(&mut text, report, verbose);
+    findings(&mut text, report);
+    notation(&mut text, report, verbose);
     not_judged(&mut text, report);
     waived(&mut text, report);
     mismatches(&mut text, report);
@@ -137,10 +136,12 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     line!(text);
 }
 
-/// Explains the notation of assertions, once, if a listed divergence has one that needs it.
-fn notation(text: &mut String, listed: &[&CaseResult<'_>]) {
-    let divergences = listed.iter().filter_map(|result| result.verdict.divergence());
-    let assertions = divergences.filter_map(|divergence| divergence.assertion.as_ref());
+/// Explains the notation of assertions, once, if a printed divergence has one that needs it.
+fn notation(text: &mut String, report: &Report<'_>, verbose: bool) {
+    let findings = report.findings().iter().filter(|finding| verbose || !finding.is_known);
+    let printed =
+        findings.flat_map(|finding| finding.divergent().take(if verbose { usize::MAX } else { 1 }));
+    let assertions = printed.filter_map(|(_, divergence)| divergence.assertion.as_ref());
     let texts: Vec<_> =
         assertions.map(|(said, found)| (without_guard(said), found.as_str())).collect();
     let notes = [
@@ -165,29 +166,67 @@ fn notation(text: &mut String, listed: &[&CaseResult<'_>]) {
     }
 }
 
-/// Unknown divergences in groups.
-fn causes(text: &mut String, report: &Report<'_>, verbose: bool) {
-    const SHOWN: usize = 12;
-    let groups: Vec<_> =
-        group_divergences(report).into_iter().filter(|group| !group.is_known).collect();
-    if groups.is_empty() {
+/// Findings that no list accepts, the worst first: each with its rule and the smallest program.
+fn findings(text: &mut String, report: &Report<'_>) {
+    let findings: Vec<_> = report.findings().iter().filter(|finding| !finding.is_known).collect();
+    if findings.is_empty() {
         return;
     }
-    line!(
-        text,
-        "divergences by cause, the cause in most rules first; one cause may be a single defect:"
-    );
-    let most = if verbose { usize::MAX } else { SHOWN };
-    for group in groups.iter().take(most) {
-        line!(text, "  {}: {}", group.size(), styled(BOLD, &escape_line(&group.what)));
-        if let Some((smallest, _)) = group.cases.first() {
-            line!(text, "      smallest: {} / {}", smallest.rule.id, smallest.name);
-        }
-    }
-    if groups.len() > most {
-        line!(text, "  … and {} more kinds (-v lists them)", groups.len() - most);
+    line!(text, "{}", styled(BOLD, &format!("findings: {}, the worst first", findings.len())));
+    for (place, found) in findings.iter().enumerate() {
+        finding(text, report, place + 1, found);
     }
     line!(text);
+}
+
+/// A finding: the broken rule, its smallest program, and what else the cause touches.
+fn finding(text: &mut String, report: &Report<'_>, number: usize, finding: &Finding<'_, '_>) {
+    let controller = &report.header.controller;
+    let title = escape_line(&title(controller, finding));
+    line!(text);
+    let heading = format!("{number}. {}", finding.severity.heading());
+    match finding.rule {
+        Some(rule) => {
+            line!(text, "{}: {}", styled(RED, &heading), styled(BOLD, &rule.id));
+            line!(text, "   {}", rule.sentence);
+            sections(&rule.sources)
+                .iter()
+                .for_each(|section| line!(text, "   {}", styled(DIM, section)));
+        }
+        None => line!(text, "{}: no rule is known to be broken", styled(RED, &heading)),
+    }
+    line!(text, "   {} {}", title, styled(DIM, &format!("({})", size(finding))));
+    if let Some((result, divergence)) = finding.divergent().next() {
+        line!(text, "   smallest: {} / {}", result.rule.id, result.name);
+        program(text, divergence.program(result), result.rule.language);
+        if let Some((assertion, found)) = &divergence.assertion {
+            line!(text, "   expected  {}", styled(GREEN, without_guard(assertion)));
+            line!(text, "   found     {}", styled(RED, &escape_text(found)));
+        }
+        if let Some(difference) = &divergence.difference {
+            line!(text, "   first difference  {}", escape_text(difference));
+        }
+        // Of a finding by a rule the title says what differs; a quirk of another controller is worth a line.
+        if matches!(finding.cause, FindingCause::Rule)
+            && let Some(explanation) = explain(controller, divergence)
+        {
+            line!(text, "   {}", styled(DIM, &explanation.text));
+        }
+    }
+    let touched: Vec<_> = finding.touched_rules().into_iter().collect();
+    if !touched.is_empty() {
+        line!(text, "   cases of these rules fail by it, too: {}", listed(&touched));
+    }
+}
+
+/// The first of many names.
+fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 8;
+    let first = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
+    match names.len().checked_sub(SHOWN) {
+        Some(more @ 1..) => format!("{first} and {more} more"),
+        _ => first,
+    }
 }
 
 /// The lines of a program, numbered as blocks are.
@@ -319,7 +358,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let compared: usize = report.run.cases.iter().map(|result| result.compared.total()).sum();
     let mut departing = vec![
         format!("{} pass", counts.pass),
-        format!("{} pass except for a quirk of other rules", counts.charged_elsewhere),
+        format!("{} with a side difference", counts.side_difference),
         format!("{} diverge", counts.diverges),
     ];
     let excused = [(counts.known, "known"), (counts.waived, "waived")];
@@ -342,7 +381,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
         (0, None) => (GREEN, "as the documents say"),
         (1, Some(mismatches)) if !mismatches.is_empty() => (RED, "diverges, and not only as known"),
-        (1, None) if counts.diverges + counts.charged_elsewhere > 0 => {
+        (1, None) if counts.diverges + counts.side_difference > 0 => {
             (RED, "diverges from its documents")
         }
         (1, _) => (RED, "does not pass what it claims"),

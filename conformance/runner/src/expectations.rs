@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::certify::{Run, Verdict};
+use crate::certify::{RuleDivergence, Run, Verdict};
 
 /// A known divergence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -114,10 +114,18 @@ impl Expectations {
         Ok(read)
     }
 
-    /// The divergences of a run, as expectations.
+    /// The divergences of a run, as expectations. A side difference is listed unless all that explains it explains a
+    /// listed divergence, too.
     pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
+        let own = run.cases.iter().filter_map(|result| result.verdict.own_divergence());
+        let explained: BTreeSet<&str> =
+            own.flat_map(|divergence| &divergence.explanation).map(String::as_str).collect();
         let known = run.cases.iter().filter_map(|result| {
-            let divergence = result.verdict.own_divergence()?;
+            let divergence = result.verdict.divergence()?;
+            let is_own = result.verdict.own_divergence().is_some();
+            if !is_own && is_explained(divergence, &explained) {
+                return None;
+            }
             Some(KnownDivergence {
                 rule: result.rule.id.clone(),
                 case: result.name.to_owned(),
@@ -150,43 +158,25 @@ impl Expectations {
             .iter()
             .map(|known| ((known.rule.as_str(), known.case.as_str()), known))
             .collect();
-        let explained: BTreeSet<&str> = self
-            .known
-            .iter()
-            .filter_map(|known| known.explanation.as_deref())
-            .flat_map(parts)
-            .collect();
+        let explanations = self.known.iter().filter_map(|known| known.explanation.as_deref());
+        let explained: BTreeSet<&str> = explanations.flat_map(parts).collect();
         let mut mismatches = Vec::new();
         for result in &run.cases {
             let (rule, case) = (result.rule.id.clone(), result.name.to_owned());
             let known = listed.remove(&(result.rule.id.as_str(), result.name));
-            let own = result.verdict.own_divergence();
-            match (&result.verdict, own, known) {
+            match (&result.verdict, result.verdict.divergence(), known) {
+                (Verdict::SideDifference(divergence), _, None)
+                    if is_explained(divergence, &explained) => {}
                 (_, Some(divergence), None) => {
-                    mismatches.push(ExpectationMismatch::New {
-                        rule,
-                        case,
-                        found: divergence.summary(),
-                    });
+                    let found = divergence.summary();
+                    mismatches.push(ExpectationMismatch::New { rule, case, found });
                 }
                 (_, Some(divergence), Some(known)) if divergence.summary() != known.found => {
                     let (listed, found) = (known.found.clone(), divergence.summary());
                     mismatches.push(ExpectationMismatch::Changed { rule, case, listed, found });
                 }
-                (Verdict::AttributedElsewhere(divergence), _, None)
-                    if !divergence
-                        .explanation
-                        .iter()
-                        .all(|part| explained.contains(part.as_str())) =>
-                {
-                    mismatches.push(ExpectationMismatch::New {
-                        rule,
-                        case,
-                        found: divergence.summary(),
-                    });
-                }
                 (_, Some(_), Some(_)) | (_, None, None) => {}
-                (Verdict::Pass | Verdict::AttributedElsewhere(_), None, Some(_)) => {
+                (Verdict::Pass, None, Some(_)) => {
                     let why = "the case passes: take the entry out".to_owned();
                     mismatches.push(ExpectationMismatch::Stale { rule, case, why });
                 }
@@ -206,6 +196,12 @@ impl Expectations {
         }
         mismatches
     }
+}
+
+/// Whether a side difference has causes, and all of them are among those of listed divergences.
+fn is_explained(divergence: &RuleDivergence, explained: &BTreeSet<&str>) -> bool {
+    let parts = &divergence.explanation;
+    !parts.is_empty() && parts.iter().all(|part| explained.contains(part.as_str()))
 }
 
 /// The text between the parts of an explanation.

@@ -44,19 +44,22 @@ pub(crate) struct DivergenceContext<'a> {
 impl<'a> DivergenceContext<'a> {
     /// The other options under which the model has the controller's outcome; empty if none are found.
     ///
-    /// The search tries, in this order: each option that the rule names, each other quirk, as few as possible of the
-    /// controller's known quirks, and pairs with an option that the rule names. If the outcomes are equal and only an
-    /// assertion fails, nothing explains it.
+    /// The search tries, in this order: each option that the rule names, each quirk and then each choice that it does
+    /// not name, as few as possible of the controller's known quirks, and pairs with an option that the rule names. If
+    /// the outcomes are equal and only an assertion fails, nothing explains it.
     pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
         let observables = self.controller.observables(self.scenario);
+        let specified = gaugeblock_reference::run(self.scenario).0;
         let explains = |tried: &[AlternativeOption<'_>]| {
             let mut scenario = self.scenario.clone();
             for other in tried {
                 scenario.options.0.insert(other.choice.id.clone(), other.option.to_owned());
             }
-            let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
-            compare(&expected, &found, &observables).divergence.is_none()
+            let expected = gaugeblock_reference::run(&scenario).0;
+            // Most options do not concern the program: the outcome is the one that differs already.
+            expected != specified
+                && compare(&Observed::of(&expected), &found, &observables).divergence.is_none()
         };
         let all = self.candidates();
         if let Some(one) = all.iter().find(|one| explains(&[**one])) {
@@ -79,14 +82,20 @@ impl<'a> DivergenceContext<'a> {
         self.rule.options.contains(&other.choice.id)
     }
 
-    /// All other options: of what the rule names, then of each quirk.
+    /// All other options: of what the rule names, then of each quirk, then of each choice.
     fn candidates(&self) -> Vec<AlternativeOption<'a>> {
         let is_named = |choice: &&Choice| self.rule.options.contains(&choice.id);
         let choices = self.suite.choices.iter().filter(|c| c.language == self.rule.language);
         let named = choices.clone().filter(is_named);
-        let quirks = choices.filter(|c| c.kind == ChoiceKind::Quirk && !is_named(c));
+        let others = choices.filter(|choice| !is_named(choice));
+        let quirks = others.clone().filter(|choice| choice.kind == ChoiceKind::Quirk);
+        let others = others.filter(|choice| choice.kind == ChoiceKind::Choice);
         let in_force = &self.scenario.options;
-        named.chain(quirks).flat_map(|choice| alternatives(choice, in_force)).collect()
+        named
+            .chain(quirks)
+            .chain(others)
+            .flat_map(|choice| alternatives(choice, in_force))
+            .collect()
     }
 
     /// Quirks of the controller that the edition does not have, those that the rule names last.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_suite::{Choice, Suite};
+use gaugeblock_suite::{Choice, Edition, Suite, options_of};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options};
 use schemars::JsonSchema;
@@ -86,6 +86,39 @@ pub fn fingerprint_entries(
         observed,
     });
     beside.collect()
+}
+
+/// The options of open choices that a controller shows, where they are not those of the comparison and not `declared`.
+///
+/// No document decides an open choice, so that its option is never charged: the comparison uses what is shown here.
+/// Nothing is asked of a controller whose behaviour an edition describes.
+pub fn shown_open_options(
+    suite: &Suite,
+    edition: &Edition,
+    declared: &Options,
+    controller: &dyn Adapter,
+) -> Options {
+    let options = &options_of(suite, edition, declared);
+    let mut shown = Options::default();
+    if controller.observed_edition().is_some() {
+        return shown;
+    }
+    let asked = suite.choices.iter().filter(|choice| {
+        options.get(&choice.id).is_some()
+            && declared.get(&choice.id).is_none()
+            && suite.is_open(choice)
+            && choice.under.iter().all(|(id, option)| options.is(id, option))
+    });
+    for choice in asked {
+        let environment = edition.environment.as_deref();
+        let observed = observe_choice(choice, options, environment, controller, true);
+        if let ObservedOption::Option(option) = observed
+            && !options.is(&choice.id, &option)
+        {
+            shown.0.insert(choice.id.clone(), option);
+        }
+    }
+    shown
 }
 
 /// The observed option of every choice, in order.

@@ -4,39 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_suite::{
     Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Setup, Suite,
-    scenario_of,
 };
-use gaugeblock_vocabulary::{Outcome, Undetermined};
+use gaugeblock_vocabulary::Undetermined;
 
-/// The editions in which a case runs, the default edition first.
-pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
-    let runs = |edition: &&Edition| {
-        edition.language == rule.language
-            && !rule.void.contains_key(&edition.id)
-            && (case.editions.is_empty() || case.editions.contains(&edition.id))
-    };
-    let mut editions: Vec<_> = suite.editions.iter().filter(runs).collect();
-    editions.sort_by_key(|edition| edition.id != gaugeblock_suite::DEFAULT_EDITION);
-    editions
-}
-
-/// The model's outcome in a case under an edition, and the rules that it reached.
-pub fn model_run(
-    suite: &Suite,
-    case: &Case,
-    edition: &Edition,
-) -> (Outcome, BTreeSet<(String, RuleOutcome)>) {
-    let scenario = scenario_of(case, &suite.options(edition), edition);
-    let (outcome, coverage) = gaugeblock_reference::run(&scenario);
-    let reached = coverage.iter().map(|(rule, reached)| {
-        let outcome = match reached {
-            gaugeblock_reference::RuleOutcome::Accepted => RuleOutcome::Accepted,
-            gaugeblock_reference::RuleOutcome::Refused => RuleOutcome::Refused,
-        };
-        (rule.to_owned(), outcome)
-    });
-    (outcome, reached.collect())
-}
+pub use crate::model_run::{editions_of, model_run};
+use crate::orphans::orphans;
 
 /// The outcomes of a rule that its own cases reach in the model, in any edition.
 pub fn reached(suite: &Suite, rule: &Rule) -> BTreeSet<RuleOutcome> {
@@ -70,6 +42,7 @@ pub fn faults(suite: &Suite) -> Vec<String> {
             faults.extend(golden_fault(suite, rule, case));
         }
     }
+    faults.extend(orphans(suite));
     for choice in &suite.motion_choices {
         for option in &choice.options {
             let found = options_shown(suite, choice, &option.name);

@@ -249,6 +249,29 @@ impl Suite {
         Options(first.collect())
     }
 
+    /// Whether the documents leave a choice open: none of their editions reads it in another way than the rest.
+    pub fn is_open(&self, choice: &Choice) -> bool {
+        if choice.kind != ChoiceKind::Choice {
+            return false;
+        }
+        let of_documents = self
+            .editions
+            .iter()
+            .filter(|edition| edition.language == choice.language && !self.is_observed(edition));
+        let options: BTreeSet<Option<String>> = of_documents
+            .map(|edition| self.options(edition).get(&choice.id).map(str::to_owned))
+            .collect();
+        options.len() <= 1
+    }
+
+    /// Whether an edition describes what a controller really does: it has quirks.
+    fn is_observed(&self, edition: &Edition) -> bool {
+        let quirk = |id: &String| {
+            self.choices.iter().any(|it| it.kind == ChoiceKind::Quirk && it.id == *id)
+        };
+        edition.options.keys().any(quirk)
+    }
+
     /// All options of an edition that the laws of motion read.
     pub fn motion_options(&self, edition: &Edition) -> BTreeMap<String, String> {
         let named = self.named(edition);

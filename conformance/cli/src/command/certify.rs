@@ -15,13 +15,14 @@ use gaugeblock_runner::certify::{
     CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, only_case, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
-use gaugeblock_runner::fingerprint::fingerprint_entries;
+use gaugeblock_runner::fingerprint::{fingerprint_entries, shown_open_options};
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Rule, Suite, options_of};
+use gaugeblock_vocabulary::Options;
 
 use super::comparison::ComparisonArguments;
-use super::{controller, user_files};
+use super::{controller, options, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::{write_out, write_out_in_colours};
@@ -43,6 +44,8 @@ const EXAMPLES: &str = "Examples:
       fail unless every rule of these profiles passes
   gaugeblock certify --controller rs274 --only saved-state.feed --case \"with decimals\"
       run one case: a verdict prints its rule and its name as RULE / NAME
+  gaugeblock certify --controller exec:./mill --options options.json
+      compare under the options that `fingerprint --format json` wrote and under those that the adapter declares
   gaugeblock certify --controller linuxcnc --only outputs --only inputs
       certify the whole LinuxCNC controller, with a simulated machine, on two chapters
   gaugeblock certify --controller \"exec:python3 adapter.py\" --profile modal-save
@@ -75,6 +78,9 @@ pub(crate) struct Arguments {
     /// Claim this profile: its unsupported and unjudged rules fail too; may be repeated
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
+    /// Compare under the options of this file: the JSON output of `gaugeblock fingerprint`
+    #[arg(long, value_name = "FILE")]
+    options: Option<PathBuf>,
     #[command(flatten)]
     against: ComparisonArguments,
     /// Write the divergences as a file for --expectations; read it before you use it
@@ -166,11 +172,12 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
         ));
     }
     let twice = arguments.repeat_percent;
-    let header = Header { twice, ..Header::of(plan, controller.as_ref(), shard) };
+    let (options, undeclared) = comparison_options(arguments, suite, edition, controller.as_ref())?;
+    let header = Header { twice, options, ..Header::of(plan, controller.as_ref(), shard) };
     let newer = known.check_header(&header, suite)?;
     let mut run = run_with_journal(arguments, plan, controller.as_ref(), &header)?;
     if is_fingerprinted(arguments, controller.as_ref()) {
-        let options = options_of(suite, edition, &controller.options());
+        let options = options_of(suite, edition, &header.options);
         let environment = edition.environment.as_deref();
         run.fingerprint =
             Some(fingerprint_entries(suite, &options, environment, controller.as_ref()));
@@ -178,6 +185,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
     let (mismatches, mended) = known.compare(&mut run, whole);
     let mut notes = controller.notes();
+    notes.extend(undeclared);
     notes.extend(newer);
     notes.extend(mended);
     // Only a whole run can pass a profile.
@@ -186,7 +194,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     if let Some(file) = &arguments.write_expectations {
         write_expectations(file, &run, controller.capabilities())?;
     }
-    let report = Report { run: &run, header, notes, profiles, mismatches };
+    let report = Report { notes, profiles, mismatches, ..Report::of(suite, &run, header) };
     if let Some(folder) = &arguments.report {
         write_report(folder, &report)?;
         // The report has all that the journal had.
@@ -194,6 +202,29 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     print(&report, arguments.format, arguments.verbose);
     Ok(report.exit_status())
+}
+
+/// The options of a controller, where they are not those of the edition: those of --options, those that it declares, and
+/// those of open choices that it shows; with a note for each of the latter.
+fn comparison_options(
+    arguments: &Arguments,
+    suite: &Suite,
+    edition: &Edition,
+    controller: &dyn Adapter,
+) -> Result<(Options, Vec<String>), CliError> {
+    let mut options = controller.options();
+    if let Some(file) = &arguments.options {
+        options::read_into(file, suite, &mut options)?;
+    }
+    let shown = shown_open_options(suite, edition, &options, controller);
+    let note = |(id, option): (&String, &String)| {
+        format!("looks like `{id} = {option}`, which the documents leave open: declare it")
+    };
+    let notes = shown.0.iter().map(note).collect();
+    for (id, option) in shown.0.iter() {
+        options.0.insert(id.clone(), option.clone());
+    }
+    Ok((options, notes))
 }
 
 /// What a plan runs: the rules of --only, or their cases of --case.
@@ -320,6 +351,7 @@ fn run_with_journal<'a>(
     let twice = RepeatSampling(header.twice);
     let run_options = RunOptions {
         shard,
+        options: header.options.clone(),
         finished: done,
         repeat: twice,
         shrink_attempts: arguments.shrink,

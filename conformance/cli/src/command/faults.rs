@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use gaugeblock_controllers::faulty::Faulty;
 use gaugeblock_interpreter::faults::PlantedFault;
 use gaugeblock_runner::certify::{CaseResult, Plan, certify};
+use gaugeblock_runner::findings::findings;
 use gaugeblock_suite::Suite;
 use serde_json::json;
 
@@ -20,8 +21,12 @@ const OWN: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];
 /// A planted fault, and the cases that notice it.
 struct Caught<'a> {
     fault: PlantedFault,
+    /// How many cases differ.
     cases: usize,
+    /// The rules of which an assertion fails.
     rules: BTreeSet<&'a str>,
+    /// The rule of each finding, the worst first.
+    charged: Vec<&'a str>,
 }
 
 /// Certifies production once with each fault. Fails where one is not noticed.
@@ -41,9 +46,13 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
             let run = certify(Plan { edition, ..plan }, &Faulty::new(*fault)?, &|| {});
             let diverges = |case: &&CaseResult<'_>| case.verdict.divergence().is_some();
             let failing: Vec<_> = run.cases.iter().filter(diverges).collect();
-            let rules = failing.iter().map(|case| case.rule.id.as_str()).collect();
+            let own = failing.iter().filter(|case| case.verdict.own_divergence().is_some());
+            let rules = own.map(|case| case.rule.id.as_str()).collect();
+            let findings = findings(suite, &run, &|_| false, &|divergence| divergence.summary());
+            let charged: Vec<_> = findings.iter().filter_map(|finding| finding.rule).collect();
+            let charged = charged.into_iter().map(|rule| rule.id.as_str()).collect();
             bar.inc(1);
-            Some(Caught { fault: *fault, cases: failing.len(), rules })
+            Some(Caught { fault: *fault, cases: failing.len(), rules, charged })
         })
         .collect();
     bar.finish_and_clear();
@@ -61,7 +70,7 @@ fn document(caught: &[Caught<'_>]) -> serde_json::Value {
         .map(|caught| {
             json!({
                 "fault": caught.fault.name(), "about": caught.fault.about(), "cases": caught.cases,
-                "rules": caught.rules,
+                "rules": caught.rules, "charged": caught.charged,
             })
         })
         .collect();
@@ -70,7 +79,7 @@ fn document(caught: &[Caught<'_>]) -> serde_json::Value {
 
 fn text(caught: &[Caught<'_>], missed: usize) -> String {
     let mut text = String::new();
-    for Caught { fault, cases, rules } in caught {
+    for Caught { fault, cases, rules, charged: _ } in caught {
         let by = match (cases, rules.first()) {
             (0, _) | (_, None) => "NOT CAUGHT".to_owned(),
             (cases, Some(rule)) if rules.len() == 1 => format!("{cases:>4} cases, only {rule}"),

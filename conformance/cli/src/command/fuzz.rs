@@ -17,11 +17,11 @@ use gaugeblock_runner::fuzz::journal::{Header, NotJudged};
 use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
 use gaugeblock_runner::journal::Journal;
-use gaugeblock_suite::{Choice, Edition, Suite};
+use gaugeblock_suite::{Choice, Edition, Suite, options_of};
 use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
-use super::{controller, fuzz_report, user_files};
+use super::{controller, fuzz_report, options, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::{write_error, write_out};
@@ -118,7 +118,9 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     let iut = controller::controller(&arguments.controller)?;
     let own = controller::own_edition(iut.as_ref());
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
-    let (options, random) = options(arguments, suite, edition)?;
+    controller::declared_options(iut.as_ref(), suite)?;
+    let declared = iut.options();
+    let (options, random) = options(arguments, suite, edition, &declared)?;
     let known = arguments.known.as_deref().map(fuzz_report::read).transpose()?.unwrap_or_default();
     if let Some(folder) = &arguments.report {
         user_files::create_folder(folder)?;
@@ -142,7 +144,9 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         spliced: 0,
         seeds: Seeds { all: seeds(suite, edition, &options), ..Seeds::default() },
         random: if random {
-            Random::all(of_language(suite, edition), &options)
+            let mut choices = of_language(suite, edition);
+            choices.retain(|choice| declared.get(&choice.id).is_none());
+            Random::all(choices, &options)
         } else {
             Vec::new()
         },
@@ -314,19 +318,20 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, C
     })
 }
 
-/// The options that apply, and whether each program changes some of them.
+/// The options that apply, with those that the controller declares, and whether each program changes some of them.
 fn options(
     arguments: &Arguments,
     suite: &Suite,
     edition: &Edition,
+    declared: &Options,
 ) -> Result<(Options, bool), CliError> {
-    let mut options = suite.options(edition);
+    let mut options = options_of(suite, edition, declared);
     match arguments.options.as_str() {
         "edition" => Ok((options, false)),
         "random" => Ok((options, true)),
         how => match how.strip_prefix("from:") {
             Some(file) => {
-                shown(Path::new(file), suite, &mut options)?;
+                options::read_into(Path::new(file), suite, &mut options)?;
                 Ok((options, false))
             }
             None => Err(CliError::usage(
@@ -350,33 +355,6 @@ fn without_defaults(mut options: Options, suite: &Suite) -> Options {
         }
     }
     options
-}
-
-/// Takes over the options that a fingerprint determined.
-fn shown(file: &Path, suite: &Suite, options: &mut Options) -> Result<(), CliError> {
-    let name = file.display();
-    let hint = "`gaugeblock fingerprint --controller CONTROLLER --format json` writes such a file";
-    let text = user_files::read_text(file, "fingerprint (--options from:FILE)")?;
-    let document: serde_json::Value = serde_json::from_str(&text)
-        .map_err(|error| CliError::usage(format!("{name}: {error}"), hint))?;
-    let shown = document["options"]
-        .as_object()
-        .ok_or_else(|| CliError::usage(format!("{name}: it has no member `options`"), hint))?;
-    for (id, shown) in shown {
-        if let Some(option) = shown["option"].as_str() {
-            let choice = suite.choices.iter().find(|choice| choice.id == *id);
-            let known =
-                choice.is_some_and(|choice| choice.options.iter().any(|o| o.name == option));
-            if !known {
-                return Err(CliError::usage(
-                    format!("{name}: unknown option `{option}` for choice `{id}`"),
-                    "run `gaugeblock fingerprint` again with this version",
-                ));
-            }
-            options.0.insert(id.clone(), option.to_owned());
-        }
-    }
-    Ok(())
 }
 
 fn header(arguments: &Arguments, plan: &Plan<'_>, edition: &Edition) -> Header {

@@ -50,7 +50,7 @@ fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
             let run = certify(plan, &controller, &|| {});
             let header = Header::of(plan, &controller, Shard::WHOLE);
             let (notes, profiles) = (Vec::new(), Vec::new());
-            Judged::of(&Report { run: &run, header, notes, profiles, mismatches: None })
+            Judged::of(&Report { notes, profiles, ..Report::of(suite, &run, header) })
         });
     }
     model

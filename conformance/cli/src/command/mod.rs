@@ -17,6 +17,7 @@ pub(crate) mod matrix;
 pub(crate) mod motion_check;
 pub(crate) mod motion_fuzz;
 pub(crate) mod offline;
+pub(crate) mod options;
 pub(crate) mod pictures;
 pub(crate) mod plan;
 pub(crate) mod report;

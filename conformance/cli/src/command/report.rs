@@ -79,11 +79,10 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     let (mismatches, mended) = known.compare(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {
-        run: &run,
-        header: header.clone(),
         notes: [whole.notes.clone(), newer.into_iter().collect(), mended].concat(),
         profiles,
         mismatches,
+        ..Report::of(suite, &run, header.clone())
     };
     if let Some(folder) = &arguments.report {
         user_files::create_folder(folder)?;

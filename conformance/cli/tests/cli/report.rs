@@ -7,13 +7,14 @@ use std::process::Command;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Reference;
-use gaugeblock_report::grouping::group_divergences;
+use gaugeblock_report::grouping::size;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::stored::StoredCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock_runner::certify::{
     CaseResult, Plan, RepeatSampling, Run, RunOptions, certify, run_plan,
 };
+use gaugeblock_runner::findings::{Finding, Severity};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{Channel, Effect, End, Event, Outcome, Scenario};
@@ -90,7 +91,7 @@ fn reported<T>(controller: &dyn Adapter, only: &[String], made: impl Fn(&Report<
     let header = Header::of(plan, controller, Shard::WHOLE);
     let header = Header { controller: EVIL.to_owned(), version: EVIL.to_owned(), ..header };
     let notes = vec![EVIL.to_owned()];
-    made(&Report { run: &run, header, notes, profiles: Vec::new(), mismatches: None })
+    made(&Report { notes, ..Report::of(&suite, &run, header) })
 }
 
 /// A controller that departs in words that mean harm, and crashes with them.
@@ -124,9 +125,9 @@ fn controller_text_is_escaped_in_every_report() {
     assert!(read.test_suites.iter().any(|suite| suite.errors > 3 && suite.failures > 3));
 }
 
-/// A controller that refuses nothing makes one mistake, of many rules.
+/// A controller that refuses nothing breaks each rule that refuses: a finding each.
 #[test]
-fn equal_differences_are_grouped_in_every_report() {
+fn each_divergence_belongs_to_one_finding_in_every_report() {
     fn accepts(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
         if matches!(outcome.end, End::Fault(_)) {
             outcome.end = End::ProgramEnd;
@@ -137,23 +138,26 @@ fn equal_differences_are_grouped_in_every_report() {
     let controller = Meddled { model: Reference::default(), observables, of: &[("", accepts)] };
     let only = ["modal-groups".to_owned(), "feed".to_owned()];
     reported(&controller, &only, |report| {
-        let groups = group_divergences(report);
-        let cases: usize = groups.iter().map(|group| group.cases.len()).sum();
+        let findings = report.findings();
+        let cases = findings.iter().flat_map(Finding::divergent).count();
         assert_eq!(cases, report.divergences().len(), "each is somewhere");
-        assert!(groups.len() < cases / 2, "{} of {cases}", groups.len());
-        let first = groups.first().expect("it departs");
-        assert!(first.rules > 1 && groups.iter().all(|group| group.rules <= first.rules));
-        for group in &groups {
-            let sizes = group.cases.iter().map(|(case, _)| case.program.len());
+        assert!(findings.len() < cases / 2, "{} of {cases}", findings.len());
+        let first = findings.first().expect("it departs");
+        assert!(findings.iter().all(|finding| finding.severity == Severity::Accepted));
+        let hanging = findings.iter().map(|finding| finding.divergent().count());
+        assert!(hanging.is_sorted_by(|more, less| more >= less), "what most hangs on first");
+        for finding in findings {
+            let sizes = finding.cases.iter().map(|(case, _)| case.program.len());
             assert!(sizes.is_sorted(), "the smallest program first");
+            assert!(finding.cases.iter().all(|(case, _)| Some(case.rule) == finding.rule));
         }
         let page = html::html(report).expect("a page");
-        assert_eq!(page.matches("<section class=\"kind\"").count(), groups.len());
+        assert_eq!(page.matches("<section class=\"kind\"").count(), findings.len());
         assert_eq!(page.matches("<article").count(), cases, "every one has its card");
         let text = terminal::terminal(report, false);
         let summary = markdown::markdown(report);
         for told in [&page, &text, &summary] {
-            assert!(told.contains(&first.size()), "{}: {told}", first.size());
+            assert!(told.contains(&size(first)), "{}: {told}", size(first));
         }
     });
 }
@@ -169,6 +173,7 @@ fn smallest_program_of_a_divergence_is_found_on_request() {
     let twice = RepeatSampling::default();
     let run_options = RunOptions {
         shard: Shard::WHOLE,
+        options: controller.options(),
         finished: Vec::new(),
         repeat: twice,
         shrink_attempts: 200,
@@ -372,8 +377,7 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
     let model = Reference::default();
     let run = certify(plan, &model, &|| {});
     let header = Header::of(plan, &model, Shard::WHOLE);
-    let (notes, profiles) = (Vec::new(), Vec::new());
-    let report = Report { run: &run, header: header.clone(), notes, profiles, mismatches: None };
+    let report = Report::of(&suite, &run, header.clone());
     let stored = Stored::read(&json::json(&report).to_string()).expect("a report");
     assert_eq!(stored.check_header(&header), Ok(None));
     let newer = Header { version: "2".to_owned(), only: Vec::new(), ..header.clone() };
@@ -445,7 +449,7 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
     let traces = "block main.ngc:1\n  state motion=none\n".repeat(60);
     let departed = |rule: &str, case: &str| {
         let why = serde_json::json!({
-            "found": "x", "divergence": "main.ngc:1: motion: expected none, found feed", "explanation": [],
+            "found": "x", "assertion": ["a", "b"], "divergence": "main.ngc:1: motion: expected none, found feed", "explanation": [],
             "program": "", "traces": { "expected": traces, "found": traces },
         });
         let case = serde_json::json!({
@@ -461,9 +465,7 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
         Run { edition, cases: cases.collect(), not_applicable: Vec::new(), fingerprint: None };
     let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
     let header = Header::of(plan, &Reference::default(), Shard::WHOLE);
-    let (notes, profiles) = (Vec::new(), Vec::new());
-    let page = html::html(&Report { run: &run, header, notes, profiles, mismatches: None });
-    let page = page.expect("a page");
+    let page = html::html(&Report::of(&suite, &run, header)).expect("a page");
     assert_eq!(page.matches("<article").count(), 2000, "every one has its card");
     assert!(page.len() < 3 << 20, "{} bytes", page.len());
     assert!(page.contains("both traces are in report.json"), "and says what is not on it");

@@ -8,6 +8,7 @@ use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, Verdict, run_plan};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
+use gaugeblock_vocabulary::Options;
 
 pub(crate) const TEMPLATE: &str = include_str!("../../../adapter/templates/template.py");
 
@@ -56,6 +57,7 @@ pub(crate) fn verdicts_on(
     let mut each = |_: &CaseResult<'_>| {};
     let course = RunOptions {
         shard: Shard::WHOLE,
+        options: Options::default(),
         finished: Vec::new(),
         repeat: twice,
         shrink_attempts: 0,

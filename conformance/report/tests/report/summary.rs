@@ -86,13 +86,7 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
     header.version = HOSTILE[2].to_owned();
     let mended = HOSTILE.iter().map(|text| format!("fixed: {text}"));
     let notes = mended.chain(HOSTILE.iter().map(|text| (*text).to_owned())).collect();
-    markdown(&Report {
-        run: &run,
-        header,
-        notes,
-        profiles: Vec::new(),
-        mismatches: Some(mismatches),
-    })
+    markdown(&Report { notes, mismatches: Some(mismatches), ..Report::of(&suite, &run, header) })
 }
 
 fn departs(_: usize, text: &str) -> Verdict {

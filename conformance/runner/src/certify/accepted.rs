@@ -11,7 +11,7 @@ pub const BASELINE: &str = "as in the baseline";
 
 impl Run<'_> {
     /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the known
-    /// ones. Divergences that are attributed to other rules stay as they are.
+    /// ones. A side difference is known where it is listed itself, or where a listed divergence has its cause.
     pub fn mark_accepted(
         &mut self,
         mismatches: &[ExpectationMismatch],
@@ -19,7 +19,11 @@ impl Run<'_> {
         source: Option<&str>,
     ) {
         for result in &mut self.cases {
-            let Verdict::Diverges(divergence) = &result.verdict else { continue };
+            let (Verdict::Diverges(divergence) | Verdict::SideDifference(divergence)) =
+                &result.verdict
+            else {
+                continue;
+            };
             let place = (result.rule.id.as_str(), result.name);
             let waiver = waived.iter().find(|waived| waived.place() == place);
             if let Some(waiver) = waiver {

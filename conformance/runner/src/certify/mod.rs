@@ -38,6 +38,8 @@ pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Trace
 pub struct RunOptions<'a, 'c> {
     /// The part of the cases to run.
     pub shard: Shard,
+    /// The options of the controller, where they are not those of the edition.
+    pub options: Options,
     /// Results of an earlier run; these cases are not run again.
     pub finished: Vec<CaseResult<'a>>,
     /// Which cases are run twice.
@@ -59,6 +61,7 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
     let mut each = |_: &CaseResult<'a>| done();
     let run_options = RunOptions {
         shard: Shard::WHOLE,
+        options: controller.options(),
         finished: Vec::new(),
         repeat: RepeatSampling::default(),
         shrink_attempts: 0,
@@ -73,7 +76,7 @@ pub fn run_plan<'a>(
     controller: &dyn Adapter,
     run_options: RunOptions<'a, '_>,
 ) -> Run<'a> {
-    let options = options_of(plan.suite, plan.edition, &controller.options());
+    let options = options_of(plan.suite, plan.edition, &run_options.options);
     let Selected { not_applicable, cases } =
         select(plan, controller.has_laws_of_motion()).shard(run_options.shard);
     let (repeat, shrink_attempts) = (run_options.repeat, run_options.shrink_attempts);
@@ -188,7 +191,8 @@ impl CaseRunner<'_> {
             Err(not_judged) => result.verdict = Verdict::NotJudged(not_judged),
         }
         // An explained divergence keeps its program: a smaller one could diverge in the same way by another quirk.
-        if let (Verdict::Diverges(divergence), 1..) = (&mut result.verdict, shrink_attempts)
+        if let (Verdict::Diverges(divergence) | Verdict::SideDifference(divergence), 1..) =
+            (&mut result.verdict, shrink_attempts)
             && divergence.explanation.is_empty()
         {
             divergence.shrunk = shrink::smallest(controller, scenario, shrink_attempts);
@@ -250,7 +254,7 @@ impl CaseJudge<'_> {
         Ok(divergence.map(|divergence| (divergence, fresh)))
     }
 
-    /// The verdict: the rule's own divergence, or one of the rules about the quirk that explains it.
+    /// The verdict on a divergence, with what explains it.
     fn attribute(
         &self,
         rule: &Rule,
@@ -261,12 +265,7 @@ impl CaseJudge<'_> {
         let context = self.context(rule, case, found);
         let why = divergence.difference.as_ref().map(|_| context.explain()).unwrap_or_default();
         let explanation = why.iter().map(AlternativeOption::name).collect();
-        let divergence = RuleDivergence { explanation, ..divergence };
-        if is_attributed_elsewhere(context, &divergence, &why) {
-            Verdict::AttributedElsewhere(divergence)
-        } else {
-            Verdict::Diverges(divergence)
-        }
+        Verdict::of_divergence(RuleDivergence { explanation, ..divergence })
     }
 
     /// Whether a pass would rest on nothing but the acceptance of the program: no assertion about anything else is
@@ -335,18 +334,4 @@ impl CaseJudge<'_> {
             RuleDivergence { assertion, difference, traces, state, ..RuleDivergence::default() }
         })
     }
-}
-
-/// Whether all assertions hold and other rules are about what explains the difference.
-fn is_attributed_elsewhere(
-    context: DivergenceContext<'_>,
-    divergence: &RuleDivergence,
-    why: &[AlternativeOption<'_>],
-) -> bool {
-    let is_of_another_rule = |other: &AlternativeOption<'_>| {
-        context.suite.rules.iter().any(|rule| rule.options.contains(&other.choice.id))
-    };
-    divergence.assertion.is_none()
-        && !why.is_empty()
-        && why.iter().all(|other| !context.rule_names(other) && is_of_another_rule(other))
 }

@@ -1,6 +1,7 @@
 //! Verdicts on cases, and the results of a run.
 //!
-//! **Invariant:** only `Pass` and `AttributedElsewhere` say that a controller does what the documents say.
+//! **Invariant:** the assertions of a case decide about its rule. Only `Pass` and `SideDifference` say that they hold,
+//! and only `Pass` says that everything else is as the documents say, too.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -21,11 +22,11 @@ use crate::fingerprint::FingerprintEntry;
 pub enum Verdict {
     /// Everything that could be compared is as the documents say.
     Pass,
-    /// The controller does something else.
+    /// An assertion of the case does not hold: the controller breaks its rule.
     Diverges(RuleDivergence),
-    /// The case's own assertions hold, and a quirk that this rule is not about explains the difference. It is
-    /// attributed to the rules that name the quirk. Everything else is as the documents say.
-    AttributedElsewhere(RuleDivergence),
+    /// The assertions of the case hold, so that its rule is kept; something else in the outcome differs. The difference
+    /// is a finding of its own, attributed to its cause over all cases.
+    SideDifference(RuleDivergence),
     /// It does something else, as listed in the expectations or in an earlier report; the text names which.
     Known(RuleDivergence, String),
     /// It does something else, and a waiver covers it: owner, last day and reason.
@@ -39,12 +40,20 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// The verdict on a divergence: only a failed assertion breaks the rule of the case.
+    pub fn of_divergence(divergence: RuleDivergence) -> Self {
+        match divergence.assertion {
+            Some(_) => Self::Diverges(divergence),
+            None => Self::SideDifference(divergence),
+        }
+    }
+
     /// The verdict in a word or two, as in every report.
     pub fn word(&self) -> &'static str {
         match self {
             Self::Pass => "pass",
             Self::Diverges(_) => "diverges",
-            Self::AttributedElsewhere(_) => "charged elsewhere",
+            Self::SideDifference(_) => "side difference",
             Self::Known(..) => "known",
             Self::Waived(..) => "waived",
             Self::Unsupported(_) => "unsupported",
@@ -57,16 +66,16 @@ impl Verdict {
     pub fn divergence(&self) -> Option<&RuleDivergence> {
         match self {
             Self::Diverges(divergence)
-            | Self::AttributedElsewhere(divergence)
+            | Self::SideDifference(divergence)
             | Self::Known(divergence, _)
             | Self::Waived(divergence, _) => Some(divergence),
             Self::Pass | Self::Unsupported(_) | Self::Inconclusive(_) | Self::NotJudged(_) => None,
         }
     }
 
-    /// The divergence in what the rule is about, accepted or not.
+    /// The divergence from the rule of the case, accepted or not: one of its assertions does not hold.
     pub fn own_divergence(&self) -> Option<&RuleDivergence> {
-        if matches!(self, Self::AttributedElsewhere(_)) { None } else { self.divergence() }
+        self.divergence().filter(|divergence| divergence.assertion.is_some())
     }
 
     /// What accepts the divergence: expectations, baseline or waiver.
@@ -87,7 +96,7 @@ impl Verdict {
             | Self::NotJudged(NotJudgedReason { why, .. }) => Some(why),
             Self::Pass
             | Self::Diverges(_)
-            | Self::AttributedElsewhere(_)
+            | Self::SideDifference(_)
             | Self::Known(..)
             | Self::Waived(..) => None,
         }
@@ -209,6 +218,11 @@ impl Traces {
 }
 
 impl RuleDivergence {
+    /// The smallest program that diverges so.
+    pub fn program<'r>(&'r self, result: &'r CaseResult<'_>) -> &'r str {
+        self.shrunk.as_deref().unwrap_or(result.program)
+    }
+
     /// In one line, as expectations name it.
     pub fn summary(&self) -> String {
         match (&self.assertion, &self.difference) {
