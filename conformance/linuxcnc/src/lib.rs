@@ -9,5 +9,5 @@ mod instrumentation;
 mod rs274;
 mod whole;
 
-pub use rs274::Rs274;
+pub use rs274::{Rs274, in_inches};
 pub use whole::LinuxCnc;

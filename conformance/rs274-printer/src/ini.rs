@@ -27,6 +27,11 @@ impl Ini {
         Self { entries }
     }
 
+    /// Whether there is no entry in a section.
+    pub(super) fn is_empty(&self) -> bool {
+        !self.entries.iter().any(|(section, ..)| !section.is_empty())
+    }
+
     /// The value of an entry.
     pub(super) fn get(&self, section: &str, name: &str) -> Option<&str> {
         let mut found = self.entries.iter().filter(|entry| entry.0 == section && entry.1 == name);

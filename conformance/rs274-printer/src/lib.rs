@@ -39,6 +39,7 @@ mod setting_calls;
 mod source;
 mod text;
 mod threads;
+mod tool_table;
 mod words;
 
 use std::collections::BTreeMap;
@@ -52,10 +53,13 @@ use gaugeblock_filesystem::open_output;
 use gaugeblock_interpreter::{Error, Interpreter, Limits, Progress};
 use gaugeblock_vocabulary::{End, Fault, FaultKind};
 use ini::Ini;
+pub use machine::read_machine;
 use output::Output;
+pub use parameters::read_parameter_file;
 use printer::Printer;
 use refusals::RefusedBlock;
 use source::{Files, Texts};
+pub use tool_table::read_tool_table;
 
 /// How many blocks are executed between checks of their results.
 const BLOCKS: u64 = 1 << 20;
@@ -89,14 +93,15 @@ pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, ErrorMessage> 
     // As with `rs274`, a missing tool table is an empty one, and a missing parameter file is written anew.
     let table = arguments.tools.as_ref().and_then(|path| read_text(path).ok()).unwrap_or_default();
     let stored = arguments.parameters.as_ref().and_then(|path| read_text(path).ok());
-    let stored = parameters::read(stored.as_deref().unwrap_or_default())?;
+    let stored = read_parameter_file(stored.as_deref().unwrap_or_default())
+        .map_err(|error| format!("parameter file: {error}"))?;
     let program = arguments
         .program
         .as_ref()
         .map(|path| std::fs::read(path).map_err(|error| format!("{}: {error}", path.display())));
     let program = program.transpose()?;
 
-    let mut machine = machine::machine(&ini, machine::tools(&table));
+    let mut machine = machine::machine(&ini, tool_table::tools(&table));
     let forgets = machine::forgets_g92(&ini);
     let kept = stored.iter().filter(|(number, _)| !(forgets && machine::is_g92(**number)));
     machine.parameters = kept.map(|(number, value)| (*number, *value)).collect();

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use gaugeblock_vocabulary::scenario::ToolChange;
-use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Options, Tool};
+use gaugeblock_vocabulary::{Axis, LengthUnit, Machine, Options, TextError, Tool};
 
 use super::ini::Ini;
 
@@ -85,41 +85,52 @@ pub(super) fn options(editions: &str) -> Options {
     options
 }
 
-/// Reads a tool table: a tool a line, comments after a semicolon.
-pub(super) fn tools(text: &str) -> Vec<Tool> {
-    text.lines().filter_map(tool).collect()
-}
-
-fn tool(line: &str) -> Option<Tool> {
-    let mut tool = Tool::default();
-    let mut numbered = false;
-    for word in line.split(';').next()?.split_whitespace() {
-        let letter = word.get(..1)?.to_ascii_uppercase();
-        let value: f64 = word.get(1..)?.parse().ok()?;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a saturating cast will do"
-        )]
-        let whole = value as u32;
-        match letter.as_str() {
-            "T" => {
-                tool.number = whole;
-                numbered = true;
-            }
-            "P" => tool.pocket = Some(whole),
-            "D" => tool.diameter = value,
-            "I" => tool.front_angle = value,
-            "J" => tool.back_angle = value,
-            "Q" => tool.orientation = u8::try_from(whole).unwrap_or(0),
-            _ => {
-                let axis =
-                    Axis::ALL.iter().find(|axis| axis.to_string().eq_ignore_ascii_case(&letter))?;
-                *tool.offset.get_mut(*axis) = value;
-            }
-        }
+/// A machine with what LinuxCNC's INI file says of it: unit and axes, spindles, tool changes, and the entries that a
+/// program can read. What it does not say stays as it is in `base`.
+///
+/// # Errors
+/// The text has no entry, or an unknown unit or axis.
+pub fn read_machine(text: &str, base: Machine) -> Result<Machine, TextError> {
+    let ini = Ini::read(text);
+    if ini.is_empty() {
+        return Err(TextError::new("no entry in a section, such as [TRAJ]"));
     }
-    numbered.then_some(tool)
+    let length_unit = match ini.get("TRAJ", "LINEAR_UNITS").map(str::to_ascii_lowercase).as_deref()
+    {
+        None => base.length_unit,
+        Some("mm" | "metric") => LengthUnit::Millimetre,
+        Some("in" | "inch" | "imperial") => LengthUnit::Inch,
+        Some(other) => {
+            let message = format!("[TRAJ]LINEAR_UNITS is `{other}`: expected mm or inch");
+            return Err(TextError::new(message));
+        }
+    };
+    let mut axes = base.axes.clone();
+    if let Some(letters) = ini.get("TRAJ", "COORDINATES") {
+        let letters: Vec<_> = letters.chars().filter(|c| !c.is_whitespace()).collect();
+        let is_of =
+            |axis: &Axis, letter: char| axis.to_string().eq_ignore_ascii_case(&letter.to_string());
+        let unknown =
+            letters.iter().find(|letter| !Axis::ALL.iter().any(|axis| is_of(axis, **letter)));
+        if let Some(unknown) = unknown {
+            let message = format!("[TRAJ]COORDINATES has the unknown axis `{unknown}`");
+            return Err(TextError::new(message));
+        }
+        let named = |axis: &&Axis| letters.iter().any(|letter| is_of(axis, *letter));
+        axes = Axis::ALL.iter().filter(named).copied().collect();
+    }
+    let read = machine(&ini, Vec::new());
+    Ok(Machine {
+        length_unit,
+        axes,
+        spindles: read.spindles,
+        orient_offset: read.orient_offset,
+        tool_change: read.tool_change,
+        random_tool_changer: read.random_tool_changer,
+        fanuc_subs: read.fanuc_subs,
+        ini: read.ini,
+        ..base
+    })
 }
 
 #[cfg(test)]
@@ -127,14 +138,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tool_table_is_read() {
-        let tools = tools("T1 P2 Z0.5 D.125 ; end mill\n\nT20 P1 X-1 I10 J20 Q3\n; T3\n");
-        assert_eq!(tools.len(), 2);
-        assert_eq!((tools[0].number, tools[0].pocket, tools[0].offset.z), (1, Some(2), 0.5));
-        assert_eq!(
-            (tools[1].front_angle, tools[1].back_angle, tools[1].orientation),
-            (10.0, 20.0, 3)
-        );
+    fn machine_is_read_from_an_ini_file() {
+        let text = "[TRAJ]\nLINEAR_UNITS = inch\nCOORDINATES = X Y Y Z\nSPINDLES = 2\n";
+        let machine = read_machine(text, Machine::default()).unwrap();
+        assert_eq!((machine.length_unit, machine.spindles), (LengthUnit::Inch, 2));
+        assert_eq!(machine.axes, [Axis::X, Axis::Y, Axis::Z]);
+        assert_eq!(machine.digital_io, Machine::default().digital_io);
+        for (text, words) in [
+            ("g0 x1\n", "no entry"),
+            ("[TRAJ]\nLINEAR_UNITS = cubit\n", "`cubit`: expected mm or inch"),
+            ("[TRAJ]\nCOORDINATES = XYQ\n", "unknown axis `Q`"),
+        ] {
+            let error = read_machine(text, Machine::default()).unwrap_err();
+            assert!(error.message.contains(words), "{text}: {}", error.message);
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::io;
 use std::path::Path;
 
 use gaugeblock_filesystem::{copy_output, write_output};
+use gaugeblock_vocabulary::TextError;
 
 /// Parameters that are always written: probing, G28, G30, G92, the work coordinate systems.
 const REQUIRED: [(u32, u32); 5] =
@@ -17,15 +18,16 @@ const SYSTEM: u32 = 20;
 ///
 /// # Errors
 /// The numbers do not ascend.
-pub(super) fn read(text: &str) -> Result<BTreeMap<u32, f64>, String> {
-    let pairs = text.lines().filter_map(|line| {
+pub fn read_parameter_file(text: &str) -> Result<BTreeMap<u32, f64>, TextError> {
+    let pairs = text.lines().enumerate().filter_map(|(place, line)| {
         let mut words = line.split_whitespace();
-        Some((words.next()?.parse().ok()?, words.next()?.parse().ok()?))
+        Some((place + 1, words.next()?.parse().ok()?, words.next()?.parse().ok()?))
     });
     let mut parameters = BTreeMap::new();
-    for (number, value) in pairs {
+    for (line, number, value) in pairs {
         if parameters.last_key_value().is_some_and(|(last, _)| *last >= number) {
-            return Err(format!("parameter file: {number} is out of order"));
+            let message = format!("{number} is out of order: numbers must ascend");
+            return Err(TextError { line: Some(line), message });
         }
         parameters.insert(number, value);
     }
@@ -72,8 +74,8 @@ mod tests {
 
     #[test]
     fn parameter_file_keeps_its_entries_and_adds_required_ones() {
-        assert!(read("31 5\n31 5\n").is_err());
-        let before = read("31 5\n5220\t2\nabc\n").unwrap();
+        assert_eq!(read_parameter_file("31 5\n31 5\n").unwrap_err().line, Some(2));
+        let before = read_parameter_file("31 5\n5220\t2\nabc\n").unwrap();
         assert_eq!(before, BTreeMap::from([(31, 5.0), (5220, 2.0)]));
         let text = text(&before, &BTreeMap::from([(31, 6.5), (100, 1.0)]));
         assert!(text.starts_with("31\t6.500000\n5161\t0.000000\n"));

@@ -96,6 +96,23 @@ impl Source {
         parameters
     }
 
+    /// The first block that names one of these parameters, or one whose number is computed, and which.
+    pub(crate) fn names_parameter(
+        &self,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Option<(BlockLocation, String)> {
+        self.all().find_map(|(file, number, line)| {
+            let mut named = Parameters::default();
+            named.scan(&compact(line));
+            let what = match named.numbered.iter().find(|number| wanted(**number)) {
+                Some(wanted) => format!("#{wanted}"),
+                None if named.indirect => "a computed number of a parameter".to_owned(),
+                None => return None,
+            };
+            Some((self.block(file, number), what))
+        })
+    }
+
     /// The parameters that the parameter file must list to be seen at the end: all, where numbers are computed.
     pub(crate) fn listed(&self) -> BTreeSet<u32> {
         let parameters = self.parameters();

@@ -11,7 +11,7 @@ use crate::instrumentation::workspace::{INI, PARAMETERS, TOOLS};
 const OWN_ENVIRONMENT: &str = "stand-alone rs274";
 
 /// Axes that it has, whatever the machine.
-const AXES: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
+pub(super) const AXES: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C];
 
 /// Whether the controller can run a scenario.
 ///
@@ -53,7 +53,7 @@ fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
 
 /// Whether a stored parameter is a length along X, Y, Z, U, V or W: of the points of G28 and G30, the offset of G92,
 /// or a coordinate system.
-fn is_linear(number: u32) -> bool {
+pub(super) fn is_linear(number: u32) -> bool {
     let first = match number {
         5161..=5169 => 5161,
         5181..=5189 => 5181,
