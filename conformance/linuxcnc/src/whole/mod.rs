@@ -33,7 +33,7 @@ use gaugeblock_adapter::{Adapter, ControllerError, HarnessError, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, Samples};
 use gaugeblock_vocabulary::scenario::{Action, Start};
-use gaugeblock_vocabulary::{Effect, Outcome, Pin, Rs274State, Scenario, Settings};
+use gaugeblock_vocabulary::{Effect, LengthUnit, Outcome, Pin, Rs274State, Scenario, Settings};
 use serde_json::Value;
 
 use crate::instrumentation::instrument::{Ends, Plan, is_plain};
@@ -74,6 +74,9 @@ const HIDDEN_EFFECTS: &[&str] = &[
     "probe_log_open",
     "probe_log_close",
 ];
+
+/// A machine in inches prints six decimals of an inch; a metric program has millimetres.
+const RESOLUTION_IN_INCHES: f64 = 1.3e-5;
 
 /// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
 const PIN_PERIOD: f64 = 0.01;
@@ -189,6 +192,9 @@ impl Adapter for LinuxCnc {
         if source.has_g_code(&["g93"]) && source.has_g_code(&["g1", "g2", "g3"]) {
             observables.fields.remove("feed_rate");
             observables.fields_at_effects.remove("feed_rate");
+        }
+        if scenario.machine.length_unit == LengthUnit::Inch {
+            observables.resolution = observables.resolution.max(RESOLUTION_IN_INCHES);
         }
         // The pins of a spindle at its angle say what an abort does with it, its commands do not.
         let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);

@@ -68,6 +68,18 @@ fn outputs_switch_and_inputs_are_read() {
 }
 
 #[test]
+fn resolution_is_that_of_six_decimals_of_an_inch_on_a_machine_in_inches() {
+    let Some(controller) = controller() else { return };
+    let resolution = |unit| {
+        let mut scenario = Scenario::of("g21 g0 x5\nm2\n");
+        scenario.machine.length_unit = unit;
+        controller.observables(&scenario).resolution
+    };
+    assert!(resolution(LengthUnit::Inch) > 1.27e-5);
+    assert!(resolution(LengthUnit::Millimetre) < 1e-5);
+}
+
+#[test]
 fn blocks_before_a_refused_one_are_executed() {
     let Some(outcome) = run(&Scenario::of("g0 x1\nm7\ng1 x2\nm2\n")) else { return };
     assert_eq!(effects(&outcome), [(1, "straight_traverse")]);
