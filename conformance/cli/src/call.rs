@@ -51,7 +51,7 @@ enum Command {
     Run(run::Arguments),
     /// Print a program's canonical calls in the format of LinuxCNC's rs274
     Rs274(rs274::Arguments),
-    /// Find the first difference between two controllers on programs
+    /// List the differences between two controllers on programs
     Compare(compare::Arguments),
     /// Compare two controllers on generated programs; minimise each divergence
     Fuzz(fuzz::Arguments),

@@ -36,7 +36,10 @@ pub(crate) fn check(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError
     let adapter = controller::external_controller(&named, Limits::default())
         .unwrap_or_else(|| controller::exec(&named, Limits::default()))
         .map_err(|error| CliError {
-            hint: error.hint.map(|hint| if error.status == 3 { HINT.to_owned() } else { hint }),
+            hint: error.hint.map(|hint| {
+                let starts = !error.message.contains("cannot be started");
+                if error.status == 3 && starts { HINT.to_owned() } else { hint }
+            }),
             ..error
         })?;
     let begun = gaugeblock_adapter::clock::now();

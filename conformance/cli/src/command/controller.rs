@@ -139,6 +139,14 @@ pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
         ));
     }
     Exec::start(command, limits).map_err(|error| {
+        let error = error.to_string();
+        let by_shell = error.rsplit_once("exec: ").filter(|_| error.contains("exit status 127"));
+        if let Some((_, why)) = by_shell {
+            return CliError::failure(
+                format!("exec:{command}: the command cannot be started: {}", why.trim_end()),
+                "check the path of the command; `gaugeblock adapter new` writes a template of an adapter",
+            );
+        }
         CliError::failure(
             format!("exec:{command}: {error}"),
             "`gaugeblock adapter check` finds errors of an adapter; `gaugeblock adapter protocol` prints the protocol",

@@ -82,6 +82,13 @@ fn read(file: &Path) -> Result<Samples, CliError> {
     })?;
     let samples = match std::str::from_utf8(&bytes) {
         Ok(text) if text.starts_with('#') => Samples::from_csv(text),
+        Ok(text) if !text.is_empty() => {
+            let first: String = text.lines().next().unwrap_or_default().chars().take(40).collect();
+            return Err(CliError::usage(
+                format!("{name}: line 1: not a table of samples: it begins with `{first}`"),
+                "the first line is like `# gaugeblock samples 0 period=0.001 resolution=0`, the second names the columns",
+            ));
+        }
         Ok(_) | Err(_) => Samples::from_bytes(&bytes),
     };
     let samples = samples.map_err(|error| {

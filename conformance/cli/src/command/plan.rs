@@ -18,6 +18,7 @@ use super::controller::linuxcnc;
 use super::pictures::Drawing;
 use super::{run, user_files};
 use crate::error::CliError;
+use crate::program::own_name;
 use crate::program::run_setup::RunSetup;
 use crate::streams::{write_error_in_colours, write_out};
 
@@ -160,7 +161,7 @@ fn start(given: &[f64]) -> Result<Position, CliError> {
 /// What the laws say, with the name of the program file where the vocabulary calls it the main program.
 pub(crate) fn summary_text(summary: &Summary, file: &Path) -> String {
     let main = format!("{}:", Program::MAIN);
-    summary.to_string().replace(&main, &format!("{}:", file.display()))
+    summary.to_string().replace(&main, &format!("{}:", user_files::program_name(file)))
 }
 
 /// Samples, with the planner's speed along the path and the requested feed, if known.
@@ -178,7 +179,7 @@ fn plan_samples(
     let outcome = check_program_end(&Production::default(), scenario, file)?;
     let planned = plan_with(&outcome, limits, circumstances).map_err(|stopped| {
         let place = match &stopped.block {
-            Some(block) => format!("{}:{}", run::location_name(block, file), block.line),
+            Some(block) => format!("{}:{}", own_name::location_name(block, file), block.line),
             None => file.display().to_string(),
         };
         let hint = match stopped.unlimited {

@@ -13,7 +13,11 @@ pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, CliError> {
         message,
         hint: Some("`gaugeblock rs274 --help` lists the options".to_owned()),
     };
-    for (path, role) in [(&arguments.program, "program"), (&arguments.ini, "INI file (-i)")] {
+    for (path, role) in [
+        (&arguments.program, "program"),
+        (&arguments.ini, "INI file (-i)"),
+        (&arguments.tools, "tool table (-t)"),
+    ] {
         if let Some(path) = path {
             user_files::check_exists(path, role)?;
         }

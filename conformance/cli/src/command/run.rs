@@ -12,14 +12,20 @@ use gaugeblock_vocabulary::{BlockLocation, Bound, End, Outcome, Program, Scenari
 use super::controller;
 use crate::arguments::Format;
 use crate::error::CliError;
-use crate::program::run_setup::{RunSetup, TOOLPATH};
-use crate::streams::{write_error_in_colours, write_out};
+use crate::program::own_name;
+use crate::program::remarks::remarks;
+use crate::program::run_setup::RunSetup;
+use crate::program::run_text::run_text;
+use crate::streams::{write_error, write_error_in_colours, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
   gaugeblock run part.ngc --controller rs274
   gaugeblock run part.ngc --controller linuxcnc
-  gaugeblock run part.ngc --scenario mill.toml --format json
+  gaugeblock run part.ngc --tools tool.tbl --parameters mill.var --ini mill.ini
+  gaugeblock run part.ngc --check
+  post part.cl | gaugeblock run - --format json
+  gaugeblock run part.ngc --scenario mill.toml
   gaugeblock run part.ngc --option saved-state.motion-mode=restored
   gaugeblock run part.gpp --edition gpp-classic
   gaugeblock run part.nct
@@ -27,16 +33,17 @@ const EXAMPLES: &str = "Examples:
 A subroutine file (*.ngc) in the folder of the program belongs to it if a call can reach it.
 A file *.gpp is a post-processor program; its toolpath is the file part.toolpath in the same folder.
 A file *.nct holds NCT custom macros.
-The output is an outcome. Its first line names the version of the form; `gaugeblock schema outcome`
-prints the form of --format json, which has the same fields.
+The output is an outcome for people: after each block comes its text. `gaugeblock schema outcome` prints
+the form of --format json, which has the same fields.
 
 Exit status: 0 the program ran, even if it ended with a fault; 2 wrong call or input;
-3 the controller could not run it.";
+3 the controller could not run it. With --check: 1 the program does not reach its end;
+3 the program has something that is not supported or not specified.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The program
+    /// The program; - is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
     #[command(flatten)]
@@ -44,6 +51,9 @@ pub(crate) struct Arguments {
     /// The controller: reference, production, rs274, linuxcnc, exec:COMMAND, tcp:HOST:PORT or offline:DIR
     #[arg(long, short, value_name = "CONTROLLER", default_value = "reference", long_help = controller::NAMES)]
     controller: String,
+    /// End with status 1 if the program does not reach its end, for scripts
+    #[arg(long)]
+    check: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -55,17 +65,24 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
     controller.check_observation();
     controller.supports(&scenario).map_err(|why| {
         CliError::failure(
-            format!("{} cannot run this program: {why}", arguments.controller),
+            format!(
+                "{} cannot run this program: {}",
+                arguments.controller,
+                own_name::in_text(&why, &arguments.file)
+            ),
             "try --controller reference",
         )
     })?;
     let outcome = controller
         .run(&scenario)
         .map_err(|error| CliError::failure(error.to_string(), "try --controller reference"))?;
+    let is_taken = scenario.program.files.contains_key(&own_name::own_name(&arguments.file));
+    let named =
+        if is_taken { outcome.clone() } else { own_name::of_outcome(&outcome, &arguments.file) };
     match arguments.format {
-        Format::Text => write_out(&outcome.to_text()),
+        Format::Text => write_out(&run_text(&outcome, &named, &scenario)),
         Format::Json => {
-            let text = serde_json::to_string_pretty(&outcome).map_err(|error| {
+            let text = serde_json::to_string_pretty(&named).map_err(|error| {
                 CliError::failure(
                     error.to_string(),
                     "this is a bug in gaugeblock; please report it",
@@ -77,7 +94,19 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
     if let Some(pointer) = point_at(&outcome, &scenario, &arguments.file) {
         write_error_in_colours(&pointer);
     }
-    Ok(0)
+    for remark in remarks(&outcome, &scenario, &arguments.file) {
+        write_error(&format!("note: {remark}"));
+    }
+    Ok(if arguments.check { status(&outcome.end) } else { 0 })
+}
+
+/// The exit status of --check. A program that begins again without end is lawful.
+fn status(end: &End) -> u8 {
+    match end {
+        End::ProgramEnd | End::PercentEnd | End::Endless => 0,
+        End::Fault(_) | End::Paused | End::Aborted | End::BudgetExhausted { .. } => 1,
+        End::Unsupported { .. } | End::Unspecified { .. } => 3,
+    }
 }
 
 /// Where a run did not go on, with the line of the program; where the file ends before the program does, its last line.
@@ -98,7 +127,7 @@ pub(crate) fn point_at(outcome: &Outcome, scenario: &Scenario, file: &Path) -> O
     let range = if source.get(range.clone()).is_some() { range } else { whole };
     let snippet = Snippet::source(source)
         .line_start(line)
-        .path(location_name(block, file))
+        .path(own_name::location_name(block, file))
         .annotation(AnnotationKind::Primary.span(range));
     Some(Renderer::styled().render(&[title.element(snippet)]))
 }
@@ -147,13 +176,4 @@ fn budget_used_up(bound: Bound, budget: &Budget) -> String {
     format!(
         "stopped after {reached}: the budget is used up; `budget.{bound}` of --scenario raises it"
     )
-}
-
-/// A block's file, as the caller knows it.
-pub(crate) fn location_name(block: &BlockLocation, file: &Path) -> String {
-    match &*block.file {
-        Program::MAIN => file.display().to_string(),
-        TOOLPATH => file.with_extension(TOOLPATH).display().to_string(),
-        other => escape_line(other),
-    }
 }

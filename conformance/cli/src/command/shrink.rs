@@ -15,6 +15,7 @@ use super::fuzz_report::body;
 use super::{controller, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
+use crate::program::own_name;
 use crate::program::run_setup::RunSetup;
 use crate::streams::write_out;
 
@@ -72,10 +73,11 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
         environment: scenario.environment.name.clone(),
     };
     let mut statistics = Statistics::default();
-    let name = arguments.file.display();
+    let name = user_files::program_name(&arguments.file);
     for side in both_sides {
         side.supports(&scenario).map_err(|why| {
             let side = &side.capabilities().name;
+            let why = own_name::in_text(&why, &arguments.file);
             CliError::failure(
                 format!("{name}: not compared: {side} cannot run this program: {why}"),
                 "choose another controller with --controller or --against",

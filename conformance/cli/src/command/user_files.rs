@@ -1,6 +1,6 @@
 //! Reading programs and writing results: every trouble names its place.
 
-use std::io::ErrorKind;
+use std::io::{ErrorKind, Read as _};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
@@ -8,14 +8,45 @@ use gaugeblock_filesystem::{check_folder, write_output};
 use gaugeblock_vocabulary::TextError;
 
 use crate::error::CliError;
+use crate::streams::write_error;
 
-/// The text of a program.
+/// The name of standard input as a program.
+const STANDARD_INPUT: &str = "-";
+
+/// The text of a program; `-` is standard input. A text that is not UTF-8 is read as Latin-1, with a note.
 pub(crate) fn read_program(path: &Path) -> Result<String, CliError> {
-    read_text(path, "program")
+    let role = "program";
+    let bytes = if is_standard_input(path) {
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().read_to_end(&mut bytes);
+        read.map_err(|error| unreadable(path, role, &error))?;
+        bytes
+    } else {
+        read_bytes(path, role)?
+    };
+    if bytes.contains(&0) || std::str::from_utf8(&bytes).is_ok() {
+        return text_of(path, role, bytes);
+    }
+    write_error(&format!("note: {}: not UTF-8: read as Latin-1", program_name(path)));
+    Ok(bytes.into_iter().map(char::from).collect())
+}
+
+/// Whether a path stands for standard input.
+pub(crate) fn is_standard_input(path: &Path) -> bool {
+    path == Path::new(STANDARD_INPUT)
+}
+
+/// The name of a program in messages.
+pub(crate) fn program_name(path: &Path) -> String {
+    if is_standard_input(path) { "<stdin>".to_owned() } else { path.display().to_string() }
 }
 
 /// The text of a file; `role` says what it is in this call, as in `script (--script)`.
 pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
+    text_of(path, role, read_bytes(path, role)?)
+}
+
+fn read_bytes(path: &Path, role: &str) -> Result<Vec<u8>, CliError> {
     let name = path.display();
     if path.is_dir() {
         return Err(CliError::usage(
@@ -23,7 +54,12 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
             format!("name the {role} itself, not its folder"),
         ));
     }
-    let bytes = std::fs::read(path).map_err(|error| unreadable(path, role, &error))?;
+    std::fs::read(path).map_err(|error| unreadable(path, role, &error))
+}
+
+/// Bytes as text without a NUL, on which controllers need not agree.
+fn text_of(path: &Path, role: &str, bytes: Vec<u8>) -> Result<String, CliError> {
+    let name = program_name(path);
     let binary = || format!("the {role} is plain text; was this a binary file?");
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -60,8 +96,41 @@ pub(crate) fn read_form<T>(
     read: impl FnOnce(&str) -> Result<T, TextError>,
 ) -> Result<T, CliError> {
     read(&read_text(path, role)?).map_err(|error| {
-        CliError::usage(format!("{}: {}", path.display(), error.to_string().trim_end()), hint)
+        let error = in_plain_words(error.to_string().trim_end());
+        CliError::usage(format!("{}: {error}", path.display()), hint)
     })
+}
+
+/// Types of this program's source, as messages about a file name them, and what a file has.
+const TYPES: [(&str, &str); 12] = [
+    ("expected u8", "expected a whole number from 0 to 255"),
+    ("expected u16", "expected a whole number from 0 to 65535"),
+    ("expected u32", "expected a whole number, 0 or more"),
+    ("expected u64", "expected a whole number, 0 or more"),
+    ("expected i32", "expected a whole number"),
+    ("expected f64", "expected a number"),
+    ("expected a sequence", "expected a list"),
+    ("expected a map", "expected a table"),
+    ("expected a boolean", "expected true or false"),
+    ("expected a string", "expected a text"),
+    ("wanted string or table", "expected a word or a table"),
+    ("unknown variant", "unknown word"),
+];
+
+/// A message about a file in the words of the file.
+fn in_plain_words(message: &str) -> String {
+    let mut message = message.to_owned();
+    for (ours, plain) in TYPES {
+        message = message.replace(ours, plain);
+    }
+    for kind in ["expected struct ", "expected enum ", "expected internally tagged enum "] {
+        while let Some((before, after)) = message.split_once(kind) {
+            let rest = after.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
+            let what = if kind.contains("enum") { "a word or a table" } else { "a table" };
+            message = format!("{before}expected {what}{rest}");
+        }
+    }
+    message
 }
 
 /// Refuses to write over a file that is read. Outputs are given by the option that names them.

@@ -113,7 +113,9 @@ fn calls(text: &str) -> Calls {
                         calls.subs.insert(label);
                     }
                 }
-                (None, o_word) => calls.any_number |= o_word.contains("call"),
+                (None, o_word) => {
+                    calls.any_number |= !o_word.starts_with('<') && o_word.contains("call");
+                }
                 (Some(_), _) => {}
             },
             None => m98(code, &mut calls),
@@ -163,7 +165,7 @@ fn m98(code: &str, calls: &mut Calls) {
 }
 
 /// A line without comments and blanks, in lower case.
-fn code(line: &str) -> String {
+pub(crate) fn code(line: &str) -> String {
     let mut code = String::new();
     let mut in_comment = false;
     for c in line.chars() {
@@ -180,7 +182,7 @@ fn code(line: &str) -> String {
 }
 
 /// The text without what is between `<` and `>`.
-fn without_names(code: &str) -> String {
+pub(crate) fn without_names(code: &str) -> String {
     let parts = code.split('<').enumerate();
     let outside = parts.map(|(index, part)| {
         if index == 0 { part } else { part.split_once('>').map_or("", |(_, rest)| rest) }

@@ -10,13 +10,12 @@ use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::called_files;
+use super::machine_files::{MachineFiles, fit_to};
+use super::own_name::TOOLPATH;
 use crate::command::{controller, user_files};
 use crate::documents;
 use crate::error::CliError;
 use crate::streams::write_error;
-
-/// File extension of the toolpath that drives a post-processor program.
-pub(crate) const TOOLPATH: &str = "toolpath";
 
 /// How programs are run.
 #[derive(Debug, Args)]
@@ -31,6 +30,8 @@ pub(crate) struct RunSetup {
     /// TOML file with machine, environment, operator, budget, options and further files (`gaugeblock schema scenario`)
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
+    #[command(flatten)]
+    machine_files: MachineFiles,
     /// Skip blocks that begin with a slash
     #[arg(long)]
     block_delete: bool,
@@ -62,6 +63,7 @@ impl RunSetup {
             }
             None => Scenario::default(),
         };
+        self.machine_files.apply(&mut scenario.machine)?;
         scenario.program = Program {
             main: user_files::read_program(file)?,
             language: edition.language,
@@ -89,14 +91,15 @@ impl RunSetup {
         if scenario.environment == Environment::default() {
             scenario.environment.name.clone_from(&edition.environment);
         }
-        Ok(scenario)
+        fit_to(scenario, file, controllers)
     }
 
     /// The files that a program's scenario was read from.
     pub(crate) fn inputs(&self, file: &Path, scenario: &Scenario) -> Vec<PathBuf> {
         let named = [file.to_path_buf(), file.with_extension(TOOLPATH)];
         let called = called_files::paths(&scenario.program, called_files::folder_of(file));
-        named.into_iter().chain(self.scenario.clone()).chain(called).collect()
+        let machine = self.scenario.clone().into_iter().chain(self.machine_files.paths());
+        named.into_iter().chain(machine).chain(called).collect()
     }
 }
 

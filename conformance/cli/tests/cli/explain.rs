@@ -18,6 +18,18 @@ fn an_id_and_a_code_are_explained() {
     refused(&["explain", "saved-state"], 2, &["is a chapter", "gaugeblock rules saved-state"]);
     refused(&["explain", "G71"], 2, &["not specified yet", "unsupported"]);
     refused(&["explain", "M998"], 2, &["no document", "M998"]);
+    for code in ["M999", "G1000"] {
+        let used =
+            ["no document of any edition describes", code, "hint: programs of the suite use it"];
+        refused(&["explain", code], 2, &used);
+    }
+    let output = gaugeblock(&["explain", "G41"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let what =
+        "not specified yet: a move under cutter compensation; such a program ends as unsupported";
+    assert!(text.contains(what), "{text}");
+    let output = gaugeblock(&["explain", "G1"]);
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("not specified yet"));
 }
 
 #[test]

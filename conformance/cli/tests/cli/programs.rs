@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use gaugeblock_adapter::templates::PYTHON;
 use gaugeblock_linuxcnc::Rs274;
@@ -93,6 +93,242 @@ fn controller_has_its_own_edition_by_default() {
     let here = folder("own-edition");
     write(&here, "part.ngc", "g21 g90\nt1 m6\ng0 x1\nm2\n");
     let call = "compare part.ngc --controller rs274";
-    says(&here, call, 0, &["part.ngc: no difference"]);
-    says(&here, &format!("{call} --edition linuxcnc-2.8"), 1, &["prepare_tool"]);
+    says(&here, call, 0, &["part.ngc:2: both refuse: T1, and the tool table holds no such tool"]);
+    let choice =
+        ["no difference that a quirk or a choice does not explain", "tool.empty-slot = refused"];
+    says(&here, &format!("{call} --edition linuxcnc-2.8"), 0, &choice);
+}
+
+#[test]
+fn machine_is_read_from_the_files_of_linuxcnc() {
+    let here = folder("machine");
+    write(&here, "part.ngc", "g21 g90\nt1 m6\ng43 h1\ng0 x1\nm2\n");
+    write(&here, "tool.tbl", "; a comment\nT1 P1 Z25.4 D6 ; end mill\n");
+    write(&here, "mill.var", "5221\t12.5\n");
+    write(&here, "mill.ini", "[TRAJ]\nLINEAR_UNITS = mm\nCOORDINATES = X Y Z\n");
+    let call = "run part.ngc --edition linuxcnc-2.9";
+    says(&here, call, 0, &["end fault kind=tool_not_found"]);
+    let text = says(&here, &format!("{call} -t tool.tbl"), 0, &["end program_end"]);
+    assert!(text.contains("tool_offset=(x0 y0 z25.4 a0 b0 c0)"), "{text}");
+    let files = "--tools tool.tbl --parameters mill.var --ini mill.ini";
+    let text = says(&here, &format!("{call} {files}"), 0, &["end program_end"]);
+    for part in ["g5x_offset=(x12.5 y0 z0)", "tool_offset=(x0 y0 z25.4)", "end=(x1 y0 z-25.4)"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+}
+
+#[test]
+fn faulty_machine_file_is_refused_with_its_place() {
+    let here = folder("faulty-machine");
+    write(&here, "part.ngc", "m2\n");
+    write(&here, "tool.tbl", "T1 P1\nT2 P2 K5\n");
+    write(&here, "mill.var", "5221 1\n31 4\n");
+    write(&here, "mill.ini", "[TRAJ]\nLINEAR_UNITS = cubit\n");
+    for (option, parts) in [
+        ("--tools tool.tbl", ["tool.tbl: line 2: `K5`", "hint: for example `T1"]),
+        ("--parameters mill.var", ["mill.var: line 2: 31 is out of order", "hint:"]),
+        ("--ini mill.ini", ["mill.ini: [TRAJ]LINEAR_UNITS is `cubit`", "hint:"]),
+    ] {
+        for command in ["run", "compare", "shrink"] {
+            says(&here, &format!("{command} part.ngc {option}"), 2, &parts);
+        }
+    }
+}
+
+#[test]
+fn metric_tool_table_is_converted_for_rs274() {
+    if !has_rs274("a metric tool table on rs274") {
+        return;
+    }
+    let here = folder("metric-tools");
+    write(&here, "part.ngc", "g21 g90\nt1 m6\ng43 h1\ng0 x1 z5\nm2\n");
+    write(&here, "reads.ngc", "t1 m6\ng0 x#5403\nm2\n");
+    write(&here, "tool.tbl", "T1 P1 Z25.4 D6 ; end mill\n");
+    write(&here, "mill.ini", "[TRAJ]\nCOORDINATES = XYZ\n");
+    let with = "--controller rs274 --tools tool.tbl --ini mill.ini";
+    let parts = ["part.ngc: no difference", "note: rs274 stores inches"];
+    says(&here, &format!("compare part.ngc {with}"), 0, &parts);
+    let parts = ["cannot be converted to inches", "#5403 at reads.ngc:2", "hint:"];
+    says(&here, &format!("compare reads.ngc {with}"), 3, &parts);
+}
+
+#[test]
+fn text_that_is_not_utf8_is_read_as_latin1_with_a_note() {
+    let here = folder("latin1");
+    write(&here, "part.ngc", b"g0 x1\n(caf\xe9)\nm2\n");
+    let parts = ["note: part.ngc: not UTF-8: read as Latin-1", "end program_end"];
+    says(&here, "run part.ngc", 0, &parts);
+    says(&here, "compare part.ngc", 0, &["part.ngc: no difference", parts[0]]);
+}
+
+#[test]
+fn hyphen_is_standard_input() {
+    let here = folder("stdin");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaugeblock"));
+    command.args(["run", "-"]).current_dir(&here).env("NO_COLOR", "1");
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the command runs");
+    let mut input = child.stdin.take().expect("its input");
+    input.write_all(b"g0 x1\nm72\nm2\n").expect("written");
+    drop(input);
+    let output = child.wait_with_output().expect("an end");
+    let text = [output.stdout, output.stderr].concat();
+    let text = String::from_utf8_lossy(&text);
+    assert!(text.contains("block <stdin>:1  # g0 x1"), "{text}");
+    assert!(text.contains("--> <stdin>:2"), "{text}");
+    says(&here, "compare - -", 2, &["named twice", "hint:"]);
+}
+
+#[test]
+fn run_prints_names_blocks_and_axes() {
+    let here = folder("run");
+    write(&here, "part.ngc", "g21 (metric)\no<hole> call\nm72\nm2\n");
+    write(&here, "hole.ngc", "o<hole> sub\ng0 y40 z-1\no<hole> endsub\n");
+    let text = says(&here, "run part.ngc", 0, &["-->"]);
+    for part in [
+        "block part.ngc:1  # g21 (metric)\n",
+        "block hole.ngc:2  # g0 y40 z-1\n  do straight_traverse end=(x0 y40 z-1 a0 b0 c0)",
+        "end fault kind=nothing_saved file=\"part.ngc\" line=3",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!text.contains("main.ngc"), "{text}");
+}
+
+#[test]
+fn check_ends_with_a_status_for_scripts() {
+    let here = folder("check");
+    for (name, program, status, parts) in [
+        ("whole", "g0 x1\nm2\n", 0, ["end program_end", ""]),
+        ("endless", "g0 x1\nm99\n", 0, ["end endless", ""]),
+        ("refused", "m72\nm2\n", 1, ["--> refused.ngc:1", "error: "]),
+        ("open", "g0 x1\n", 1, ["--> open.ngc:1", "the file ends without M2 or M30"]),
+        ("pauses", "g0 x1\nm60\nm2\n", 1, ["note: pauses.ngc:2: the program pauses", "hint: add"]),
+        ("compensated", "g41\ng1 f1 x1\nm2\n", 3, ["--> compensated.ngc:2", "not supported"]),
+    ] {
+        write(&here, &format!("{name}.ngc"), program);
+        says(&here, &format!("run {name}.ngc --check"), status, &parts);
+        says(&here, &format!("run {name}.ngc"), 0, &parts);
+    }
+}
+
+#[test]
+fn hint_of_a_pause_lets_the_program_go_on() {
+    let here = folder("pause");
+    write(&here, "part.ngc", "g0 x1\nm60\ng0 x2\nm2\n");
+    let text = says(&here, "run part.ngc", 0, &["end paused"]);
+    let line = text.lines().find_map(|line| line.split_once("--scenario: ")).expect("a hint").1;
+    write(&here, "operator.toml", line);
+    says(&here, "run part.ngc --check --scenario operator.toml", 0, &["end program_end"]);
+}
+
+#[test]
+fn tool_that_the_table_does_not_have_is_remarked() {
+    let here = folder("unknown-tool");
+    write(&here, "part.ngc", "t99 m6\nm2\n");
+    write(&here, "tool.tbl", "T99 P1 Z5\n");
+    let remark = "note: part.ngc:1: tool 99 is not in the tool table";
+    says(&here, "run part.ngc", 0, &[remark, "hint: --tools FILE"]);
+    let text = says(&here, "run part.ngc --tools tool.tbl", 0, &[]);
+    assert!(!text.contains("note:"), "{text}");
+}
+
+#[test]
+fn types_of_the_source_are_in_no_message_about_a_file() {
+    let here = folder("types");
+    write(&here, "part.ngc", "m2\n");
+    for (scenario, part) in [
+        ("machine = 3\n", "expected a table"),
+        ("[machine]\nspindles = \"a\"\n", "expected a whole number from 0 to 255"),
+        ("[machine]\ntools = 3\n", "expected a list"),
+        ("operator = [{ when = 3, action = \"resume\" }]\n", "expected a table"),
+    ] {
+        write(&here, "scenario.toml", scenario);
+        let parts = ["scenario.toml: line", part, "hint:"];
+        let text = says(&here, "run part.ngc --scenario scenario.toml", 2, &parts);
+        for ours in ["struct", "u8", "sequence"] {
+            assert!(!text.contains(ours), "{text}");
+        }
+    }
+}
+
+#[test]
+fn file_that_holds_no_samples_is_refused_with_its_beginning() {
+    let here = folder("no-samples");
+    write(&here, "part.ngc", "g21 g90\nm2\n");
+    write(&here, "mill.toml", "period = 0.001\n[axes]\nx = { velocity = 1, acceleration = 1 }\n");
+    let call = "motion check part.ngc --program part.ngc --machine mill.toml";
+    let parts = ["part.ngc: line 1: not a table of samples", "`g21 g90`", "gaugeblock samples 0"];
+    says(&here, call, 2, &parts);
+}
+
+#[test]
+fn compare_lists_each_difference_at_its_block() {
+    let here = folder("differences");
+    write(&here, "wrong.py", PYTHON.replace("{letter: number for", "{letter: number + 1 for"));
+    write(&here, "part.ngc", "g21 f600\ng1 x1\ng1 x2\nm2\n");
+    let call = "compare part.ngc --controller exec:python3~wrong.py";
+    let text = says(&here, call, 1, &["part.ngc: 4 differences\n"]);
+    for part in [
+        "part.ngc:2: effect\n      | g1 x1\n",
+        "part.ngc:2: position\n",
+        "part.ngc:3: effect\n      | g1 x2\n",
+        "  reference              straight_feed end=(x2)\n",
+        "  exec:python3 wrong.py  straight_feed end=(x3)\n",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let output = gaugeblock(&here, &format!("{call} --format json"));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let file = &document["files"][0];
+    assert_eq!(file["differences"].as_array().map(Vec::len), Some(4));
+    assert_eq!((&file["block"]["file"], &file["block"]["line"]), (&"part.ngc".into(), &2.into()));
+}
+
+#[test]
+fn two_refusals_of_a_block_are_no_difference_and_have_the_reason() {
+    let here = folder("both-refuse");
+    write(&here, "part.ngc", "g21\nm72\nm2\n");
+    let parts = ["part.ngc:2: both refuse: nothing is saved at this call level"];
+    says(&here, "compare part.ngc", 0, &parts);
+}
+
+#[test]
+fn known_quirks_are_named_and_passed_over() {
+    if !has_rs274("quirks of rs274 in a comparison") {
+        return;
+    }
+    let here = folder("quirks");
+    write(&here, "part.ngc", "g21 g90 g17 g94 g98 f100\ng81 x1 y1 z-1 r1\ng80\nm2\n");
+    let text = says(
+        &here,
+        "compare part.ngc --controller rs274",
+        0,
+        &[
+            "part.ngc: no difference that a quirk or a choice does not explain",
+            "quirk rs274.cycle-exact-path, first at part.ngc:2\n    A canned cycle is executed in exact path mode.",
+            "quirk rs274.feed-zero-at-end, first at part.ngc:4",
+        ],
+    );
+    assert!(!text.contains("reference "), "{text}");
+    let output = gaugeblock(&here, "compare part.ngc --controller rs274 --format json");
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let file = &document["files"][0];
+    assert_eq!(file["equal"], false);
+    assert_eq!(file["explained_by"][0]["id"], "rs274.cycle-exact-path");
+}
+
+#[test]
+fn block_that_one_side_refuses_is_the_difference() {
+    if !has_rs274("a block that only the reference refuses") {
+        return;
+    }
+    let here = folder("one-refuses");
+    write(&here, "part.ngc", "s100 $0\ns200 $1\nm3 $-1\nm5\nm2\n");
+    write(&here, "mill.toml", "[machine]\nspindles = 2\n");
+    let call = "compare part.ngc --scenario mill.toml --controller rs274 --edition linuxcnc-2.8";
+    says(&here, call, 0, &["choice spindle.minus-one = all, first at part.ngc:3"]);
+    let of_production = format!("{call} --against production");
+    let text = says(&here, &of_production, 1, &["part.ngc:3: end\n      | m3 $-1\n"]);
+    assert!(text.contains("production  refuses this block"), "{text}");
 }

@@ -147,11 +147,15 @@ impl<'a> Explanation<'a> {
         self.documented.is_empty() && !self.choices.iter().any(|choice| choice.is_documented)
     }
 
+    /// The first rules, choices and quirks whose programs have the code.
+    pub(super) fn users(&self) -> String {
+        let choices = self.choices.iter().map(|choice| choice.id);
+        let users: Vec<_> = self.used.iter().copied().chain(choices).take(3).collect();
+        users.join(", ")
+    }
+
     pub(super) fn text(&self, code: &Code) -> String {
         let mut text = format!("{code}\n");
-        if self.is_undocumented() {
-            text.push_str("\nno section of a document that the suite cites is about this code\n");
-        }
         if !self.documented.is_empty() {
             text.push_str("\nrules from the sections of this code:\n");
         }

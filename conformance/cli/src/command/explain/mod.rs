@@ -85,16 +85,34 @@ fn explain_code(code: &Code, suite: &Suite) -> Result<(String, Value), CliError>
             "`gaugeblock rules` lists all rules",
         ));
     }
-    Ok((about.text(code), about.document(code)))
+    if about.is_undocumented() {
+        return Err(CliError::usage(
+            format!("no document of any edition describes {code}"),
+            format!(
+                "programs of the suite use it where they are about something else: {}",
+                about.users()
+            ),
+        ));
+    }
+    let mut text = about.text(code);
+    if let Some(what) = unsupported(code) {
+        let _infallible =
+            writeln!(text, "\nnot specified yet: {what}; such a program ends as unsupported");
+    }
+    Ok((text, about.document(code)))
 }
 
 /// What the specification leaves to later of a code that it knows.
 fn unsupported(code: &Code) -> Option<String> {
-    let main = format!("{code}\nm2\n");
-    let program = Program { main, ..Program::default() };
-    let end = gaugeblock_reference::run(&Scenario { program, ..Scenario::default() }).0.end;
-    let End::Unsupported { what, .. } = end else { return None };
-    Some(what.split_once(": ").map_or(what.as_str(), |(_, what)| what).to_owned())
+    // Some codes are accepted, and what follows them is not; some require a word.
+    let programs = ["CODE\nm2\n", "CODE\ng1 f1 x1\nm2\n", "CODE d1\ng1 f1 x1\nm2\n"];
+    programs.iter().find_map(|program| {
+        let main = program.replace("CODE", &code.to_string());
+        let program = Program { main, ..Program::default() };
+        let end = gaugeblock_reference::run(&Scenario { program, ..Scenario::default() }).0.end;
+        let End::Unsupported { what, .. } = end else { return None };
+        Some(what.split_once(": ").map_or(what.as_str(), |(_, what)| what).to_owned())
+    })
 }
 
 /// An error that lists the ids that are nearest to an unknown one.
