@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_adapter::Adapter;
+use gaugeblock_compare::compare;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_suite::{Choice, Edition, Suite, options_of};
 use gaugeblock_vocabulary::scenario::Environment;
-use gaugeblock_vocabulary::{End, Options};
+use gaugeblock_vocabulary::{End, Options, Scenario};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -90,8 +91,9 @@ pub fn fingerprint_entries(
 
 /// The options of open choices that a controller shows, where they are not those of the comparison and not `declared`.
 ///
-/// No document decides an open choice, so that its option is never charged: the comparison uses what is shown here.
-/// Nothing is asked of a controller whose behaviour an edition describes.
+/// No document decides an open choice, so that its option is never charged: the comparison uses what is shown here. An
+/// option counts only if the whole outcome of its program is that of the model: another difference, such as a refusal for
+/// another reason, could look like the option. A controller whose behaviour an edition describes has no such options.
 pub fn shown_open_options(
     suite: &Suite,
     edition: &Edition,
@@ -114,11 +116,41 @@ pub fn shown_open_options(
         let observed = observe_choice(choice, options, environment, controller, true);
         if let ObservedOption::Option(option) = observed
             && !options.is(&choice.id, &option)
+            && does_as_the_model(choice, &option, options, environment, controller)
         {
             shown.0.insert(choice.id.clone(), option);
         }
     }
     shown
+}
+
+/// Whether the whole outcome of a choice's program is that of the model under an option.
+fn does_as_the_model(
+    choice: &Choice,
+    option: &str,
+    options: &Options,
+    environment: Option<&str>,
+    controller: &dyn Adapter,
+) -> bool {
+    let mut options = options.clone();
+    options.0.insert(choice.id.clone(), option.to_owned());
+    let scenario = scenario_of_choice(choice, &options, environment);
+    let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
+    let found = controller.run_fresh(&scenario).unwrap_or_else(|| controller.run(&scenario));
+    found.is_ok_and(|found| {
+        let observables = controller.observables(&scenario);
+        compare(&expected, &Observed::of(&found), &observables).divergence.is_none()
+    })
+}
+
+/// The program of a choice, with its machine and environment.
+fn scenario_of_choice(choice: &Choice, options: &Options, environment: Option<&str>) -> Scenario {
+    let mut scenario = choice.setup.scenario(&choice.program, options);
+    scenario.program.language = choice.language;
+    if scenario.environment == Environment::default() {
+        scenario.environment.name = environment.map(str::to_owned);
+    }
+    scenario
 }
 
 /// The observed option of every choice, in order.
@@ -174,11 +206,7 @@ pub fn observe_choice(
     controller: &dyn Adapter,
     anew: bool,
 ) -> ObservedOption {
-    let mut scenario = choice.setup.scenario(&choice.program, options);
-    scenario.program.language = choice.language;
-    if scenario.environment == Environment::default() {
-        scenario.environment.name = environment.map(str::to_owned);
-    }
+    let scenario = scenario_of_choice(choice, options, environment);
     if let Err(why) = controller.supports(&scenario) {
         return ObservedOption::NotRun(why);
     }

@@ -23,6 +23,8 @@ struct Caught<'a> {
     fault: PlantedFault,
     /// How many cases differ.
     cases: usize,
+    /// The cases of which an assertion fails.
+    failing_cases: Vec<String>,
     /// The rules of which an assertion fails.
     rules: BTreeSet<&'a str>,
     /// The rule of each finding, the worst first.
@@ -52,7 +54,11 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
             let charged: Vec<_> = findings.iter().filter_map(|finding| finding.rule).collect();
             let charged = charged.into_iter().map(|rule| rule.id.as_str()).collect();
             bar.inc(1);
-            Some(Caught { fault: *fault, cases: failing.len(), rules, charged })
+            let failing_cases =
+                failing.iter().filter(|case| case.verdict.own_divergence().is_some());
+            let failing_cases =
+                failing_cases.map(|case| format!("{} / {}", case.rule.id, case.name)).collect();
+            Some(Caught { failing_cases, fault: *fault, cases: failing.len(), rules, charged })
         })
         .collect();
     bar.finish_and_clear();
@@ -71,6 +77,7 @@ fn document(caught: &[Caught<'_>]) -> serde_json::Value {
             json!({
                 "fault": caught.fault.name(), "about": caught.fault.about(), "cases": caught.cases,
                 "rules": caught.rules, "charged": caught.charged,
+                "failing": caught.failing_cases,
             })
         })
         .collect();
@@ -79,7 +86,7 @@ fn document(caught: &[Caught<'_>]) -> serde_json::Value {
 
 fn text(caught: &[Caught<'_>], missed: usize) -> String {
     let mut text = String::new();
-    for Caught { fault, cases, rules, charged: _ } in caught {
+    for Caught { fault, cases, rules, charged: _, failing_cases: _ } in caught {
         let by = match (cases, rules.first()) {
             (0, _) | (_, None) => "NOT CAUGHT".to_owned(),
             (cases, Some(rule)) if rules.len() == 1 => format!("{cases:>4} cases, only {rule}"),

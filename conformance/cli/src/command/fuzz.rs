@@ -143,13 +143,9 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         seed: arguments.seed,
         spliced: 0,
         seeds: Seeds { all: seeds(suite, edition, &options), ..Seeds::default() },
-        random: if random {
-            let mut choices = of_language(suite, edition);
-            choices.retain(|choice| declared.get(&choice.id).is_none());
-            Random::all(choices, &options)
-        } else {
-            Vec::new()
-        },
+        random: random
+            .then(|| undeclared(suite, edition, &declared))
+            .map_or_else(Vec::new, |all| Random::all(all, &options)),
         options,
         environment: edition.environment.clone(),
     };
@@ -342,9 +338,13 @@ fn options(
     }
 }
 
-/// The choices in an edition's language.
-fn of_language<'a>(suite: &'a Suite, edition: &Edition) -> Vec<&'a Choice> {
-    suite.choices.iter().filter(|choice| choice.language == edition.language).collect()
+/// The choices in an edition's language of which the controller declares no option.
+fn undeclared<'a>(suite: &'a Suite, edition: &Edition, declared: &Options) -> Vec<&'a Choice> {
+    let open = suite
+        .choices
+        .iter()
+        .filter(|choice| choice.language == edition.language && declared.get(&choice.id).is_none());
+    open.collect()
 }
 
 /// Options without those that hold where nothing is listed.
