@@ -16,6 +16,7 @@ pub mod findings;
 pub mod fingerprint;
 pub mod fuzz;
 pub mod journal;
+pub mod language;
 mod model_run;
 pub mod motion_programs;
 mod orphans;

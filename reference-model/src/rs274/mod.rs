@@ -14,6 +14,7 @@
 //! | [`control`] | O-words, calls, M98 and M99: which block comes next |
 //! | [`environment`] | the clock, the pins, how the environment answers |
 //! | [`task`] | the run: modes of the controller, operator, start, blocks, budget, record, end |
+//! | `needs` | what a program needs of the language, for controllers that have a part of it |
 //! | [`dialect`] | the rules that a controller may follow otherwise |
 
 pub mod check;
@@ -23,6 +24,7 @@ pub mod environment;
 pub mod evaluate;
 pub mod execute;
 pub mod modes;
+mod needs;
 pub mod order;
 pub mod parameters;
 pub mod refusal;
@@ -35,6 +37,7 @@ use gaugeblock_vocabulary::{Outcome, Scenario};
 
 use crate::RuleCoverage;
 
+pub use needs::{CodeUse, LanguageNeeds, language_needs};
 pub use task::RunCache;
 
 /// Runs a scenario as the documents say.

@@ -26,13 +26,18 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-use crate::protocol::{Declaration, Extension, needed};
+use crate::protocol::{Declaration, DeclaredLanguage, Extension, needed};
 use crate::{Adapter, ControllerError, Expected, HarnessError, MotionRequest, NoSamples};
 use connection::Endpoint;
 pub use limits::Limits;
 use observables_cache::ObservablesCache;
 use run::Stopped;
 use session::Session;
+
+/// Checks that a program is in a declared language: the referee has a parser, adapters have none.
+///
+/// The error says what the program needs in addition.
+pub type LanguageCheck = fn(&DeclaredLanguage, &Scenario) -> Result<(), String>;
 
 /// A controller that speaks the protocol.
 #[derive(Debug)]
@@ -43,6 +48,8 @@ pub struct Exec {
     assumed_options: Options,
     declaration: Declaration,
     capabilities: Capabilities,
+    /// How programs are checked against the declared language.
+    language_check: Option<LanguageCheck>,
     /// Sessions without a run, or with a prefetched one.
     idle_sessions: Mutex<Vec<Session>>,
     /// The observables of the scenario that each thread ran last, if the adapter declares `shows`.
@@ -86,6 +93,7 @@ impl Exec {
             assumed_options: assumed,
             declaration,
             capabilities,
+            language_check: None,
             idle_sessions: idle,
             observables_cache: shown,
             lost_sessions: spoilt,
@@ -97,6 +105,12 @@ impl Exec {
     pub fn assume_options(self, assumed: Options) -> Self {
         self.sessions().iter_mut().for_each(|session| session.assume_options(&assumed));
         Self { assumed_options: assumed, ..self }
+    }
+
+    /// Leaves out programs that are not in the declared language.
+    #[must_use]
+    pub fn check_language_by(self, check: LanguageCheck) -> Self {
+        Self { language_check: Some(check), ..self }
     }
 
     /// Its declaration.
@@ -217,9 +231,15 @@ impl Adapter for Exec {
         if !units.contains(&unit) {
             return Err(format!("its machine has no unit {unit}"));
         }
-        match needed(scenario).into_iter().find(|feature| !features.contains(*feature)) {
-            Some(feature) => Err(format!("it declares no feature `{feature}`")),
-            None => Ok(()),
+        if let Some(feature) =
+            needed(scenario).into_iter().find(|feature| !features.contains(*feature))
+        {
+            return Err(format!("it declares no feature `{feature}`"));
+        }
+        match (&self.declaration.language, self.language_check) {
+            (None, _) => Ok(()),
+            (Some(declared), Some(check)) => check(declared, scenario),
+            (Some(_), None) => Err("it declares a language, which is not checked here".to_owned()),
         }
     }
 

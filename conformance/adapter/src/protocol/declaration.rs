@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::suggestion::suggest;
-use super::{EXTENSIONS, Extension, FEATURES};
+use super::{DeclaredLanguage, EXTENSIONS, Extension, FEATURES};
 
 /// The version that is frozen: what stands in it stays, and what comes is optional.
 pub const VERSION: u32 = 1;
@@ -49,6 +49,9 @@ pub struct Declaration {
     /// report names them.
     #[serde(default)]
     pub options: Options,
+    /// Optional: the part of RS-274 that it has; a program that needs more is not run. All of it where nothing is said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub language: Option<DeclaredLanguage>,
     /// Optional: how many sessions may run at once; as many as there are processors where nothing is said, 1 for a
     /// single machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -130,6 +133,7 @@ impl Declaration {
             edition: None,
             observed: None,
             options: Options::default(),
+            language: None,
             sessions: None,
             offers: BTreeSet::new(),
         }
@@ -157,6 +161,7 @@ impl Declaration {
         }
         let features = FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect();
         words("features", &self.features, &features)?;
+        self.language.as_ref().map_or(Ok(()), DeclaredLanguage::check)?;
         let pin_period = match self.clock {
             Clock::Virtual => 0.0,
             Clock::Wall(resolution) => resolution,

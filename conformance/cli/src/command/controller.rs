@@ -7,6 +7,7 @@ use gaugeblock_adapter::{Adapter, ControllerError};
 use gaugeblock_controllers::{Production, Reference, Restricted};
 use gaugeblock_linuxcnc::{LinuxCnc, Rs274};
 use gaugeblock_offline::Offline;
+use gaugeblock_runner::language::check_program;
 use gaugeblock_suite::{Edition, Suite};
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
@@ -138,7 +139,8 @@ pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
             "for example exec:./my-adapter or \"exec:python3 adapter.py\"",
         ));
     }
-    Exec::start(command, limits).map_err(|error| {
+    let started = Exec::start(command, limits).map(|exec| exec.check_language_by(check_program));
+    started.map_err(|error| {
         let error = error.to_string();
         let by_shell = error.rsplit_once("exec: ").filter(|_| error.contains("exit status 127"));
         if let Some((_, why)) = by_shell {
@@ -163,7 +165,9 @@ fn tcp(address: &str, limits: Limits) -> Result<Exec, CliError> {
             "for example tcp:127.0.0.1:4100",
         ));
     }
-    Exec::connect(address, limits).map_err(|error| {
+    let connected =
+        Exec::connect(address, limits).map(|exec| exec.check_language_by(check_program));
+    connected.map_err(|error| {
         CliError::failure(
             format!("tcp:{address}: {error}"),
             "start the adapter first, for example: gaugeblock serve --controller production --tcp HOST:PORT",

@@ -8,6 +8,7 @@ mod explain;
 mod extensions;
 mod fuzz;
 mod known_issues;
+mod language;
 mod linuxcnc;
 mod motion;
 mod not_a_report;

@@ -160,7 +160,7 @@ pub(crate) trait TaskRules {
 }
 
 /// The state before the first block.
-fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> State {
+pub(super) fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rounding) -> State {
     let machine = scenario.machine.clone();
     let mut modes = Modes { rounding, ..Modes::new(&machine, &choices) };
     if scenario.program.start == Start::Mdi {

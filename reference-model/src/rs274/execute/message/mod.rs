@@ -51,6 +51,11 @@ pub(crate) trait MessageRules {
     }
 }
 
+/// Whether a comment does something.
+pub(crate) fn is_active(comment: &str, choices: &Choices) -> bool {
+    active(comment, choices).is_some()
+}
+
 /// Says what an active comment says, before anything of its block is done.
 ///
 /// Rule active-comments.plain. A comment that is none of the active ones does nothing.
