@@ -1,6 +1,7 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
 mod accepted;
+mod metric;
 mod motion_case;
 mod plan;
 mod repeat;

@@ -4,6 +4,7 @@ use gaugeblock_suite::{Case, MotionCase, Rule, scenario_of};
 use gaugeblock_vocabulary::Scenario;
 
 use super::CaseRunner;
+use super::metric::on_metric_machine;
 use super::select::Subject;
 use super::verdict::{CaseResult, Cause, NotJudgedReason, Verdict};
 
@@ -31,9 +32,13 @@ impl CaseRunner<'_> {
             let why = NotJudgedReason::new(Cause::NotRun, why);
             return ScheduledCase::NotRun(case, Box::new(Verdict::NotJudged(why)));
         }
-        match controller.supports(&scenario) {
-            Ok(()) => ScheduledCase::Run(case, Box::new(scenario)),
-            Err(reason) => ScheduledCase::NotRun(case, Box::new(Verdict::Unsupported(reason))),
+        let Err(reason) = controller.supports(&scenario) else {
+            return ScheduledCase::Run(case, Box::new(scenario));
+        };
+        let metric = on_metric_machine(case, &scenario, &plan.edition.id);
+        match metric.filter(|metric| controller.supports(metric).is_ok()) {
+            Some(metric) => ScheduledCase::Run(case, Box::new(metric)),
+            None => ScheduledCase::NotRun(case, Box::new(Verdict::Unsupported(reason))),
         }
     }
 

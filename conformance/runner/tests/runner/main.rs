@@ -1,6 +1,7 @@
 //! The suite on the model and on production, and generated programs.
 
 mod fuzz;
+mod machine_units;
 mod production;
 mod suite;
 mod twins;
