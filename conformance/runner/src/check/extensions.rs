@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, RunPoint};
 use gaugeblock_vocabulary::{BlockLocation, Language, Outcome, Program, Scenario};
 
-use super::result::{CHANGES, Check, CheckResult, compare_outcomes};
+use super::result::{Check, CheckResult, changing, compare_outcomes};
 
 /// A machine for a short motion.
 const MACHINE: &str = "period = 0.001\n[axes.x]\nvelocity = 50.0\nacceleration = 500.0\n[axes.y]\nvelocity = 50.0\nacceleration = 500.0\n[axes.z]\nvelocity = 50.0\nacceleration = 500.0\n";
@@ -91,16 +91,7 @@ fn digest_matches(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckRes
 
 fn fresh(adapter: &Exec, plain: &Scenario, first: &Outcome) -> CheckResult {
     let leaks = "after another run, without a `reset`, there is another outcome";
-    compare_outcomes(first, &adapter.run_after(&changing(plain), plain), leaks)
-}
-
-/// A program that changes modes and parameters.
-fn changing(plain: &Scenario) -> Scenario {
-    let mut changes = plain.clone();
-    if plain.program.language == Language::Rs274 {
-        changes.program.main = CHANGES.into();
-    }
-    changes
+    compare_outcomes(first, &adapter.run_after(&changing(adapter, plain), plain), leaks)
 }
 
 fn live_operator(adapter: &Exec, plain: &Scenario) -> CheckResult {
@@ -155,7 +146,7 @@ fn is_within(observables: &Capabilities, own: &Capabilities) -> bool {
 }
 
 fn state(adapter: &Exec, plain: &Scenario) -> CheckResult {
-    match adapter.reset_after(&changing(plain)) {
+    match adapter.reset_after(&changing(adapter, plain)) {
         Ok(()) => CheckResult::Passed("is the same after `reset` as at first".to_owned()),
         Err(error) => failed(&error),
     }

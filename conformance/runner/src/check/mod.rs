@@ -9,12 +9,15 @@ use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{End, Language, Outcome, Scenario};
 
-use result::{CHANGES, compare_outcomes};
 pub use result::{Check, CheckResult};
+use result::{changing, compare_outcomes};
 
-/// A program that every control accepts, by language, and the same with one word that no control accepts.
+/// Programs that controls accept, by language, and the same with one word that no control accepts. The first one that
+/// a controller declares to have counts.
 const PROGRAMS: &[(Language, &str, &str)] = &[
     (Language::Rs274, "g21\ng0 x1\nm2\n", "g21\ng999 x1\nm2\n"),
+    (Language::Rs274, "g0 x1\nm2\n", "g999 x1\nm2\n"),
+    (Language::Rs274, "g0 x1\nm30\n", "g999 x1\nm30\n"),
     (Language::Nct, "O1\nG0 X1\nM30\n", "O1\nG0 X[1/0]\nM30\n"),
 ];
 
@@ -28,24 +31,32 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     let mut found = vec![Check { name: "declaration", result: CheckResult::Passed(told) }];
     let mut add = |what, result| found.push(Check { name: what, result });
     add("unknown operation", unknown_operation(adapter));
-    let program = PROGRAMS.iter().find(|(language, ..)| declared.languages.contains(language));
+    let of = |language: Language, text: &str| {
+        let mut scenario = Scenario::of(text);
+        scenario.program.language = language;
+        if let Some(unit) = declared.units.first() {
+            scenario.machine.length_unit = *unit;
+        }
+        scenario
+    };
+    let speaks = |(language, ..): &&(Language, &str, &str)| declared.languages.contains(language);
+    let has = |(language, program, _): &&(Language, &str, &str)| {
+        adapter.supports(&of(*language, program)).is_ok()
+    };
+    let program = PROGRAMS.iter().filter(speaks).find(has);
     let Some((language, accepted, refused)) = program else {
-        let why = "none of its languages has a program that needs nothing else";
+        let why = "its languages have no program of a move and an end that needs nothing else";
         add("accepts", CheckResult::Skipped(why.to_owned()));
         return found;
     };
-    let scenario = |text: &str| {
-        let mut scenario = Scenario::of(text);
-        scenario.program.language = *language;
-        scenario
-    };
+    let scenario = |text: &str| of(*language, text);
     let plain = scenario(accepted);
     let first = adapter.run(&plain);
     add("accepts", accepts(&first, accepted));
     let blocks = declared.observables.blocks;
     add("refuses", refuses(&adapter.run(&scenario(refused)), refused, blocks));
     let Ok(first) = first else { return found };
-    add("configuration", configuration(adapter, &scenario));
+    add("configuration", configuration(adapter, accepted, &scenario));
     add(
         "same again",
         compare_outcomes(&first, &adapter.run(&plain), "the same program gives another outcome"),
@@ -122,8 +133,16 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
     ))
 }
 
+/// Parameters that controllers store, by the documents, and that change no motion of a short program: the points of G28
+/// and G30. The others are volatile or have a meaning.
+const STORED: [u32; 3] = [5161, 5162, 5181];
+
 /// Checks that a stored parameter is reported at the end.
-fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckResult {
+fn configuration(
+    adapter: &Exec,
+    program: &str,
+    scenario: &dyn Fn(&str) -> Scenario,
+) -> CheckResult {
     let declared = adapter.declaration();
     let observables =
         declared.features.contains("parameters") && declared.observables.final_parameters;
@@ -131,16 +150,23 @@ fn configuration(adapter: &Exec, scenario: &dyn Fn(&str) -> Scenario) -> CheckRe
         let why = "it declares no feature `parameters`, or does not report parameters at the end";
         return CheckResult::Skipped(why.to_owned());
     }
-    let mut stored = scenario("g0 x1\nm2\n");
-    stored.machine.parameters.0.insert(31, 7.5);
+    let hidden = adapter.capabilities().hidden_parameters.clone();
+    let is_reported = |number: &u32| !hidden.iter().any(|range| range.contains(number));
+    let Some(number) = STORED.into_iter().find(is_reported) else {
+        return CheckResult::Skipped(
+            "it reports none of the parameters that are stored".to_owned(),
+        );
+    };
+    let mut stored = scenario(program);
+    stored.machine.parameters.0.insert(number, 7.5);
     match adapter.run(&stored) {
         Ok(outcome) => {
-            let found = outcome.parameters.as_ref().and_then(|all| all.0.get(&31).copied());
+            let found = outcome.parameters.as_ref().and_then(|all| all.0.get(&number).copied());
             if found == Some(7.5) {
                 CheckResult::Passed("a stored parameter comes back".to_owned())
             } else {
                 CheckResult::Failed(format!(
-                    "#31 = 7.5 was stored before the run; at the end it reports {found:?}"
+                    "#{number} = 7.5 was stored before the run; at the end it reports {found:?}"
                 ))
             }
         }
@@ -156,13 +182,14 @@ fn reset(adapter: &Exec, first: &Outcome, plain: &Scenario) -> CheckResult {
             "only a controller of rs274 has a program that changes much".to_owned(),
         );
     }
-    match adapter.run(&Scenario::of(CHANGES)) {
+    let changes = changing(adapter, plain);
+    match adapter.run(&changes) {
         Ok(_) => compare_outcomes(
             first,
             &adapter.run(plain),
             "something of an earlier program is left after `reset`",
         ),
-        Err(error) => CheckResult::Failed(format!("{CHANGES:?}: {error}")),
+        Err(error) => CheckResult::Failed(format!("{:?}: {error}", changes.program.main)),
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_adapter::HarnessError;
-use gaugeblock_vocabulary::Outcome;
+use gaugeblock_adapter::exec::Exec;
+use gaugeblock_adapter::{Adapter as _, HarnessError};
+use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 
 /// The result of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,9 +26,26 @@ pub struct Check {
     pub result: CheckResult,
 }
 
-/// A program that changes what a reset has to restore.
-pub(super) const CHANGES: &str =
-    "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n";
+/// Programs that change what a reset has to restore, from much to little.
+const CHANGES: [&str; 3] = [
+    "g20 g91 g18 f77 s500 m3 m8\n#31=5\n#<_kept>=6\ng92 x3\ng0 x1 y1 z1\nm2\n",
+    "g20 g91 g18 f77\ng92 x3\ng1 x1 y1 z1\nm2\n",
+    "g91 f77\ng1 x1 y1 z1\nm2\n",
+];
+
+/// A program that changes modes and parameters, in the language of the controller; a plain one if there is no other.
+pub(super) fn changing(adapter: &Exec, plain: &Scenario) -> Scenario {
+    if plain.program.language != Language::Rs274 {
+        return plain.clone();
+    }
+    let scenarios = CHANGES.iter().map(|text| {
+        let mut changes = plain.clone();
+        changes.program.main = (*text).to_owned();
+        changes
+    });
+    let mut supported = scenarios.filter(|scenario| adapter.supports(scenario).is_ok());
+    supported.next().unwrap_or_else(|| plain.clone())
+}
 
 pub(super) fn compare_outcomes(
     first: &Outcome,
