@@ -9,11 +9,15 @@ use gaugeblock_compare::{Capabilities, Divergence, NEXT_BLOCK, end_text, rounded
 use gaugeblock_vocabulary::{End, Entry, Settings, State, Value};
 use similar::{Algorithm, DiffOp, capture_diff_slices};
 
+/// Most blocks that are aligned after the first one that only one side executes, and most effects of a block.
+const ALIGNED_MAX: usize = 5_000;
+
 /// What a side has where it has no such effect.
 const NO_EFFECT: &str = "no such effect";
 
 /// The differences in the order of the blocks. A setting or a field of the state that stays different is listed where
-/// it begins to be, and again where it changes.
+/// it begins to be, and again where it changes. After a block that only one side executes, a bounded number of blocks
+/// is aligned: the rest follows from it.
 pub(crate) fn differences(
     expected: &Observed,
     found: &Observed,
@@ -45,7 +49,11 @@ impl Walk<'_> {
     /// Blocks that both sides execute are compared; of the others, the first of each sequence is listed, except after
     /// the end of a side, which is a difference of its own.
     fn blocks(&mut self) {
-        let (left, right) = (executed(self.expected), executed(self.found));
+        let (mut left, mut right) = (executed(self.expected), executed(self.found));
+        let both = left.iter().zip(&right).take_while(|(a, b)| a.block == b.block);
+        let most = both.count() + ALIGNED_MAX;
+        left.truncate(most);
+        right.truncate(most);
         let keys = |steps: &[&ObservedStep]| -> Vec<(String, u32)> {
             steps.iter().map(|step| (step.block.file.to_string(), step.block.line)).collect()
         };
@@ -96,6 +104,13 @@ impl Walk<'_> {
     /// Aligns effects, and compares the settings at those that both sides have.
     fn effects(&mut self, expected: Range<usize>, found: Range<usize>) {
         let (left, right) = (self.shown(self.expected, expected), self.shown(self.found, found));
+        let longest = left.len().max(right.len());
+        if longest > ALIGNED_MAX {
+            for place in 0..longest {
+                self.effect(left.get(place).copied(), right.get(place).copied());
+            }
+            return;
+        }
         let keys = |effects: &[&ObservedEffect]| -> Vec<String> {
             effects.iter().map(|effect| coarse(effect)).collect()
         };
@@ -309,5 +324,12 @@ mod tests {
         assert_eq!(list.len(), 1, "{list:#?}");
         assert!(list[0].starts_with("main.ngc:2: end: expected refuses this block"), "{list:#?}");
         assert!(list[0].ends_with("executes this block; at the end: program end"), "{list:#?}");
+    }
+
+    #[test]
+    fn runs_that_execute_many_other_blocks_end_in_few_differences() {
+        let looped = |times: u32| format!("o1 repeat [{times}]\ng0 x1\no1 endrepeat\nm2\n");
+        let list = compared(&looped(1), &looped(8_000));
+        assert!((1..=3).contains(&list.len()), "{}", list.len());
     }
 }
