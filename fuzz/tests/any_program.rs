@@ -47,7 +47,7 @@ fn generator_does_not_idle() {
         match outcome.end {
             End::Fault(_) => refused += 1,
             End::ProgramEnd => ended += 1,
-            End::PercentEnd | End::Endless | End::Paused | End::Aborted => {}
+            End::PercentEnd | End::StreamEnd | End::Endless | End::Paused | End::Aborted => {}
             End::BudgetExhausted { .. } | End::Unsupported { .. } | End::Unspecified { .. } => {}
         }
     }

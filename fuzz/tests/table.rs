@@ -41,6 +41,7 @@ fn most_programs_are_accepted_and_long() {
             End::Fault(fault) => *faults.entry(format!("{:?}", fault.kind)).or_default() += 1,
             End::ProgramEnd
             | End::PercentEnd
+            | End::StreamEnd
             | End::Endless
             | End::Paused
             | End::Aborted

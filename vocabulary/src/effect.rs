@@ -89,20 +89,28 @@ macro_rules! effects {
             $(
                 $(#[$about])*
                 #[cfg_attr(feature = "serde", serde(rename = $name))]
-                $variant { $($(#[$what])* $field: $type,)* },
+                $variant {
+                    $(
+                        $(#[$what])*
+                        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::json::number::write"))]
+                        $field: $type,
+                    )*
+                },
             )*
         }
 
         #[cfg(feature = "serde")]
         impl<'de> serde::Deserialize<'de> for Effect {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                use crate::json::number::JsonValue;
+
                 #[derive(serde::Deserialize)]
-        #[serde(deny_unknown_fields)]
+                #[serde(deny_unknown_fields)]
                 enum Wire {
-                    $(#[serde(rename = $name)] $variant { $($field: $type,)* },)*
+                    $(#[serde(rename = $name)] $variant { $($field: <$type as JsonValue>::Read,)* },)*
                 }
                 Ok(match crate::json::tagged::read(deserializer, "effect")? {
-                    $(Wire::$variant { $($field),* } => Self::$variant { $($field),* },)*
+                    $(Wire::$variant { $($field),* } => Self::$variant { $($field: JsonValue::of($field)),* },)*
                 })
             }
         }

@@ -10,7 +10,7 @@ use crate::words::Word;
 /// A value as it is compared and printed, whatever its type in the record.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A finite number; its unit is that of the field.
+    /// A number; its unit is that of the field. A broken controller may report one that is not finite.
     Number(f64),
     /// A word of a closed list, such as `clockwise`.
     Word(String),

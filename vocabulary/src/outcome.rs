@@ -11,6 +11,8 @@ use crate::indexed::Indexed;
 use crate::language::Language;
 use crate::pin::PinChange;
 use crate::position::Position;
+#[cfg(feature = "serde")]
+use crate::settings::{GppState, NctState, Rs274State};
 use crate::settings::{Settings, State};
 use crate::words::words;
 
@@ -27,6 +29,25 @@ pub enum Event {
     Set(Box<Settings>),
     /// An effect, under the settings in force here.
     Do(Effect),
+    /// Settings and fields of the state whose values are not known from here on, until they are reported again.
+    Unknown(
+        #[cfg_attr(feature = "serde", serde(deserialize_with = "read_field_names"))] Vec<String>,
+    ),
+}
+
+#[cfg(feature = "serde")]
+fn read_field_names<'de, D: serde::Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<String>, D::Error> {
+    let names: Vec<String> = serde::Deserialize::deserialize(deserializer)?;
+    let of_state = [Rs274State::FIELDS, NctState::FIELDS, GppState::FIELDS].concat();
+    let is_known = |name: &str| Settings::FIELDS.contains(&name) || of_state.contains(&name);
+    match names.iter().find(|name| !is_known(name)) {
+        Some(name) => {
+            Err(serde::de::Error::custom(alloc::format!("there is no field named `{name}`")))
+        }
+        None => Ok(names),
+    }
 }
 
 /// One executed block: what it did and the state after it.
@@ -74,6 +95,8 @@ pub enum End {
     ProgramEnd,
     /// The second percent sign of a file.
     PercentEnd,
+    /// All blocks were executed, and no block ended the program: what a controller reports that only reads a stream.
+    StreamEnd,
     /// M99 in the main program would repeat it for ever.
     Endless,
     /// Waiting for the operator, and no operator event is left.
@@ -111,6 +134,7 @@ impl<'de> serde::Deserialize<'de> for End {
         enum Wire {
             ProgramEnd,
             PercentEnd,
+            StreamEnd,
             Endless,
             Paused,
             Aborted,
@@ -122,6 +146,7 @@ impl<'de> serde::Deserialize<'de> for End {
         Ok(match crate::json::tagged::read(deserializer, "end")? {
             Wire::ProgramEnd => Self::ProgramEnd,
             Wire::PercentEnd => Self::PercentEnd,
+            Wire::StreamEnd => Self::StreamEnd,
             Wire::Endless => Self::Endless,
             Wire::Paused => Self::Paused,
             Wire::Aborted => Self::Aborted,
@@ -150,6 +175,7 @@ impl End {
             Self::Unspecified { why, .. } => Some(Undetermined::Unspecified(why)),
             Self::ProgramEnd
             | Self::PercentEnd
+            | Self::StreamEnd
             | Self::Endless
             | Self::Paused
             | Self::Aborted
@@ -163,6 +189,7 @@ impl End {
         match self {
             Self::ProgramEnd => "program_end",
             Self::PercentEnd => "percent_end",
+            Self::StreamEnd => "stream_end",
             Self::Endless => "endless",
             Self::Paused => "paused",
             Self::Aborted => "aborted",

@@ -6,6 +6,8 @@ use core::fmt;
 use core::str::FromStr;
 
 use crate::error::TextError;
+#[cfg(feature = "serde")]
+use crate::json::number::{read, write};
 
 macro_rules! pins {
     (
@@ -148,9 +150,11 @@ impl From<Pin> for String {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PinChange {
     /// Virtual time since the start, seconds.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "write", deserialize_with = "read"))]
     pub time: f64,
     /// Which pin.
     pub pin: Pin,
     /// New value; 0 and 1 for digital pins.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "write", deserialize_with = "read"))]
     pub value: f64,
 }

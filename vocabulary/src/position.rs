@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+#[cfg(feature = "serde")]
+use crate::json::number::{read, write};
 use crate::words::words;
 
 words! {
@@ -48,32 +50,100 @@ impl Axis {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Position {
     /// X.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub x: f64,
     /// Y.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub y: f64,
     /// Z.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub z: f64,
     /// A, degrees.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub a: f64,
     /// B, degrees.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub b: f64,
     /// C, degrees.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub c: f64,
     /// U.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub u: f64,
     /// V.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub v: f64,
     /// W.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            serialize_with = "write",
+            deserialize_with = "read",
+            skip_serializing_if = "is_zero"
+        )
+    )]
     pub w: f64,
+}
+
+#[cfg(feature = "serde")]
+crate::json::number::own_form! {
+    Position, |position| position.to_array().iter().all(|coordinate| coordinate.is_finite());
 }
 
 impl PartialEq for Position {

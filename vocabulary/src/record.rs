@@ -17,7 +17,11 @@ macro_rules! record {
         pub struct $name {
             $(
                 $(#[$what])*
-                #[cfg_attr(feature = "serde", serde(skip_serializing_if = "crate::field::unrecorded"))]
+                #[cfg_attr(feature = "serde", serde(
+                    serialize_with = "crate::json::number::write",
+                    deserialize_with = "crate::json::number::read",
+                    skip_serializing_if = "crate::field::unrecorded",
+                ))]
                 pub $field: Option<$type>,
             )*
         }
@@ -33,6 +37,13 @@ macro_rules! record {
                         Some(old) => $crate::field::Field::overlay(old, change),
                         empty => *empty = Some(change.clone()),
                     }
+                })*
+            }
+
+            /// Removes the values of these fields; other names are ignored.
+            pub fn forget(&mut self, fields: &[alloc::string::String]) {
+                $(if fields.iter().any(|field| field == stringify!($field)) {
+                    self.$field = None;
                 })*
             }
 

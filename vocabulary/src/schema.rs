@@ -7,7 +7,9 @@ use alloc::borrow::{Cow, ToOwned as _};
 use alloc::format;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema, schema_for};
+use serde_json::{Map, Value, json};
 
+use crate::json::number::NOT_FINITE;
 use crate::pin::Pin;
 use crate::shared::Shared;
 
@@ -21,7 +23,48 @@ pub fn scenario() -> Schema {
 
 /// The schema of an [`crate::Outcome`].
 pub fn outcome() -> Schema {
-    identified::<crate::Outcome>("outcome")
+    let mut schema = identified::<crate::Outcome>("outcome");
+    admit_not_finite(&mut schema, &[]);
+    schema
+}
+
+/// Changes the numbers of a schema to those of an outcome, which need not be finite, except in these definitions.
+pub fn admit_not_finite(schema: &mut Schema, except: &[&str]) {
+    const DEFINITIONS: &str = "$defs";
+    let schema = schema.ensure_object();
+    let mut definitions = match schema.remove(DEFINITIONS) {
+        Some(Value::Object(definitions)) => definitions,
+        _ => Map::new(),
+    };
+    schema.values_mut().for_each(admit_in);
+    let admitted = definitions.iter_mut().filter(|(name, _)| !except.contains(&name.as_str()));
+    admitted.for_each(|(_, definition)| admit_in(definition));
+    let number = json!({
+        "description": "A number. A controller may report one that is not finite: JSON writes that as a text.",
+        "anyOf": [{ "type": "number" }, { "enum": NOT_FINITE }],
+    });
+    definitions.insert("Number".to_owned(), number);
+    schema.insert(DEFINITIONS.to_owned(), Value::Object(definitions));
+}
+
+fn admit_in(value: &mut Value) {
+    match value {
+        Value::Object(members) => {
+            if members.get("format").is_some_and(|format| format == "double") {
+                let number = json!({ "$ref": "#/$defs/Number" });
+                members.remove("format");
+                match members.remove("type") {
+                    Some(Value::Array(_)) => {
+                        members.insert("anyOf".to_owned(), json!([number, { "type": "null" }]));
+                    }
+                    _ => members.extend([("$ref".to_owned(), number["$ref"].clone())]),
+                }
+            }
+            members.values_mut().for_each(admit_in);
+        }
+        Value::Array(values) => values.iter_mut().for_each(admit_in),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+    }
 }
 
 fn identified<T: JsonSchema>(name: &str) -> Schema {

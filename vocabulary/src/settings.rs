@@ -8,6 +8,8 @@ use core::fmt;
 use crate::error::TextError;
 use crate::field::{Entry, Scalar, Value};
 use crate::indexed::Indexed;
+#[cfg(feature = "serde")]
+use crate::json::number::{read, write};
 use crate::language::Language;
 use crate::modes::{
     Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Motion, PathControlMode,
@@ -31,7 +33,16 @@ pub enum SpindleLimit {
     /// No limit was programmed.
     None,
     /// Revolutions per minute.
-    Rpm(f64),
+    Rpm(
+        #[cfg_attr(feature = "serde", serde(serialize_with = "write", deserialize_with = "read"))]
+        f64,
+    ),
+}
+
+#[cfg(feature = "serde")]
+crate::json::number::own_form! {
+    SpindleLimit, |limit| if let Self::Rpm(limit) = limit { limit.is_finite() } else { true };
+    MacroValue, |value| if let Self::Number(number) = value { number.is_finite() } else { true };
 }
 
 impl Scalar for SpindleLimit {
@@ -165,7 +176,10 @@ pub enum MacroValue {
     /// It holds nothing.
     Vacant(Vacancy),
     /// It holds a number.
-    Number(f64),
+    Number(
+        #[cfg_attr(feature = "serde", serde(serialize_with = "write", deserialize_with = "read"))]
+        f64,
+    ),
 }
 
 impl Scalar for MacroValue {
@@ -294,6 +308,15 @@ impl State {
             (Self::Nct(state), Self::Nct(change)) => state.overlay(change),
             (Self::Gpp(state), Self::Gpp(change)) => state.overlay(change),
             (state, change) => state.clone_from(change),
+        }
+    }
+
+    /// Removes the values of these fields; other names are ignored.
+    pub fn forget(&mut self, fields: &[String]) {
+        match self {
+            Self::Rs274(state) => state.forget(fields),
+            Self::Nct(state) => state.forget(fields),
+            Self::Gpp(state) => state.forget(fields),
         }
     }
 

@@ -40,6 +40,9 @@ macro_rules! words {
             }
         }
 
+        #[cfg(feature = "serde")]
+        $crate::json::number::own_form! { $name, |_any| true; }
+
         impl $crate::words::Word for $name {
             const ALL: &'static [Self] = Self::ALL;
 

@@ -4,6 +4,7 @@ use gaugeblock_suite::assertion::{Assertion, Claim, Expected, Place, is_accepted
 use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings, State, Value};
 
 use crate::Capabilities;
+use crate::accuracy::{Match, Quantity, Resolution, hidden};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
 use crate::{end_text, pin_values, pins, rounded, tolerance};
 
@@ -24,6 +25,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) 
     match &assertion.claim {
         Claim::Accepted => ok(is_accepted(&run.end), || end_text(&run.end)),
         Claim::Refused(place) => judge.refused(place.as_ref()),
+        Claim::Kind(_) if judge.hides_refusal() => Finding::Masked("refusals".to_owned()),
         Claim::Kind(kind) => {
             let End::Fault(fault) = &run.end else { return Finding::Fails(end_text(&run.end)) };
             match fault.kind.filter(|_| observables.faults_have_kinds) {
@@ -64,7 +66,15 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
+    /// Whether a controller without refusals has executed the program.
+    fn hides_refusal(&self) -> bool {
+        !self.observables.refuses && !matches!(self.run.end, End::Fault(_))
+    }
+
     fn refused(&self, place: Option<&Place>) -> Finding {
+        if self.hides_refusal() {
+            return Finding::Masked("refusals".to_owned());
+        }
         let End::Fault(fault) = &self.run.end else {
             return Finding::Fails(end_text(&self.run.end));
         };
@@ -139,6 +149,7 @@ impl Judge<'_> {
     }
 
     fn parameters(&self, fields: &[Expected]) -> Finding {
+        let mut masked = None;
         for field in fields {
             let name = field.index.as_deref().unwrap_or_default();
             let shown = self.run.parameters.as_ref().filter(|_| self.observables.final_parameters);
@@ -149,12 +160,20 @@ impl Judge<'_> {
                 return Finding::Masked(format!("#{name} at the end"));
             }
             let found = shown.0.get(&number).copied().unwrap_or_default();
-            let expected = field.value.parse().unwrap_or(f64::NAN);
-            if !tolerance::numbers(expected, found, self.observables.resolution) {
-                return Finding::Fails(format!("#{number} = {}", rounded(&Value::Number(found))));
+            let are_equal = |error| {
+                let expected = field.value.parse();
+                expected.is_ok_and(|e| tolerance::numbers(e, found, Quantity::Number, error))
+            };
+            match self.observables.resolution().compare(are_equal) {
+                Match::Equal => {}
+                Match::Hidden => masked = Some(Finding::Masked(hidden(&format!("#{name}")))),
+                Match::Different => {
+                    let found = rounded(&Value::Number(found));
+                    return Finding::Fails(format!("#{number} = {found}"));
+                }
             }
         }
-        Finding::Holds
+        masked.unwrap_or(Finding::Holds)
     }
 
     fn at_effect(&self, name: &str, count: u32, fields: &[Expected]) -> Finding {
@@ -189,12 +208,19 @@ impl Judge<'_> {
                 Some(found) => {
                     let expected = expected_value(field);
                     let resolution = self.observables.resolution_of(&field.field, entries);
-                    if !expected
-                        .is_some_and(|e| tolerance::fields(&field.field, &e, &found, resolution))
-                    {
-                        let index = index.map_or_else(String::new, |index| format!("[{index}]"));
-                        let found = rounded(&found);
-                        return Finding::Fails(format!("{}{index} = {found}", field.field));
+                    let are_equal = |error| {
+                        let expected = expected.as_ref();
+                        expected.is_some_and(|e| tolerance::fields(&field.field, e, &found, error))
+                    };
+                    match resolution.compare(are_equal) {
+                        Match::Equal => {}
+                        Match::Hidden => masked = Some(Finding::Masked(hidden(&field.field))),
+                        Match::Different => {
+                            let index =
+                                index.map_or_else(String::new, |index| format!("[{index}]"));
+                            let found = rounded(&found);
+                            return Finding::Fails(format!("{}{index} = {found}", field.field));
+                        }
                     }
                 }
             }
@@ -220,15 +246,13 @@ impl Judge<'_> {
             self.observables.effects.contains(effect.name())
                 && (with_messages || !(is_message || is_end))
         };
-        let found: Vec<&Effect> =
-            found.iter().map(|observed| &observed.effect).filter(|effect| counts(effect)).collect();
-        let same = |expected: &[&Effect]| {
-            expected.len() == found.len()
-                && expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b))
-        };
+        let found: Vec<&ObservedEffect> =
+            found.iter().filter(|observed| counts(&observed.effect)).collect();
         let all: Vec<&Effect> = expected.iter().collect();
-        let starts =
-            |expected: &[&Effect]| expected.iter().zip(&found).all(|(a, b)| self.same_effect(a, b));
+        let starts = |expected: &[&Effect]| {
+            expected.iter().zip(&found).all(|(a, b)| self.match_effect(a, b) != Match::Different)
+        };
+        let same = |expected: &[&Effect]| expected.len() == found.len() && starts(expected);
         let moving = || without_moves_in_place(expected, begin);
         if !self.observables.moves_in_place && !same(&all) && same(&moving()) {
             return Finding::Masked("moves in place".to_owned());
@@ -237,8 +261,14 @@ impl Judge<'_> {
         if !same && self.may_go_on(found.len() > all.len() && starts(&all)) {
             return Finding::Masked("effects of a refused block".to_owned());
         }
+        let is_hidden =
+            |(a, b): &(&Effect, &&ObservedEffect)| self.match_effect(a, b) == Match::Hidden;
+        if same && let Some((effect, _)) = expected.iter().zip(&found).find(is_hidden) {
+            return Finding::Masked(hidden(effect.name()));
+        }
         ok(same, || {
-            let texts: Vec<_> = found.iter().map(|effect| effect_text(effect)).collect();
+            let texts: Vec<_> =
+                found.iter().map(|observed| effect_text(&observed.effect)).collect();
             if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
         })
     }
@@ -248,8 +278,9 @@ impl Judge<'_> {
         goes_on && !self.observables.blocks && matches!(self.run.end, End::Fault(_))
     }
 
-    fn same_effect(&self, a: &Effect, b: &Effect) -> bool {
-        tolerance::effects(a, b, self.observables.resolution)
+    fn match_effect(&self, expected: &Effect, found: &ObservedEffect) -> Match {
+        let resolution = self.observables.resolution_at(&found.settings);
+        resolution.compare(|error| tolerance::effects(expected, &found.effect, error))
     }
 
     fn count(&self, name: &str, count: usize) -> Finding {
@@ -315,10 +346,10 @@ impl Judge<'_> {
         }
         let found = self.run.pins.get(&pin).into_iter().flatten().map(|at| at.value);
         let found: Vec<f64> = found.collect();
-        let is_same = tolerance::sequences(expected, &found, self.observables.resolution);
+        let is_same = tolerance::sequences(expected, &found, Resolution::EXACT);
         if !is_same && pins::may_match_untimed(expected, &found, self.observables) {
             // Whether they last is known where the outcomes are compared.
-            return Finding::Masked("brief values of pins".to_owned());
+            return Finding::Masked(hidden(pin.name()));
         }
         ok(is_same, || format!("pin {pin}: {}", pin_values(&found)))
     }

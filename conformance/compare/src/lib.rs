@@ -1,5 +1,6 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
+pub mod accuracy;
 mod capabilities;
 pub mod judge;
 pub mod observe;
@@ -7,6 +8,8 @@ pub mod pins;
 mod same;
 mod state;
 mod tally;
+#[cfg(test)]
+mod tests;
 pub mod tolerance;
 
 use std::collections::BTreeSet;
@@ -14,12 +17,14 @@ use std::collections::BTreeSet;
 use gaugeblock_suite::assertion::is_accepted;
 use gaugeblock_vocabulary::{BlockLocation, End, Entry, Fault, Pin, Settings, Value};
 
+pub use accuracy::Accuracy;
 pub use capabilities::Capabilities;
 pub use same::certainly_equal;
 pub use state::{FieldDifference, StateDifference, state};
 pub use tally::{ComparedKind, Tally};
 pub use tolerance::rounded;
 
+use crate::accuracy::{Match, Quantity, hidden};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, recorded};
 
 /// What is compared where the runs execute different blocks.
@@ -72,12 +77,13 @@ pub fn compare(expected: &Observed, found: &Observed, observables: &Capabilities
         (Some((_, divergence)), None) | (None, Some((_, divergence))) => Some(divergence),
         (None, None) => None,
     };
-    let end = walk.end(&expected.end, &found.end);
+    let end = walk.end(expected, found);
     walk.comparison.divergence = match (earlier, end) {
         // A run that went on where it should have been refused, or was refused where it should have gone on, says more.
         (Some(earlier), Some(end)) if earlier.field == NEXT_BLOCK => Some(end),
         (Some(earlier), _) => Some(earlier),
         (None, Some(end)) => Some(end),
+        (None, None) if walk.hides_refusal(expected, found) => None,
         (None, None) => walk.last(expected, found),
     };
     walk.comparison
@@ -119,7 +125,10 @@ impl Walk<'_> {
                         missing(Some(block), describe(a), "no further effect".to_owned()),
                     ));
                 }
-                (None, Some(_)) if self.may_be_of_refused_block(expected, found) => {
+                (None, Some(_))
+                    if self.may_be_of_refused_block(expected, found)
+                        || self.hides_refusal(expected, found) =>
+                {
                     self.comparison.masked.insert("effects of a refused block".to_owned());
                     return None;
                 }
@@ -143,16 +152,31 @@ impl Walk<'_> {
         !self.observables.blocks && refused(expected) && refused(found)
     }
 
+    /// Whether the documents refuse a block that a controller without refusals has executed.
+    fn hides_refusal(&self, expected: &Observed, found: &Observed) -> bool {
+        let refused = |run: &Observed| matches!(run.end, End::Fault(_));
+        !self.observables.refuses && refused(expected) && !refused(found)
+    }
+
     fn effect(
         &mut self,
         block: &BlockLocation,
         a: &ObservedEffect,
         b: &ObservedEffect,
     ) -> Option<Divergence> {
-        let same = tolerance::effects(&a.effect, &b.effect, self.observables.resolution);
-        self.comparison.compared.add(ComparedKind::Effects, 1 + a.effect.arguments().len());
-        if !same {
-            return Some(missing(Some(block.clone()), describe(a), describe(b)));
+        let resolution = self.observables.resolution_at(&a.settings);
+        match resolution.compare(|error| tolerance::effects(&a.effect, &b.effect, error)) {
+            Match::Equal => {
+                let values = 1 + a.effect.arguments().len();
+                self.comparison.compared.add(ComparedKind::Effects, values);
+            }
+            Match::Hidden => {
+                self.comparison.compared.add(ComparedKind::Effects, 1);
+                self.comparison.masked.insert(hidden(a.effect.name()));
+            }
+            Match::Different => {
+                return Some(missing(Some(block.clone()), describe(a), describe(b)));
+            }
         }
         let observable = &self.observables.fields_at_effects;
         self.fields(block, &a.settings.entries(), &b.settings.entries(), observable)
@@ -165,6 +189,9 @@ impl Walk<'_> {
         }
         let (left, right) = (recorded(expected), recorded(found));
         for place in 0..left.len().max(right.len()) {
+            if left.get(place).is_none() && self.hides_refusal(expected, found) {
+                return None;
+            }
             let (Some((at, a)), Some((_, b))) = (left.get(place), right.get(place)) else {
                 let name = |step: Option<&(usize, &ObservedStep)>| {
                     step.map_or_else(|| "no further block".to_owned(), |(_, s)| s.block.to_string())
@@ -243,21 +270,33 @@ impl Walk<'_> {
             };
             let is_setting = Settings::FIELDS.contains(&entry.field);
             let basis = if is_setting { ComparedKind::Settings } else { ComparedKind::State };
-            self.comparison.compared.add(basis, 1);
             let resolution = self.observables.resolution_of(entry.field, found);
-            if !tolerance::fields(entry.field, &entry.value, &other.value, resolution) {
-                return Some(Divergence {
-                    block: Some(block.clone()),
-                    field: entry.name(),
-                    expected: rounded(&entry.value),
-                    found: rounded(&other.value),
-                });
+            let are_equal =
+                |error| tolerance::fields(entry.field, &entry.value, &other.value, error);
+            match resolution.compare(are_equal) {
+                Match::Equal => self.comparison.compared.add(basis, 1),
+                Match::Hidden => {
+                    self.comparison.masked.insert(hidden(entry.field));
+                }
+                Match::Different => {
+                    return Some(Divergence {
+                        block: Some(block.clone()),
+                        field: entry.name(),
+                        expected: rounded(&entry.value),
+                        found: rounded(&other.value),
+                    });
+                }
             }
         }
         None
     }
 
-    fn end(&mut self, expected: &End, found: &End) -> Option<Divergence> {
+    fn end(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
+        if self.hides_refusal(expected, found) {
+            self.comparison.masked.insert("refusals".to_owned());
+            return None;
+        }
+        let (expected, found) = (&expected.end, &found.end);
         self.comparison.compared.add(ComparedKind::Acceptance, 1);
         let same = match (expected, found) {
             (End::Fault(a), End::Fault(b)) => {
@@ -303,16 +342,21 @@ impl Walk<'_> {
             }
             let values = |run: &Observed| run.pins.get(&pin).cloned().unwrap_or_default();
             let (a, b) = (values(expected), values(found));
-            self.comparison.compared.add(ComparedKind::Pins, a.len().max(1));
             let (all, seen) = (a.iter().map(|at| at.value), b.iter().map(|at| at.value));
             let (all, seen): (Vec<f64>, Vec<f64>) = (all.collect(), seen.collect());
-            if !pins::matches_samples(&a, &seen, self.observables) {
-                return Some(Divergence {
-                    block: None,
-                    field: format!("pin {pin}"),
-                    expected: pin_values(&all),
-                    found: pin_values(&seen),
-                });
+            match pins::compare(&a, &seen, self.observables) {
+                Match::Equal => self.comparison.compared.add(ComparedKind::Pins, a.len().max(1)),
+                Match::Hidden => {
+                    self.comparison.masked.insert(hidden(pin.name()));
+                }
+                Match::Different => {
+                    return Some(Divergence {
+                        block: None,
+                        field: format!("pin {pin}"),
+                        expected: pin_values(&all),
+                        found: pin_values(&seen),
+                    });
+                }
             }
         }
         None
@@ -336,14 +380,20 @@ impl Walk<'_> {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
-            self.comparison.compared.add(ComparedKind::Parameters, 1);
-            if !tolerance::numbers(a, b, self.observables.resolution) {
-                return Some(Divergence {
-                    block: None,
-                    field: format!("#{number} at the end"),
-                    expected: rounded(&Value::Number(a)),
-                    found: rounded(&Value::Number(b)),
-                });
+            let are_equal = |error| tolerance::numbers(a, b, Quantity::Number, error);
+            match self.observables.resolution().compare(are_equal) {
+                Match::Equal => self.comparison.compared.add(ComparedKind::Parameters, 1),
+                Match::Hidden => {
+                    self.comparison.masked.insert(hidden("parameters at the end"));
+                }
+                Match::Different => {
+                    return Some(Divergence {
+                        block: None,
+                        field: format!("#{number} at the end"),
+                        expected: rounded(&Value::Number(a)),
+                        found: rounded(&Value::Number(b)),
+                    });
+                }
             }
         }
         None
@@ -390,6 +440,7 @@ pub fn end_text(end: &End) -> String {
         End::Unsupported { block, what } => format!("unsupported at {block}: {what}"),
         End::Unspecified { block, why } => format!("unspecified at {block}: {why}"),
         End::BudgetExhausted { bound } => format!("budget exhausted ({bound})"),
+        End::StreamEnd => "end of the stream without a program end".to_owned(),
         End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {
             end.name().replace('_', " ")
         }

@@ -10,6 +10,7 @@ use gaugeblock_vocabulary::{
     State, Value,
 };
 
+use crate::accuracy::Resolution;
 use crate::tolerance;
 
 /// An effect and the settings in force at it.
@@ -100,6 +101,13 @@ impl Observed {
                         }
                         settings.overlay(change);
                     }
+                    Event::Unknown(fields) => {
+                        settings.forget(fields);
+                        state.forget(fields);
+                        if fields.iter().any(|field| field == "position") {
+                            point = None;
+                        }
+                    }
                     Event::Do(effect) => {
                         let in_place = is_in_place(effect, point.as_ref());
                         point = end_of(effect).or(point);
@@ -161,7 +169,7 @@ pub(crate) fn is_in_place(effect: &Effect, point: Option<&Position>) -> bool {
     let (Effect::StraightTraverse { end } | Effect::StraightFeed { end }) = effect else {
         return false;
     };
-    point.is_some_and(|point| tolerance::positions(end, point, 0.0))
+    point.is_some_and(|point| tolerance::positions(end, point, Resolution::EXACT))
 }
 
 /// Where an effect leaves the controlled point, if it moves it.
@@ -208,7 +216,7 @@ fn pins(changes: &[PinChange]) -> BTreeMap<Pin, Vec<PinValue>> {
     for PinChange { pin, value, time } in changes {
         let values = pins.entry(*pin).or_default();
         let last = values.last_mut();
-        if last.as_ref().is_none_or(|last| (last.value - *value).abs() > 0.0) {
+        if last.as_ref().is_none_or(|last| !tolerance::identical(last.value, *value)) {
             let begun = since.insert(*pin, *time).unwrap_or(*time);
             if let Some(last) = last {
                 last.lasts = time - begun;

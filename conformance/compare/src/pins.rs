@@ -2,12 +2,28 @@
 
 use super::tolerance;
 use crate::Capabilities;
+use crate::accuracy::{Match, PIN_PERIOD_MAX_S, Resolution};
 use crate::observe::PinValue;
+
+/// How the values of a pin compare: exactly, or as far as a controller can have sampled them.
+pub fn compare(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> Match {
+    let all: Vec<f64> = expected.iter().map(|at| at.value).collect();
+    if tolerance::sequences(&all, seen, Resolution::EXACT) {
+        Match::Equal
+    } else if matches_samples(expected, seen, observables) {
+        Match::Hidden
+    } else {
+        Match::Different
+    }
+}
 
 /// Whether a controller can have sampled these values. A value that lasts for less than the sampling period may be
 /// missed. An equal value after a missed one is then not seen as a change; the same holds for the value before the run.
 pub fn matches_samples(expected: &[PinValue], seen: &[f64], observables: &Capabilities) -> bool {
-    let sight = PinSampling { resolution: observables.resolution, period: observables.pin_period };
+    let sight = PinSampling {
+        resolution: observables.resolution(),
+        period: observables.pin_period.min(PIN_PERIOD_MAX_S),
+    };
     sight.covers(expected, seen, None, false)
 }
 
@@ -18,7 +34,7 @@ pub fn may_match_untimed(expected: &[f64], seen: &[f64], observables: &Capabilit
 }
 
 struct PinSampling {
-    resolution: f64,
+    resolution: Resolution,
     period: f64,
 }
 

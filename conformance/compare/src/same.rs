@@ -6,6 +6,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::tolerance;
+use crate::accuracy::{Quantity, Resolution};
 
 /// Whether two outcomes are surely equal; pins where `pins` says so and no block was refused, for what a refused
 /// block did to them is unspecified. A `false` says nothing.
@@ -17,6 +18,10 @@ pub fn certainly_equal(expected: &Outcome, found: &Outcome, pins: bool) -> bool 
         && same_parameters(expected, found)
         && (refused || !pins || same_pins(&expected.pins, &found.pins))
         && same_steps(expected, found)
+}
+
+fn same_number(a: f64, b: f64) -> bool {
+    tolerance::numbers(a, b, Quantity::Number, Resolution::EXACT)
 }
 
 fn same_end(a: &End, b: &End) -> bool {
@@ -33,17 +38,14 @@ fn same_parameters(a: &Outcome, b: &Outcome) -> bool {
     let (mut left, mut right) = (a.0.iter(), b.0.iter());
     a.0.len() == b.0.len()
         && left.all(|(number, a)| {
-            right
-                .next()
-                .is_some_and(|(other, b)| number == other && tolerance::numbers(*a, *b, 0.0))
+            right.next().is_some_and(|(other, b)| number == other && same_number(*a, *b))
         })
 }
 
 /// Whether each pin took the same values in order, at whatever times; a repeated value is not a change.
 fn same_pins(a: &[PinChange], b: &[PinChange]) -> bool {
-    let same_value = |((pin, a), (other, b)): (&(Pin, f64), &(Pin, f64))| {
-        pin == other && tolerance::numbers(*a, *b, 0.0)
-    };
+    let same_value =
+        |((pin, a), (other, b)): (&(Pin, f64), &(Pin, f64))| pin == other && same_number(*a, *b);
     a == b || {
         let (a, b) = (values_by_pin(a), values_by_pin(b));
         a.len() == b.len() && a.iter().zip(&b).all(same_value)
@@ -113,11 +115,14 @@ impl StatePair {
     fn same_events(&mut self, a: &Step, b: &Step) -> bool {
         let (left, right) = (&mut self.settings.0, &mut self.settings.1);
         let (mut one, mut other) = (a.events.iter(), b.events.iter());
-        if a.events == b.events {
+        if a.events == b.events && !has_unknown(a) {
             // What was in force before the block is the same, and what changes too.
             while next_effect(&mut one, left).is_some() {}
             while next_effect(&mut other, right).is_some() {}
             return true;
+        }
+        if has_unknown(a) || has_unknown(b) {
+            return false;
         }
         loop {
             let (left, right) = (&mut self.settings.0, &mut self.settings.1);
@@ -178,15 +183,19 @@ fn overlay(state: &mut State, change: &State) {
     });
 }
 
+fn has_unknown(step: &Step) -> bool {
+    step.events.iter().any(|event| matches!(event, Event::Unknown(_)))
+}
+
 fn same_effect(a: &Effect, b: &Effect) -> bool {
-    a == b || tolerance::effects(a, b, 0.0)
+    a == b || tolerance::effects(a, b, Resolution::EXACT)
 }
 
 fn same_entries(a: &[Entry], b: &[Entry]) -> bool {
     a.len() == b.len()
         && a.iter().zip(b).all(|(a, b)| {
             (a.field, &a.index) == (b.field, &b.index)
-                && tolerance::fields(a.field, &a.value, &b.value, 0.0)
+                && tolerance::fields(a.field, &a.value, &b.value, Resolution::EXACT)
         })
 }
 
@@ -198,6 +207,7 @@ fn next_effect<'a>(
         match event {
             Event::Set(change) => settings.overlay(change),
             Event::Do(effect) => return Some(effect),
+            Event::Unknown(fields) => settings.forget(fields),
         }
     }
     None

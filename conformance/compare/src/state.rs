@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::tolerance::{self, rounded};
 use crate::Capabilities;
+use crate::accuracy::Match;
 use crate::observe::{Observed, ObservedStep, recorded};
 
 /// Settings and state after a block, as far as they differ.
@@ -56,8 +57,9 @@ fn fields(expected: &[Entry], found: &[Entry], observables: &Capabilities) -> Ve
         let fits = |other: &&Entry| other.field == entry.field && other.index == entry.index;
         let other = found.iter().find(fits)?;
         let resolution = observables.resolution_of(entry.field, found);
-        let same = tolerance::fields(entry.field, &entry.value, &other.value, resolution);
-        (!same).then(|| FieldDifference {
+        let same = resolution
+            .compare(|error| tolerance::fields(entry.field, &entry.value, &other.value, error));
+        (same == Match::Different).then(|| FieldDifference {
             field: entry.name(),
             expected: rounded(&entry.value),
             found: rounded(&other.value),

@@ -27,10 +27,12 @@ pub enum ComparedKind {
     Pins,
     /// Laws of motion over servo samples.
     Laws,
+    /// Assertions that could not be judged: they were not compared.
+    UnjudgedAssertions,
 }
 
 impl ComparedKind {
-    /// All kinds, in the order in which they are told.
+    /// All kinds that are compared, in the order in which they are told.
     pub const ALL: [Self; 8] = [
         Self::Assertions,
         Self::Acceptance,
@@ -53,6 +55,7 @@ impl ComparedKind {
             Self::Parameters => 'p',
             Self::Pins => 'i',
             Self::Laws => 'm',
+            Self::UnjudgedAssertions => 'u',
         }
     }
 
@@ -67,6 +70,7 @@ impl ComparedKind {
             Self::Parameters => "parameters at the end",
             Self::Pins => "pins",
             Self::Laws => "laws of motion",
+            Self::UnjudgedAssertions => "assertions that could not be judged",
         }
     }
 }
@@ -91,9 +95,14 @@ impl Tally {
         }
     }
 
-    /// All values together.
+    /// All compared values together.
     pub fn total(&self) -> usize {
-        self.0.values().sum()
+        ComparedKind::ALL.into_iter().map(|basis| self.of(basis)).sum()
+    }
+
+    /// How many assertions could not be judged.
+    pub fn unjudged(&self) -> usize {
+        self.of(ComparedKind::UnjudgedAssertions)
     }
 
     /// How many of one kind.

@@ -5,11 +5,14 @@
 //! | positions, settings, arguments of effects, pins | 1e-6 absolute, 1e-9 relative |
 //! | numbers inside messages | 2e-6 absolute: they are written with six decimals |
 //! | what a post-processor prints | none: each character counts |
-//! | all | plus the resolution that the controller declares |
+//!
+//! The error that a controller declares is added, within the bounds of [`crate::accuracy`]; what it hides is masked.
 //!
 //! A case never carries a tolerance of its own.
 
 use gaugeblock_vocabulary::{Axis, Channel, Effect, Position, Value};
+
+use crate::accuracy::{Quantity, Resolution};
 
 /// Version of the table.
 pub const VERSION: u32 = 0;
@@ -18,21 +21,33 @@ const ABSOLUTE: f64 = 1e-6;
 const RELATIVE: f64 = 1e-9;
 const IN_MESSAGES: f64 = 2e-6;
 
-/// Whether two numbers are equal for a controller of this resolution. NaN equals NaN.
-pub fn numbers(a: f64, b: f64, resolution: f64) -> bool {
-    (a - b).abs() <= ABSOLUTE + resolution + RELATIVE * a.abs().max(b.abs())
-        || a.is_nan() && b.is_nan()
+/// Whether two numbers are equal for a controller of this resolution. A number that is not finite equals only itself,
+/// whatever the resolution is.
+pub fn numbers(a: f64, b: f64, quantity: Quantity, resolution: Resolution) -> bool {
+    if a.is_finite() && b.is_finite() {
+        let (absolute, relative) = resolution.error_of(quantity);
+        (a - b).abs() <= ABSOLUTE + absolute + (RELATIVE + relative) * a.abs().max(b.abs())
+    } else {
+        a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
+    }
+}
+
+/// Whether two numbers are the same number; zero has no sign.
+pub fn identical(a: f64, b: f64) -> bool {
+    a.partial_cmp(&b) == Some(std::cmp::Ordering::Equal) || a.is_nan() && b.is_nan()
 }
 
 /// Whether two positions are equal, axis by axis.
-pub fn positions(a: &Position, b: &Position, resolution: f64) -> bool {
-    Axis::ALL.iter().all(|axis| numbers(a.get(*axis), b.get(*axis), resolution))
+pub fn positions(a: &Position, b: &Position, resolution: Resolution) -> bool {
+    Axis::ALL
+        .iter()
+        .all(|axis| numbers(a.get(*axis), b.get(*axis), Quantity::of_axis(*axis), resolution))
 }
 
-/// Whether two values are equal.
-pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
+/// Whether two values are equal, of a field or an argument of this name.
+pub fn values(name: &str, a: &Value, b: &Value, resolution: Resolution) -> bool {
     match (a, b) {
-        (Value::Number(a), Value::Number(b)) => numbers(*a, *b, resolution),
+        (Value::Number(a), Value::Number(b)) => numbers(*a, *b, Quantity::of(name), resolution),
         (Value::Position(a), Value::Position(b)) => positions(a, b, resolution),
         (Value::Text(a), Value::Text(b)) => texts(a, b),
         (Value::Word(a), Value::Word(b)) => a == b,
@@ -42,12 +57,12 @@ pub fn values(a: &Value, b: &Value, resolution: f64) -> bool {
 
 /// Whether two values of a field are equal. What a post-processor would print is read by a machine: there each
 /// character counts.
-pub fn fields(field: &str, a: &Value, b: &Value, resolution: f64) -> bool {
-    if field == "variable" { a == b } else { values(a, b, resolution) }
+pub fn fields(field: &str, a: &Value, b: &Value, resolution: Resolution) -> bool {
+    if field == "variable" { a == b } else { values(field, a, b, resolution) }
 }
 
 /// Whether two effects are equal, argument by argument. In what a post-processor has printed each character counts.
-pub fn effects(a: &Effect, b: &Effect, resolution: f64) -> bool {
+pub fn effects(a: &Effect, b: &Effect, resolution: Resolution) -> bool {
     if let Effect::Message { channel: Channel::Output, .. } = a {
         return a == b;
     }
@@ -57,12 +72,13 @@ pub fn effects(a: &Effect, b: &Effect, resolution: f64) -> bool {
         && left
             .iter()
             .zip(&right)
-            .all(|((name, a), (other, b))| name == other && values(a, b, resolution))
+            .all(|((name, a), (other, b))| name == other && values(name, a, b, resolution))
 }
 
 /// Whether two sequences are as long as each other and equal number by number.
-pub fn sequences(a: &[f64], b: &[f64], resolution: f64) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| numbers(*a, *b, resolution))
+pub fn sequences(a: &[f64], b: &[f64], resolution: Resolution) -> bool {
+    let same = |(a, b): (&f64, &f64)| numbers(*a, *b, Quantity::Number, resolution);
+    a.len() == b.len() && a.iter().zip(b).all(same)
 }
 
 /// Whether two texts are equal when the numbers in them are compared as numbers.
@@ -118,7 +134,11 @@ pub fn rounded(value: &Value) -> String {
 
 #[cfg(test)]
 mod tests {
+    use gaugeblock_vocabulary::LengthUnit;
+
     use super::*;
+
+    const COARSE: Resolution = Resolution::new(f64::MAX, f64::MAX, LengthUnit::Millimetre);
 
     #[test]
     fn numbers_in_texts_are_compared_as_numbers() {
@@ -130,8 +150,31 @@ mod tests {
     }
 
     #[test]
-    fn nan_equals_nan() {
-        assert!(numbers(f64::NAN, -f64::NAN, 0.0));
-        assert!(!numbers(f64::NAN, 0.0, 1.0) && !numbers(0.0, f64::NAN, 1.0));
+    fn number_that_is_not_finite_equals_only_itself() {
+        let all = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 1e300, f64::MAX];
+        for (place, a) in all.into_iter().enumerate() {
+            for (other, b) in all.into_iter().enumerate() {
+                for resolution in [Resolution::EXACT, COARSE] {
+                    let finite = a.is_finite() && b.is_finite();
+                    let is_equal = numbers(a, b, Quantity::Length, resolution);
+                    assert!(finite || is_equal == (place == other), "{a} {b} {resolution:?}");
+                }
+            }
+        }
+        assert!(numbers(f64::NAN, -f64::NAN, Quantity::Length, Resolution::EXACT));
+        assert!(numbers(-0.0, 0.0, Quantity::Count, Resolution::EXACT));
+    }
+
+    #[test]
+    fn nan_differs_from_each_specified_value() {
+        let nan = f64::NAN;
+        let point = |x| Position { x, ..Position::default() };
+        assert!(!positions(&point(nan), &point(0.0), COARSE));
+        assert!(!values("feed_rate", &Value::Number(0.0), &Value::Number(nan), COARSE));
+        assert!(!fields("feed_rate", &Value::Number(0.0), &Value::Number(nan), COARSE));
+        let (dwell, never) = (Effect::Dwell { seconds: 0.0 }, Effect::Dwell { seconds: nan });
+        assert!(!effects(&dwell, &never, COARSE));
+        assert!(!sequences(&[0.0], &[nan], COARSE));
+        assert!(!texts("a=0", "a=nan") && !texts("a=0", "a=inf"));
     }
 }

@@ -69,12 +69,8 @@ impl Offline {
         if control.name.trim().is_empty() || control.name.chars().any(char::is_control) {
             return Err(format!("{name}: `name` is empty, so nothing says what was certified"));
         }
-        if !(control.resolution >= 0.0 && control.resolution.is_finite()) {
-            return Err(format!(
-                "{name}: invalid `resolution`: expected a finite number that is not negative"
-            ));
-        }
         let mut capabilities = no_observables(&control);
+        capabilities.accuracy().check().map_err(|error| format!("{name}: {error}"))?;
         let mut entries = BTreeMap::new();
         for exported in &manifest.programs {
             let entry =
@@ -256,6 +252,7 @@ fn no_observables(control: &Control) -> Capabilities {
         name: control.name.trim().to_owned(),
         version: control.version.trim().to_owned(),
         resolution: control.resolution,
+        relative_resolution: 0.0,
         unconverted_lengths: BTreeMap::new(),
         fields: BTreeSet::new(),
         fields_at_effects: BTreeSet::new(),
@@ -263,6 +260,7 @@ fn no_observables(control: &Control) -> Capabilities {
         effects: BTreeSet::new(),
         moves_in_place: true,
         blocks: false,
+        refuses: true,
         faults_have_blocks: false,
         faults_have_kinds: false,
         final_parameters: false,

@@ -103,7 +103,7 @@ fn ended(end: &End) -> &'static str {
         End::Aborted => "aborted",
         End::Fault(_) => "alarm",
         End::BudgetExhausted { .. } => "did not end",
-        End::Unsupported { .. } | End::Unspecified { .. } => "",
+        End::StreamEnd | End::Unsupported { .. } | End::Unspecified { .. } => "",
     }
 }
 

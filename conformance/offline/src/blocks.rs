@@ -48,9 +48,8 @@ pub fn read_blocks(text: &str, axes: &[Axis]) -> Result<Option<Blocks>, String> 
             )));
         }
         for (axis, value) in axes.iter().zip(values).filter(|_| is_told) {
-            let number = value.parse().ok().filter(|number: &f64| number.is_finite());
             *position.get_mut(*axis) =
-                number.ok_or_else(|| wrong(format!("{value:?} is not a number")))?;
+                value.parse().map_err(|_| wrong(format!("{value:?} is not a number")))?;
         }
         let file = if file.is_empty() { Program::MAIN } else { file };
         blocks.push((BlockLocation::new(file, line), is_told.then_some(position)));

@@ -24,6 +24,7 @@ pub(super) fn check_exportable(
         End::Unspecified { .. } => Err("the documents leave it open"),
         End::ProgramEnd
         | End::PercentEnd
+        | End::StreamEnd
         | End::Endless
         | End::Paused
         | End::Aborted

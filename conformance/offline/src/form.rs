@@ -40,7 +40,7 @@ impl Field {
 
     fn number(&self, place: &str) -> Result<f64, String> {
         let text = self.text();
-        text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| {
+        text.parse().map_err(|_| {
             let hint = if text.contains(',') { " (write a point, not a comma)" } else { "" };
             format!("{place}: {text:?} is not a number{hint}")
         })

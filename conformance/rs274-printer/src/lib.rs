@@ -280,6 +280,7 @@ fn unsupported(end: &End) -> Fault {
         End::Unspecified { block, why } => (Some(block.clone()), format!("not specified: {why}")),
         End::ProgramEnd
         | End::PercentEnd
+        | End::StreamEnd
         | End::Endless
         | End::Fault(_)
         | End::Paused

@@ -34,6 +34,7 @@ impl Printed<'_> {
                         self.changed_within(&before, &stage);
                     }
                 }
+                Event::Unknown(_) => {}
                 Event::Do(effect) if is_after_motion(effect, self.cycle.is_some()) => break,
                 Event::Do(_) => {
                     if !std::mem::replace(&mut switched, true) {
@@ -63,7 +64,7 @@ impl Printed<'_> {
             match event {
                 Event::Set(changed) if hole.is_none() => stage.apply(changed),
                 Event::Do(Effect::StraightTraverse { end }) => hole = Some(*end),
-                Event::Set(_) | Event::Do(_) => break,
+                Event::Set(_) | Event::Do(_) | Event::Unknown(_) => break,
             }
             self.at += 1;
         }
@@ -234,7 +235,7 @@ impl Printed<'_> {
             Event::Do(Effect::Dwell { seconds }) => self.out.call_with("DWELL", *seconds),
             Event::Do(Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }) => self.orient(),
             Event::Do(Effect::Stop { .. }) => self.out.call("PROGRAM_STOP"),
-            Event::Do(_) | Event::Set(_) => {}
+            Event::Do(_) | Event::Set(_) | Event::Unknown(_) => {}
         }
     }
 

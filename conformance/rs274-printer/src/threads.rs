@@ -68,7 +68,7 @@ impl Printed<'_> {
                 }
                 true
             }
-            Event::Do(_) | Event::Set(_) => false,
+            Event::Do(_) | Event::Set(_) | Event::Unknown(_) => false,
         }
     }
 

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use gaugeblock_vocabulary::{
     Effect, End, FaultKind, GppState, Language, NctState, Pin, Rs274State, Settings, State,
-    TextError,
+    TextError, Value,
     text::{Arguments, FromText},
 };
 
@@ -173,8 +173,11 @@ fn pin_values(text: &str) -> Result<Vec<f64>, String> {
     if text == "none" {
         return Ok(Vec::new());
     }
-    let value = |text: &str| f64::from_text(text.trim()).map_err(|error| error.message);
-    text.split(',').map(value).collect()
+    let value = |text: &str| {
+        let value = f64::from_text(text.trim())?;
+        check_finite(&Value::Number(value)).map(|()| value)
+    };
+    text.split(',').map(value).collect::<Result<_, _>>().map_err(|error: TextError| error.message)
 }
 
 fn effect_name(name: &str) -> Result<String, String> {
@@ -250,14 +253,28 @@ impl Expected {
     fn check(&self) -> Result<(), TextError> {
         let index = self.index.as_deref();
         if Settings::FIELDS.contains(&self.field.as_str()) {
-            return Settings::default().read(&self.field, index, &self.value);
+            let mut settings = Settings::default();
+            settings.read(&self.field, index, &self.value)?;
+            return settings.entries().iter().try_for_each(|entry| check_finite(&entry.value));
         }
         let of_state = [Rs274State::FIELDS, GppState::FIELDS, NctState::FIELDS].concat();
         if of_state.contains(&self.field.as_str()) {
-            return State::empty(self.language()).read(&self.field, index, &self.value);
+            let mut state = State::empty(self.language());
+            state.read(&self.field, index, &self.value)?;
+            return state.entries().iter().try_for_each(|entry| check_finite(&entry.value));
         }
         Err(TextError::new(format!("there is no field named {}", self.field)))
     }
+}
+
+/// No document specifies a number that is not finite.
+fn check_finite(value: &Value) -> Result<(), TextError> {
+    let is_finite = match value {
+        Value::Number(number) => number.is_finite(),
+        Value::Position(position) => position.to_array().iter().all(|number| number.is_finite()),
+        Value::Word(_) | Value::Text(_) => true,
+    };
+    if is_finite { Ok(()) } else { Err(TextError::new(format!("not a finite number: {value}"))) }
 }
 
 fn effects(text: &str) -> Result<Vec<Effect>, String> {
@@ -271,12 +288,24 @@ fn effect(text: &str) -> Result<Effect, String> {
     let (name, rest) = text.split_once(' ').unwrap_or((text, ""));
     Arguments::parse(rest)
         .and_then(|arguments| Effect::read(name, arguments))
+        .and_then(|effect| {
+            effect.arguments().iter().try_for_each(|(_, value)| check_finite(value))?;
+            Ok(effect)
+        })
         .map_err(|error| format!("effect `{text}`: {}", error.message))
 }
 
 /// Whether an end is no fault and not one of ours.
 pub fn is_accepted(end: &End) -> bool {
-    matches!(end, End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted)
+    matches!(
+        end,
+        End::ProgramEnd
+            | End::PercentEnd
+            | End::StreamEnd
+            | End::Endless
+            | End::Paused
+            | End::Aborted
+    )
 }
 
 #[cfg(test)]
@@ -328,6 +357,10 @@ mod tests {
             "ends well",
             "output: N10",
             "after 3 set[X] = yes",
+            "after 3 feed_rate = NaN",
+            "at end position = (x1 yinf)",
+            "effects: dwell seconds=inf",
+            "pin analog_out[0]: 1, NaN",
             "kind odd",
             "pin digital_out[0]",
             "pin digital_out: 1",

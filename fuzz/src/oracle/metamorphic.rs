@@ -106,7 +106,7 @@ fn path(outcome: &Outcome) -> Vec<Point> {
                 }
                 points.push(point);
             }
-            Event::Do(_) => {}
+            Event::Do(_) | Event::Unknown(_) => {}
         }
     }
     points

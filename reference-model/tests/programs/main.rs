@@ -33,9 +33,12 @@ fn ending(outcome: &Outcome) -> String {
         End::BudgetExhausted { bound } => format!("budget of {bound}"),
         End::Unsupported { block, .. } => format!("unsupported at {block}"),
         End::Unspecified { block, .. } => format!("unspecified at {block}"),
-        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {
-            outcome.end.name().to_owned()
-        }
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::StreamEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted => outcome.end.name().to_owned(),
     }
 }
 

@@ -11,18 +11,19 @@ use serde::ser::SerializeMap as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::indexed::Indexed;
+use crate::json::number::{JsonValue, Written};
 use crate::sorted::Sorted;
 
-impl<K: fmt::Display, T: Serialize> Serialize for Indexed<K, T> {
+impl<K: fmt::Display, T: JsonValue> Serialize for Indexed<K, T> {
     /// By the texts of the indices, in their order.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if let [(index, value)] = self.0.as_slice() {
             let mut map = serializer.serialize_map(Some(1))?;
-            map.serialize_entry(&index.to_string(), value)?;
+            map.serialize_entry(&index.to_string(), &Written(value))?;
             return map.end();
         }
         let mut named: Vec<_> =
-            self.0.iter().map(|(index, value)| (index.to_string(), value)).collect();
+            self.0.iter().map(|(index, value)| (index.to_string(), Written(value))).collect();
         named.sort_by(|(one, _), (other, _)| one.cmp(other));
         serializer.collect_map(named)
     }
@@ -31,10 +32,30 @@ impl<K: fmt::Display, T: Serialize> Serialize for Indexed<K, T> {
 impl<'de, K, T> Deserialize<'de> for Indexed<K, T>
 where
     K: Ord + fmt::Display + FromStr,
-    T: Deserialize<'de>,
+    T: JsonValue,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(Members(PhantomData))
+    }
+}
+
+impl<K, T> JsonValue for Indexed<K, T>
+where
+    K: Ord + fmt::Display + FromStr,
+    T: JsonValue,
+{
+    type Read = Self;
+
+    fn of(read: Self) -> Self {
+        read
+    }
+
+    fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.serialize(serializer)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.0.values().all(JsonValue::is_finite)
     }
 }
 
@@ -44,7 +65,7 @@ struct Members<K, T>(PhantomData<(K, T)>);
 impl<'de, K, T> Visitor<'de> for Members<K, T>
 where
     K: Ord + fmt::Display + FromStr,
-    T: Deserialize<'de>,
+    T: JsonValue,
 {
     type Value = Indexed<K, T>;
 
@@ -55,7 +76,7 @@ where
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
         let mut values = Sorted::new();
         while let Some(Index(index)) = map.next_key()? {
-            values.insert(index, map.next_value()?);
+            values.insert(index, T::of(map.next_value()?));
         }
         Ok(Indexed(values))
     }

@@ -4,6 +4,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::block::BlockLocation;
+#[cfg(feature = "serde")]
+use crate::json::number::read_finite;
 use crate::pin::Pin;
 use crate::position::Position;
 
@@ -106,12 +108,14 @@ pub enum Shape {
     /// A straight line; all nine axes move evenly.
     Straight {
         /// Where it ends.
+        #[cfg_attr(feature = "serde", serde(deserialize_with = "read_finite"))]
         end: Position,
     },
     /// An arc or helix. The point goes about an axis of X, Y, Z while its distance from the axis, its place along
     /// the axis and the six other coordinates change evenly with the angle.
     Arc {
         /// Where it ends.
+        #[cfg_attr(feature = "serde", serde(deserialize_with = "read_finite"))]
         end: Position,
         /// A point of the axis: X, Y, Z.
         centre: [f64; 3],
@@ -123,13 +127,16 @@ pub enum Shape {
     /// A straight line until a probe changes, from rest to rest.
     Probe {
         /// The farthest point.
+        #[cfg_attr(feature = "serde", serde(deserialize_with = "read_finite"))]
         end: Position,
         /// Where the probe changes, if it does.
+        #[cfg_attr(feature = "serde", serde(default, deserialize_with = "read_finite"))]
         contact: Option<Position>,
     },
     /// A curve of which only the end is known: a spline.
     Curve {
         /// Where it ends.
+        #[cfg_attr(feature = "serde", serde(deserialize_with = "read_finite"))]
         end: Position,
     },
     /// Rest for a time: G4.
@@ -192,6 +199,7 @@ impl PathElement {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProgrammedPath {
     /// Where the machine is before it.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "read_finite"))]
     pub start: Position,
     /// The elements, in order.
     pub elements: Vec<PathElement>,

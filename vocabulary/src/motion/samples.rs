@@ -88,14 +88,17 @@ impl fmt::Display for SamplesError {
 
 impl core::error::Error for SamplesError {}
 
-/// Refuses a period that is not above zero, and a resolution below it.
+/// Largest error of a sample, millimetres or degrees: a larger one hides what the laws of motion forbid.
+const RESOLUTION_MAX: f64 = 0.1;
+
+/// Refuses a period that is not above zero, and a resolution that is not between zero and its bound.
 pub(super) fn can_be(period: f64, resolution: f64) -> Result<(), SamplesError> {
     let wrong = |message: String| Err(SamplesError::at("header", message));
     if !(period.is_finite() && period > 0.0) {
         return wrong(format!("a period of {period} seconds"));
     }
-    if !(resolution.is_finite() && resolution >= 0.0) {
-        return wrong(format!("a resolution of {resolution}"));
+    if !(0.0..=RESOLUTION_MAX).contains(&resolution) {
+        return wrong(format!("a resolution of {resolution:?}; expected 0 to {RESOLUTION_MAX:?}"));
     }
     Ok(())
 }

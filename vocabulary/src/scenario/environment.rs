@@ -83,7 +83,13 @@ pub enum ProbeContact {
     /// At the end of every probing move.
     AtTarget,
     /// When the controlled point reaches this machine position, machine unit.
-    At(Position),
+    At(
+        #[cfg_attr(
+            feature = "serde",
+            serde(deserialize_with = "crate::json::number::read_finite")
+        )]
+        Position,
+    ),
     /// Never.
     Never,
 }

@@ -41,6 +41,7 @@ pub struct Machine {
     /// Tool table.
     pub tools: Vec<Tool>,
     /// Stored parameters by number, machine unit.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::json::number::read_finite"))]
     pub parameters: Indexed<u32, f64>,
     /// Entries of the INI file that a program can read, by `[section]name` in upper case.
     pub ini: BTreeMap<String, f64>,
@@ -124,6 +125,7 @@ pub struct Tool {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub pocket: Option<u32>,
     /// Offsets.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::json::number::read_finite"))]
     pub offset: Position,
     /// Diameter.
     pub diameter: f64,

@@ -74,6 +74,10 @@ impl Reader {
                 let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
                 self.event(Event::Do(Effect::read(name, Arguments::parse(rest)?)?))?;
             }
+            "unknown" => {
+                let fields = rest.split_whitespace().map(String::from).collect();
+                self.event(Event::Unknown(fields))?;
+            }
             "state" => {
                 let language = self
                     .language
@@ -150,6 +154,7 @@ fn end(text: &str) -> Result<End, TextError> {
     let end = match name {
         "program_end" => End::ProgramEnd,
         "percent_end" => End::PercentEnd,
+        "stream_end" => End::StreamEnd,
         "endless" => End::Endless,
         "paused" => End::Paused,
         "aborted" => End::Aborted,

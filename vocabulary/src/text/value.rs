@@ -73,10 +73,10 @@ impl<T: Word> FromText for T {
 
 impl FromText for f64 {
     fn from_text(text: &str) -> Result<Self, TextError> {
-        text.parse()
-            .ok()
-            .filter(|number: &Self| number.is_finite())
-            .ok_or_else(|| TextError::new(format!("not a finite number: {text}")))
+        let number: Option<Self> = text.parse().ok();
+        number
+            .filter(|number| number.is_finite() || matches!(text, "NaN" | "inf" | "-inf"))
+            .ok_or_else(|| TextError::new(format!("not a number: {text}")))
     }
 }
 

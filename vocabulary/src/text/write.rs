@@ -43,6 +43,9 @@ fn text_of(outcome: &Outcome) -> String {
         for event in &step.events {
             match event {
                 Event::Set(settings) => record(&mut text, "  set", &settings.entries()),
+                Event::Unknown(fields) => {
+                    line(&mut text, format!("  unknown {}", fields.join(" ")).trim_end());
+                }
                 Event::Do(effect) => {
                     let mut words = format!("  do {}", effect.name());
                     for (name, value) in effect.arguments() {
@@ -92,7 +95,12 @@ fn record(text: &mut String, name: &str, entries: &[Entry]) {
 fn end(end: &End) -> String {
     let name = end.name();
     match end {
-        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::StreamEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted => {
             format!("end {name}")
         }
         End::Fault(Fault { kind, block, span, message }) => {

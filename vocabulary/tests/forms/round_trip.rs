@@ -1,6 +1,6 @@
 //! Random outcomes, scenarios, settings and effects are equal after they were written and read: as text, JSON and TOML.
 
-use gaugeblock_vocabulary::{Effect, Outcome, Scenario, Settings};
+use gaugeblock_vocabulary::{Effect, Event, Outcome, Scenario, Settings};
 use proptest::prelude::*;
 
 use crate::generate;
@@ -83,4 +83,13 @@ fn nothing_by_index_is_nothing() {
     let settings = Settings { spindle_speed: Some(Default::default()), ..Settings::default() };
     assert!(settings.is_empty());
     assert_eq!(serde_json::to_string(&settings).unwrap(), "{}");
+}
+
+/// A misspelt field would be compared although the controller does not know it.
+#[test]
+fn unknown_fields_are_fields() {
+    let event = |field: &str| format!(r#"{{"unknown":["{field}"]}}"#);
+    assert!(serde_json::from_str::<Event>(&event("position")).is_ok());
+    let error = serde_json::from_str::<Event>(&event("positon")).unwrap_err();
+    assert!(error.to_string().contains("no field named `positon`"), "{error}");
 }

@@ -10,7 +10,7 @@ use super::pending_run::{PendingRun, ReceivedSoFar};
 use super::session::{NoReply, RUN, Session, request, shown, unreadable, unsupported};
 use crate::clock::now;
 use crate::protocol::digest::digest;
-use crate::protocol::{Answer, Extension, Operation, Reply, RunModes, Stream};
+use crate::protocol::{Answer, Extension, Operation, Reply, RunModes, Stream, read_json};
 use crate::{Expected, HarnessError, MotionRequest, NoSamples};
 
 /// Batches of steps that the adapter may send before it needs new credit.
@@ -164,7 +164,7 @@ impl Session {
             Reply::Outcome(outcome) => Ok(*outcome),
             Reply::File(name) => {
                 let bytes = self.take_answer_file(&name)?;
-                serde_json::from_slice(&bytes)
+                read_json(&bytes)
                     .map_err(|error| unreadable(&format!("file of `{operation}`: {error}"), &bytes))
             }
             reply => Err(self.unexpected_reply(operation, &reply)),

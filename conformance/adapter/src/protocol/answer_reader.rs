@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{End, Indexed, Language, Outcome, PinChange, Sample, 
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
+use super::number_literals::with_texts;
 use super::{Answer, Reply};
 
 /// An answer with an outcome and nothing else.
@@ -65,7 +66,10 @@ impl AnswerReader {
             return Ok(answer);
         }
         // Any other answer, and any error, is found by the general reader.
-        self.outcome(line).or_else(|_| serde_json::from_slice(line))
+        self.outcome(line).or_else(|_| match with_texts(line) {
+            Some(line) => self.outcome(&line).or_else(|_| serde_json::from_slice(&line)),
+            None => serde_json::from_slice(line),
+        })
     }
 
     /// Fast path of [`Self::outcome`]: an answer with the last start settings and the expected steps, in the form that

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 use gaugeblock_compare::Capabilities;
+use gaugeblock_compare::accuracy::LENGTH_ERROR_MAX_MM;
 use gaugeblock_vocabulary::{
     Effect, GppState, Language, LengthUnit, NctState, Options, Pin, Rs274State, Settings,
 };
@@ -34,8 +35,11 @@ pub struct Declaration {
     pub features: BTreeSet<String>,
     /// What it shows; nothing else is judged.
     pub observables: Observables,
-    /// Largest absolute error of the numbers that it tells, in program units; 0 where they are exact.
+    /// Largest absolute error of the numbers that it reports, in program units; 0 where they are exact, 0.1 at most.
     pub resolution: f64,
+    /// Optional: largest error in proportion to the number, such as 1.2e-7 for numbers of 32 bits; 1e-6 at most.
+    #[serde(default, skip_serializing_if = "is_exact")]
+    pub relative_resolution: f64,
     /// What its times are.
     pub clock: Clock,
     /// Optional: the edition that it is held to where the caller names none.
@@ -92,6 +96,10 @@ pub struct Observables {
     /// Optional: whether its faults may name their block; true where nothing is said.
     #[serde(default = "yes", skip_serializing_if = "is_yes")]
     pub fault_blocks: bool,
+    /// Optional: whether it ever refuses a block; true where nothing is said. Where not, what the documents refuse
+    /// counts as unsupported.
+    #[serde(default = "yes", skip_serializing_if = "is_yes")]
+    pub refusals: bool,
 }
 
 fn yes() -> bool {
@@ -103,13 +111,18 @@ fn is_yes(said: &bool) -> bool {
     *said
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands on a reference")]
+fn is_exact(error: &f64) -> bool {
+    *error == 0.0
+}
+
 /// What a controller's times are.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Clock {
     /// Only dwells and waits take time, and exactly as long as they say.
     Virtual,
-    /// Times of the wall, with this resolution in seconds: what lasts less may not be seen.
+    /// Times of the wall, with this resolution in seconds, 1 at most: what lasts less may not be seen.
     Wall(f64),
 }
 
@@ -125,6 +138,7 @@ impl Declaration {
             features: FEATURES.iter().map(|(name, _)| (*name).to_owned()).collect(),
             observables: Observables::of(observables),
             resolution: observables.resolution,
+            relative_resolution: observables.relative_resolution,
             clock: if observables.pin_period > 0.0 {
                 Clock::Wall(observables.pin_period)
             } else {
@@ -166,13 +180,15 @@ impl Declaration {
             Clock::Virtual => 0.0,
             Clock::Wall(resolution) => resolution,
         };
-        if !(self.resolution >= 0.0 && pin_period >= 0.0) {
-            return Err("a resolution is below zero".to_owned());
-        }
-        let (name, version, resolution) =
-            (self.name.clone(), self.version.clone(), self.resolution);
-        let bare =
-            Capabilities { name, version, resolution, pin_period, ..Capabilities::default() };
+        let bare = Capabilities {
+            name: self.name.clone(),
+            version: self.version.clone(),
+            resolution: self.resolution,
+            relative_resolution: self.relative_resolution,
+            pin_period,
+            ..Capabilities::default()
+        };
+        bare.accuracy().check()?;
         self.observables.capabilities(bare)
     }
 }
@@ -193,6 +209,7 @@ impl Observables {
             blocks: observables.blocks,
             carried: observables.unconverted_lengths.clone(),
             fault_blocks: observables.faults_have_blocks,
+            refusals: observables.refuses,
         }
     }
 
@@ -209,8 +226,11 @@ impl Observables {
         words("observables.pins", &self.pins, &known.pins)?;
         let carried = self.carried.keys().cloned().collect();
         words("observables.carried", &carried, &known.fields)?;
-        if !self.carried.values().all(|error| *error >= 0.0) {
-            return Err("a resolution is below zero".to_owned());
+        let is_bounded = |error: &f64| (0.0..=LENGTH_ERROR_MAX_MM).contains(error);
+        if let Some((field, error)) = self.carried.iter().find(|(_, error)| !is_bounded(error)) {
+            return Err(format!(
+                "invalid error of `{field}` in `observables.carried`: {error:?}; expected 0 to {LENGTH_ERROR_MAX_MM:?} millimetres"
+            ));
         }
         Ok(Capabilities {
             unconverted_lengths: self.carried.clone(),
@@ -220,6 +240,7 @@ impl Observables {
             effects: self.effects.clone(),
             moves_in_place: self.moves_in_place,
             blocks: self.blocks,
+            refuses: self.refusals,
             faults_have_blocks: self.fault_blocks,
             faults_have_kinds: self.fault_kinds,
             final_parameters: self.final_parameters,

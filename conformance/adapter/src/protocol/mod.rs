@@ -11,13 +11,14 @@ mod extensions;
 mod features;
 mod form;
 mod language;
+mod number_literals;
 mod serve;
 mod spin_wait;
 mod suggestion;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::{OperatorEvent, RunPoint};
-use gaugeblock_vocabulary::{Indexed, Outcome, Scenario, Settings, State, Step};
+use gaugeblock_vocabulary::{Indexed, Outcome, Scenario, Settings, State, Step, schema};
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +27,7 @@ pub use declaration::{Clock, Declaration, Observables, VERSION, vocabulary};
 pub use extensions::{EXTENSIONS, Extension};
 pub use features::{FEATURES, needed};
 pub use language::{CommentKind, DeclaredLanguage, ParameterKind};
+pub(crate) use number_literals::read_json;
 pub use serve::{Caller, Served, serve};
 pub use spin_wait::SpinWait;
 pub(crate) use suggestion::with_suggestion;
@@ -237,7 +239,9 @@ pub fn request_schema() -> Schema {
 
 /// The schema of an [`Answer`].
 pub fn answer_schema() -> Schema {
-    identified::<Answer>("answer")
+    let mut schema = identified::<Answer>("answer");
+    schema::admit_not_finite(&mut schema, &["Clock", "Declaration", "Observables"]);
+    schema
 }
 
 fn identified<T: JsonSchema>(name: &str) -> Schema {

@@ -245,7 +245,8 @@ fn check_program_end(
     let outcome = controller.run(scenario).map_err(|error| refused(error.to_string()))?;
     match &outcome.end {
         End::ProgramEnd | End::PercentEnd => Ok(outcome),
-        End::Endless
+        End::StreamEnd
+        | End::Endless
         | End::Paused
         | End::Aborted
         | End::Fault(_)

@@ -103,7 +103,7 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
 /// The exit status of --check. A program that begins again without end is lawful.
 fn status(end: &End) -> u8 {
     match end {
-        End::ProgramEnd | End::PercentEnd | End::Endless => 0,
+        End::ProgramEnd | End::PercentEnd | End::StreamEnd | End::Endless => 0,
         End::Fault(_) | End::Paused | End::Aborted | End::BudgetExhausted { .. } => 1,
         End::Unsupported { .. } | End::Unspecified { .. } => 3,
     }
@@ -162,7 +162,12 @@ fn stop_reason<'a>(
             let last = outcome.steps.last().map(|step| &step.block);
             Some((last, None, budget_used_up(*bound, &scenario.budget)))
         }
-        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => None,
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::StreamEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted => None,
     }
 }
 

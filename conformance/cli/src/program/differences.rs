@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use gaugeblock_compare::accuracy::Quantity;
 use gaugeblock_compare::observe::{Observed, ObservedEffect, ObservedStep};
 use gaugeblock_compare::{Capabilities, Divergence, NEXT_BLOCK, end_text, rounded, tolerance};
 use gaugeblock_vocabulary::{End, Entry, Settings, State, Value};
@@ -133,7 +134,7 @@ impl Walk<'_> {
         let Some(step) = step else { return };
         let observables = self.observables;
         if let (Some(a), Some(b)) = (expected, found)
-            && tolerance::effects(&a.effect, &b.effect, self.observables.resolution)
+            && tolerance::effects(&a.effect, &b.effect, observables.resolution_at(&a.settings))
         {
             let fields = &observables.fields_at_effects;
             let (a, b) = (a.settings.entries(), b.settings.entries());
@@ -220,7 +221,8 @@ impl Walk<'_> {
                 side.0.get(&number).copied().unwrap_or_default()
             };
             let (a, b) = (value(left), value(right));
-            if !tolerance::numbers(a, b, self.observables.resolution) {
+            let resolution = self.observables.resolution();
+            if !tolerance::numbers(a, b, Quantity::Number, resolution) {
                 self.list.push(Divergence {
                     block: None,
                     field: format!("#{number} at the end"),

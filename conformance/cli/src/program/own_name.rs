@@ -51,6 +51,7 @@ pub(crate) fn of_outcome(outcome: &Outcome, file: &Path) -> Outcome {
         }
         End::ProgramEnd
         | End::PercentEnd
+        | End::StreamEnd
         | End::Endless
         | End::Paused
         | End::Aborted

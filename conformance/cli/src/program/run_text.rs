@@ -20,6 +20,9 @@ pub(crate) fn run_text(outcome: &Outcome, names: &Outcome, scenario: &Scenario) 
         for event in &step.events {
             match event {
                 Event::Set(settings) => record(&mut text, "  set", &settings.entries(), axes),
+                Event::Unknown(fields) => {
+                    let _infallible = writeln!(text, "  unknown {}", fields.join(" "));
+                }
                 Event::Do(effect) => {
                     let _infallible = write!(text, "  do {}", effect.name());
                     for (name, value) in effect.arguments() {

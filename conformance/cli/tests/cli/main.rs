@@ -1,5 +1,6 @@
 //! Tests that run the command `gaugeblock`.
 
+mod any_answer;
 mod by_protocol;
 mod command;
 mod command_line;

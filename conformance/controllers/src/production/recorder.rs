@@ -313,7 +313,7 @@ impl Machine for Recorder<'_> {
         let effects = self.events.iter_mut().rev();
         let waits = effects.filter_map(|event| match event {
             Event::Do(Effect::WaitInput { read, .. }) => Some(read),
-            Event::Do(_) | Event::Set(_) => None,
+            Event::Do(_) | Event::Set(_) | Event::Unknown(_) => None,
         });
         waits.take(1).for_each(|read| *read = value);
     }
@@ -326,7 +326,7 @@ impl Machine for Recorder<'_> {
                 Event::Set(changed) => settings.overlay(&changed),
                 // The controller refused it, and not the block.
                 Event::Do(Effect::RequestRefused { .. }) => refused.push(event),
-                Event::Do(_) => {}
+                Event::Do(_) | Event::Unknown(_) => {}
             }
         }
         self.idle = true;

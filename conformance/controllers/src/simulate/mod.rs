@@ -101,6 +101,7 @@ pub fn plan_with(
             let done = match event {
                 Event::Set(change) => drive.set(change),
                 Event::Do(effect) => drive.perform(step.block.line, effect),
+                Event::Unknown(_) => Ok(()),
             };
             done.map_err(|stopped| Stopped { block: Some(step.block.clone()), ..stopped })?;
             if drive.operator.abort {

@@ -19,7 +19,7 @@ pub(crate) fn set(now: &mut Settings, events: &mut Vec<Event>, change: &Settings
     }
     match events.last_mut() {
         Some(Event::Set(last)) => last.overlay(&change),
-        Some(Event::Do(_)) | None => events.push(Event::Set(change.into())),
+        Some(Event::Do(_) | Event::Unknown(_)) | None => events.push(Event::Set(change.into())),
     }
 }
 

@@ -200,7 +200,7 @@ impl<'a> Steps<'a> {
             match event {
                 Event::Do(Effect::PrepareTool { .. }) => self.changed = false,
                 Event::Do(Effect::ChangeTool { .. }) => self.changed = true,
-                Event::Set(_) | Event::Do(_) => {}
+                Event::Set(_) | Event::Do(_) | Event::Unknown(_) => {}
             }
         }
     }

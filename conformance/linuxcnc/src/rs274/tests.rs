@@ -34,7 +34,7 @@ fn effects(outcome: &Outcome) -> Vec<(u32, String)> {
     let of_step = |step: &gaugeblock_vocabulary::Step| -> Vec<(u32, String)> {
         let name = |event: &Event| match event {
             Event::Do(effect) => Some((step.block.line, effect.name().to_owned())),
-            Event::Set(_) => None,
+            Event::Set(_) | Event::Unknown(_) => None,
         };
         step.events.iter().filter_map(name).collect()
     };
@@ -91,7 +91,7 @@ fn settings_reset_at_the_end_are_reported() {
 fn pallets_are_exchanged_after_the_reset() {
     let Some(outcome) = run("g91\nm30\n") else { return };
     let names = |event: &Event| match event {
-        Event::Set(_) => "set".to_owned(),
+        Event::Set(_) | Event::Unknown(_) => "set".to_owned(),
         Event::Do(effect) => effect.name().to_owned(),
     };
     let events: Vec<_> = outcome.steps[1].events.iter().map(names).collect();
@@ -180,7 +180,7 @@ fn messages_go_to_their_channels() {
     };
     let message = |event: &Event| match event {
         Event::Do(Effect::Message { channel, text }) => Some(format!("{channel} {text}")),
-        Event::Do(_) | Event::Set(_) => None,
+        Event::Do(_) | Event::Set(_) | Event::Unknown(_) => None,
     };
     let messages: Vec<_> =
         outcome.steps.iter().flat_map(|step| &step.events).filter_map(message).collect();
@@ -235,7 +235,7 @@ fn feed_under_inverse_time_is_had_back() {
     let feed = |step: usize| {
         outcome.steps[step].events.iter().find_map(|event| match event {
             Event::Set(settings) => settings.feed_rate,
-            Event::Do(_) => None,
+            Event::Do(_) | Event::Unknown(_) => None,
         })
     };
     assert_eq!([feed(0), feed(1), feed(2)], [Some(6.0), Some(8.0), Some(0.0)]);

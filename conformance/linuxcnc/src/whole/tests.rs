@@ -30,7 +30,7 @@ fn effects(outcome: &Outcome) -> Vec<(u32, &'static str)> {
     let of_step = |step: &gaugeblock_vocabulary::Step| {
         let names = step.events.iter().filter_map(|event| match event {
             Event::Do(effect) => Some(effect.name()),
-            Event::Set(_) => None,
+            Event::Set(_) | Event::Unknown(_) => None,
         });
         names.map(|name| (step.block.line, name)).collect::<Vec<_>>()
     };

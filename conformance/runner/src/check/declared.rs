@@ -143,7 +143,7 @@ fn effects(outcome: &Outcome) -> BTreeSet<&'static str> {
     let events = outcome.steps.iter().flat_map(|step| &step.events);
     let effects = events.filter_map(|event| match event {
         Event::Do(effect) => Some(effect.name()),
-        Event::Set(_) => None,
+        Event::Set(_) | Event::Unknown(_) => None,
     });
     effects.collect()
 }
@@ -153,7 +153,7 @@ fn fields(outcome: &Outcome) -> BTreeSet<&'static str> {
     let events = outcome.steps.iter().flat_map(|step| &step.events);
     let set = events.filter_map(|event| match event {
         Event::Set(settings) => Some(settings.entries()),
-        Event::Do(_) => None,
+        Event::Do(_) | Event::Unknown(_) => None,
     });
     let states = outcome.steps.iter().filter_map(|step| step.state.as_ref()).map(State::entries);
     let all = set.chain(states).chain([Settings::entries(&outcome.start)]).flatten();

@@ -37,6 +37,7 @@ pub fn programmed(outcome: &Outcome, start: Position) -> ProgrammedPath {
             match event {
                 Event::Set(change) => walk.settings.overlay(change),
                 Event::Do(effect) => walk.perform(effect, &step.block),
+                Event::Unknown(_) => {}
             }
         }
     }

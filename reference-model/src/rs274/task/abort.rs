@@ -111,6 +111,7 @@ impl ModelRun<'_> {
             }
             End::ProgramEnd
             | End::PercentEnd
+            | End::StreamEnd
             | End::Endless
             | End::Aborted
             | End::Paused

@@ -112,6 +112,7 @@ fn leaves_nothing(end: &End) -> bool {
         End::BudgetExhausted { bound } => *bound == Bound::Effects,
         End::ProgramEnd
         | End::PercentEnd
+        | End::StreamEnd
         | End::Endless
         | End::Aborted
         | End::Paused
@@ -221,7 +222,8 @@ impl ModelRun<'_> {
             let stands_idle = match &end {
                 // A program that pauses has no event left; what is entered by hand is idle.
                 End::ProgramEnd | End::PercentEnd | End::Aborted | End::Paused => true,
-                End::Endless
+                End::StreamEnd
+                | End::Endless
                 | End::Fault(_)
                 | End::BudgetExhausted { .. }
                 | End::Unsupported { .. }

@@ -190,7 +190,7 @@ impl Record {
         later
             .filter_map(|event| match event {
                 Event::Do(effect) => Some(effect.clone()),
-                Event::Set(_) => None,
+                Event::Set(_) | Event::Unknown(_) => None,
             })
             .collect()
     }
@@ -241,6 +241,7 @@ impl Record {
                 false
             }
             Event::Do(effect) => matches!(effect, Effect::RequestRefused { .. }),
+            Event::Unknown(_) => false,
         });
         if set != Settings::default() {
             self.events.push(Event::Set(set.into()));
@@ -286,7 +287,7 @@ impl Record {
     pub(crate) fn moves(&self) -> BlockMotion {
         let mut moves = self.events.iter().filter_map(|event| match event {
             Event::Do(effect) if is_move(effect) => Some(effect),
-            Event::Set(_) | Event::Do(_) => None,
+            Event::Set(_) | Event::Do(_) | Event::Unknown(_) => None,
         });
         match moves.next() {
             None => BlockMotion::None,

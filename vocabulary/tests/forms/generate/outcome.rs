@@ -36,7 +36,9 @@ fn outcome_in(language: Language) -> BoxedStrategy<Outcome> {
 
 fn step(language: Language) -> BoxedStrategy<Step> {
     let set = settings().prop_map(|changed| Event::Set(changed.into()));
-    let event = prop_oneof![set, effect().prop_map(Event::Do)];
+    let fields: Vec<String> = Settings::FIELDS.iter().map(|field| (*field).to_owned()).collect();
+    let unknown = vec(proptest::sample::select(fields), 0..3).prop_map(Event::Unknown);
+    let event = prop_oneof![set, effect().prop_map(Event::Do), unknown];
     whole!(Step { block: block(), events: vec(event, 0..4), state: option::of(state(language)) })
 }
 
@@ -188,7 +190,8 @@ fn fault() -> BoxedStrategy<Fault> {
 
 fn end() -> BoxedStrategy<End> {
     let complete = |end: &End| match end {
-        End::ProgramEnd | End::PercentEnd | End::Endless | End::Paused | End::Aborted => {}
+        End::ProgramEnd | End::PercentEnd | End::StreamEnd => {}
+        End::Endless | End::Paused | End::Aborted => {}
         End::Fault(_) | End::BudgetExhausted { .. } => {}
         End::Unsupported { .. } | End::Unspecified { .. } => {}
     };
@@ -196,6 +199,7 @@ fn end() -> BoxedStrategy<End> {
         proptest::sample::select(vec![
             End::ProgramEnd,
             End::PercentEnd,
+            End::StreamEnd,
             End::Endless,
             End::Paused,
             End::Aborted,

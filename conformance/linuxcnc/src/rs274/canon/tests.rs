@@ -20,6 +20,7 @@ fn events(canon: &mut Canon, calls: &[&str]) -> Vec<String> {
         assert_eq!(canon.call(&call), Ok(Mark::None), "{name}");
     }
     let text = |event: &Event| match event {
+        Event::Unknown(fields) => fields.join(" "),
         Event::Set(settings) => {
             let entries = settings.entries();
             let texts: Vec<_> =

@@ -18,7 +18,7 @@ fn messages(comment: &str, state: &mut State) -> Vec<String> {
     events
         .filter_map(|event| match event {
             Event::Do(Effect::Message { text, .. }) => Some(text),
-            Event::Do(_) | Event::Set(_) => None,
+            Event::Do(_) | Event::Set(_) | Event::Unknown(_) => None,
         })
         .collect()
 }

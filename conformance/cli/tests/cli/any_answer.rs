@@ -1,0 +1,100 @@
+//! Any answer is judged: numbers that are not finite are results of the controller, with a verdict and in each report.
+
+use std::num::NonZero;
+use std::path::Path;
+
+use gaugeblock_adapter::exec::Exec;
+use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_suite::Suite;
+
+use crate::command::gaugeblock;
+use crate::template::{changed, file, limits, text};
+
+/// A rule whose cases the template runs; all of them pass.
+const RULE: &str = "motion.mode-holds";
+
+/// The template, with another text in place of each X coordinate in an answer.
+fn answering(name: &str, coordinate: &str) -> String {
+    let print = "    print(json.dumps({\"id\": request[\"id\"], **answer}), flush=True)\n";
+    let meddled = format!(
+        "    print(re.sub(r'\"x\": [-+.0-9e]+', {coordinate:?}, json.dumps({{\"id\": request[\"id\"], **answer}}))\
+         .replace('{{, ', '{{'), flush=True)\n"
+    );
+    changed(&format!("any-answer-{name}.py"), &[(print, &meddled)])
+}
+
+/// The words of the verdicts on the cases of the rule that are run, and what was found.
+fn verdicts(suite: &Suite, command: &str) -> Vec<(&'static str, String)> {
+    let controller = Exec::start(command, limits()).expect("the adapter starts");
+    let edition = suite.edition("linuxcnc-2.9").expect("the edition");
+    let only = [RULE.to_owned()];
+    let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let cases = certify(plan, &controller, &|| {}).cases.into_iter();
+    let judged = cases.filter(|case| case.verdict.word() != "unsupported");
+    judged.map(|case| (case.verdict.word(), case.verdict.to_string())).collect()
+}
+
+#[test]
+fn each_number_gets_a_verdict() {
+    let suite =
+        Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
+    let plain = verdicts(&suite, &changed("any-answer.py", &[]));
+    assert!(!plain.is_empty() && plain.iter().all(|(word, _)| *word == "pass"), "{plain:?}");
+    for (name, coordinate, found) in [
+        ("python-nan", "\"x\": NaN", "xNaN"),
+        ("text-nan", "\"x\": \"nan\"", "xNaN"),
+        ("javascript-nan", "\"x\": null", "xNaN"),
+        ("python-inf", "\"x\": -Infinity", "x-inf"),
+        ("text-inf", "\"x\": \"inf\"", "xinf"),
+        ("too-great", "\"x\": 1e400", "xinf"),
+        ("too-small", "\"x\": 1e-400", ""),
+        ("minus-zero", "\"x\": -0", ""),
+        ("missing", "", ""),
+    ] {
+        let judged = verdicts(&suite, &answering(name, coordinate));
+        assert_eq!(judged.len(), plain.len(), "{name}: {judged:?}");
+        let differs =
+            judged.iter().filter(|(word, why)| *word == "diverges" && why.contains(found));
+        assert!(differs.count() > 0, "{name}: {judged:?}");
+        let is_judged = |word: &str| matches!(word, "pass" | "diverges");
+        assert!(judged.iter().all(|(word, _)| is_judged(word)), "{name}: {judged:?}");
+    }
+}
+
+#[test]
+fn divergence_that_is_not_a_number_is_printed_and_can_be_expected() {
+    let controller = format!("exec:{}", answering("gate", "\"x\": NaN"));
+    let expectations = file("any-answer.toml", "");
+    std::fs::remove_file(&expectations).expect("the file can be removed");
+    let folder = Path::new(&expectations).with_file_name("any-answer-report");
+    let _first_time = std::fs::remove_dir_all(&folder);
+    let report = folder.to_str().expect("a path in UTF-8");
+    let call = ["certify", "--controller", &controller, "--only", RULE];
+    let first = gaugeblock(
+        &[&call[..], &["--write-expectations", &expectations, "--report", report]].concat(),
+    );
+    assert!(text(&first.stdout).contains("xNaN"), "{}{}", text(&first.stdout), text(&first.stderr));
+    for name in ["report.json", "junit.xml", "report.html", "summary.md"] {
+        let page = std::fs::read_to_string(folder.join(name)).expect(name);
+        assert!(page.contains("xNaN"), "{name}: {page}");
+    }
+    let gate = gaugeblock(&[&call[..], &["--expectations", &expectations]].concat());
+    assert_eq!(gate.status.code(), Some(0), "{}{}", text(&gate.stdout), text(&gate.stderr));
+}
+
+#[test]
+fn case_about_a_refusal_is_unsupported_on_a_controller_that_never_refuses() {
+    let only = ["certify", "--only", "modal-groups.g-code-out-of-range", "--controller"];
+    let accepts = ("if letter == \"g\" and number > 99.9:", "if False:");
+    let runs_any = ("if letter not in \"xyzf\" and", "if letter not in \"xyzfg\" and");
+    for (name, declared, status, words) in [
+        ("never-refuses.py", "\"pins\": [], \"refusals\": False", 0, "never refuses"),
+        ("refuses-nothing.py", "\"pins\": []", 1, "diverges modal-groups.g-code-out-of-range"),
+    ] {
+        let command = changed(name, &[accepts, runs_any, ("\"pins\": []", declared)]);
+        let output = gaugeblock(&[&only[..], &[&format!("exec:{command}"), "-v"]].concat());
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(status), "{name}: {said}{}", text(&output.stderr));
+        assert!(said.contains(words), "{name}: {said}");
+    }
+}

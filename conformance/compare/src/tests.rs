@@ -1,0 +1,137 @@
+//! What a declaration or an answer leaves open is masked, and nothing else is.
+
+use gaugeblock_reference::run;
+use gaugeblock_vocabulary::{Effect, End, Event, Outcome, Rs274State, Scenario, State};
+
+use crate::observe::Observed;
+use crate::{Capabilities, Comparison, compare};
+
+/// The specified outcome of a program, compared with what becomes of it.
+fn compared(
+    program: &str,
+    observables: &Capabilities,
+    change: impl FnOnce(&mut Outcome),
+) -> Comparison {
+    let expected = run(&Scenario::of(program)).0;
+    let mut found = expected.clone();
+    change(&mut found);
+    compare(&Observed::of(&expected), &Observed::of(&found), observables)
+}
+
+fn everything() -> Capabilities {
+    Capabilities::everything("a controller", "1")
+}
+
+/// Moves the end of each straight move and each recorded position by a factor.
+fn scale(outcome: &mut Outcome, factor: f64) {
+    for step in &mut outcome.steps {
+        for event in &mut step.events {
+            if let Event::Do(Effect::StraightTraverse { end }) = event {
+                end.x *= factor;
+            }
+        }
+        if let Some(State::Rs274(Rs274State { position: Some(position), .. })) = &mut step.state {
+            position.x *= factor;
+        }
+    }
+    outcome.parameters = None;
+}
+
+#[test]
+fn relative_error_hides_what_32_bits_lose() {
+    let program = "g21 g0 x12345.678\nm2\n";
+    let single =
+        Capabilities { relative_resolution: 1.2e-7, reports_all_fields: false, ..everything() };
+    let comparison = compared(program, &single, |found| scale(found, 1.0 + 6e-8));
+    assert_eq!(comparison.divergence, None);
+    let hidden = [
+        "position within the declared resolution",
+        "straight_traverse within the declared resolution",
+    ];
+    assert!(hidden.iter().all(|masked| comparison.masked.contains(*masked)), "{comparison:?}");
+    assert!(compared(program, &single, |found| scale(found, 1.0 + 1e-6)).divergence.is_some());
+    assert!(
+        compared(program, &everything(), |found| scale(found, 1.0 + 6e-8)).divergence.is_some()
+    );
+}
+
+#[test]
+fn exact_number_is_compared_whatever_resolution_is_declared() {
+    let coarse = Capabilities { resolution: 0.1, ..everything() };
+    let comparison = compared("g21 g0 x1\nm2\n", &coarse, |_| {});
+    assert_eq!((comparison.divergence, comparison.masked.len()), (None, 0));
+}
+
+#[test]
+fn count_has_no_error() {
+    let coarse = Capabilities { resolution: 0.1, ..everything() };
+    let change = |found: &mut Outcome| {
+        for step in &mut found.steps {
+            if let Some(State::Rs274(state)) = &mut step.state {
+                state.tool = state.tool.map(|tool| tool + 1);
+            }
+        }
+    };
+    let divergence = compared("g0 x1\nm2\n", &coarse, change).divergence.expect("another tool");
+    assert_eq!(divergence.field, "tool");
+}
+
+#[test]
+fn end_of_a_stream_is_no_program_end() {
+    let ends = |found: &mut Outcome| found.end = End::StreamEnd;
+    for (program, expected) in
+        [("g0 x1\nm2\n", "program end"), ("g0 x1\n", "refused at main.ngc:2")]
+    {
+        let divergence = compared(program, &everything(), ends).divergence.expect(program);
+        assert_eq!(divergence.found, "end of the stream without a program end");
+        assert!(divergence.expected.starts_with(expected), "{divergence}");
+    }
+}
+
+#[test]
+fn unknown_field_is_masked_until_it_is_reported_again() {
+    let some = Capabilities { reports_all_fields: false, ..everything() };
+    let program = "g0 x1\ng0 x2\ng0 x3\nm2\n";
+    // Left out, the position counts as unchanged.
+    let leave_out = |found: &mut Outcome| {
+        if let Some(State::Rs274(state)) = &mut found.steps[1].state {
+            state.position = None;
+        }
+    };
+    let divergence = compared(program, &some, leave_out).divergence.expect("it has changed");
+    assert_eq!(divergence.field, "position");
+    let not_known = |found: &mut Outcome| {
+        leave_out(found);
+        found.steps[1].events.push(Event::Unknown(vec!["position".to_owned()]));
+    };
+    let comparison = compared(program, &some, not_known);
+    assert_eq!(comparison.divergence, None);
+    assert!(comparison.masked.contains("position"), "{comparison:?}");
+    let wrong_later = |found: &mut Outcome| {
+        not_known(found);
+        if let Some(State::Rs274(Rs274State { position: Some(position), .. })) =
+            &mut found.steps[2].state
+        {
+            position.x = 4.0;
+        }
+    };
+    assert!(compared(program, &some, wrong_later).divergence.is_some());
+}
+
+#[test]
+fn refusal_is_masked_for_a_controller_that_never_refuses() {
+    let never = Capabilities { refuses: false, ..everything() };
+    let goes_on = |found: &mut Outcome| {
+        let end = gaugeblock_vocabulary::Position { x: 9.0, ..Default::default() };
+        let block = gaugeblock_vocabulary::BlockLocation::new("main.ngc", 2);
+        let events = vec![Event::Do(Effect::StraightTraverse { end })];
+        found.steps.push(gaugeblock_vocabulary::Step { block, events, state: None });
+        found.end = End::ProgramEnd;
+    };
+    let comparison = compared("g0 x1\ng999\nm2\n", &never, goes_on);
+    assert_eq!(comparison.divergence, None);
+    assert!(comparison.masked.contains("refusals"), "{comparison:?}");
+    assert!(compared("g0 x1\ng999\nm2\n", &everything(), goes_on).divergence.is_some());
+    let refuses = |found: &mut Outcome| found.end = run(&Scenario::of("g999\n")).0.end;
+    assert!(compared("g0 x1\nm2\n", &never, refuses).divergence.is_some());
+}
