@@ -18,6 +18,7 @@ mod prefetch;
 mod printed;
 mod programs;
 mod protocol;
+mod proxies;
 mod recorded;
 mod report;
 mod rs274;

@@ -18,6 +18,7 @@ use std::sync::{Mutex, PoisonError};
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
+use gaugeblock_compare::accuracy::is_hidden;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{ComparedKind, compare, state};
@@ -30,7 +31,7 @@ use crate::shard::Shard;
 pub use accepted::{BASELINE, EXPECTATIONS};
 pub use plan::Plan;
 pub use repeat::RepeatSampling;
-use repeat::{RunAttempt, RunAttempts};
+use repeat::{Confirmation, RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
 pub use select::{cases, not_applicable, only_case};
 pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Traces, Verdict};
@@ -179,6 +180,14 @@ impl CaseRunner<'_> {
         }
         let case_judge =
             CaseJudge { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
+        if matches!(expected.end, End::Fault(_))
+            && !matches!(found.end, End::Fault(_))
+            && !controller.capabilities().refuses
+        {
+            let why = "the documents refuse it, and the controller declares that it never refuses";
+            result.verdict = Verdict::Unsupported(why.to_owned());
+            return result;
+        }
         let observes_nothing = case_judge.observes_nothing_asserted(case, &found);
         match case_judge.confirm_on_fresh(case, &expected, found, &mut result) {
             Ok(Some((divergence, found))) => {
@@ -237,21 +246,23 @@ impl CaseJudge<'_> {
         if self.context(result.rule, case, &found).matches_observed_edition(self.edition) {
             return Ok(Some((divergence, found)));
         }
-        let Some(Ok(fresh)) = self.controller.run_fresh(self.scenario) else {
-            return Ok(Some((divergence, found)));
-        };
-        if fresh == found {
+        let runs = RunAttempts { controller: self.controller, scenario: self.scenario };
+        let confirmation = runs.confirm(&found);
+        if matches!(confirmation, Ok(Confirmation::Same)) {
             return Ok(Some((divergence, found)));
         }
         *result = CaseResult { rerun: true, ..begun };
-        let runs = RunAttempts { controller: self.controller, scenario: self.scenario };
-        if let Ok(second) = runs.run_fresh()
-            && let Some(difference) = runs.first_difference(&fresh, &second)
-        {
-            let why = format!("twice on a new controller: {difference}");
-            return Err(NotJudgedReason { cause: Cause::Nondeterministic, why });
-        }
+        let (fresh, leaks) = match confirmation? {
+            Confirmation::Same => (found, false),
+            Confirmation::Alone(fresh) => (fresh, false),
+            Confirmation::Leaked(fresh) => (fresh, true),
+        };
+        let first = divergence.summary();
+        result.leaked_failure = leaks.then_some(first.clone());
         let divergence = self.find_divergence(case, expected, &fresh, result);
+        if divergence.is_none() && !leaks {
+            return Err(NotJudgedReason::new(Cause::Nondeterministic, format!("once: {first}")));
+        }
         Ok(divergence.map(|divergence| (divergence, fresh)))
     }
 
@@ -270,18 +281,26 @@ impl CaseJudge<'_> {
     }
 
     /// Whether a pass would rest on nothing but the acceptance of the program: no assertion about anything else is
-    /// observable. Only controllers that report no blocks, or answers on paper, can be that silent.
+    /// observable. Controllers that report no blocks, and answers on paper, can be that silent; and a declared
+    /// resolution can hide each difference.
     fn observes_nothing_asserted(&self, case: &Case, found: &Outcome) -> bool {
         let observables = self.controller.observables(self.scenario);
-        if observables.blocks && self.controller.exported_from().is_none() {
+        let is_silent = !observables.blocks || self.controller.exported_from().is_some();
+        if !is_silent && observables.accuracy().is_exact() {
             return false;
         }
         let found = Observed::of(found);
         let claims = case.parsed().into_iter().filter(|claim| {
             applies(claim, &self.scenario.options, self.edition) && claim.claim != Claim::Accepted
         });
+        let mut hides = is_silent;
         let mut findings = claims.map(|claim| judge(&claim, &found, &observables)).peekable();
-        findings.peek().is_some() && findings.all(|found| matches!(found, Finding::Masked(_)))
+        findings.peek().is_some()
+            && findings.all(|found| {
+                hides |= matches!(&found, Finding::Masked(what) if is_hidden(what));
+                matches!(found, Finding::Masked(_))
+            })
+            && hides
     }
 
     fn context<'a>(
@@ -317,6 +336,7 @@ impl CaseJudge<'_> {
             match judge(claim, &found, &observables) {
                 Finding::Holds => result.compared.add(ComparedKind::Assertions, 1),
                 Finding::Masked(what) => {
+                    result.compared.add(ComparedKind::UnjudgedAssertions, 1);
                     result.masked.insert(what);
                 }
                 Finding::Fails(what) => {

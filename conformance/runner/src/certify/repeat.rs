@@ -29,11 +29,26 @@ impl RepeatSampling {
     }
 }
 
+/// Whether two outcomes are the same. A number that is not a number is the same as itself.
+pub(super) fn is_identical(one: &Outcome, other: &Outcome) -> bool {
+    one == other || one.to_text() == other.to_text()
+}
+
 /// The outcome of a case.
 pub(super) struct RunAttempt {
     pub(super) found: Outcome,
     /// The failure in a session in which other programs had run. `found` is then the outcome in fresh sessions.
     pub(super) leaked_failure: Option<String>,
+}
+
+/// What runs in fresh sessions say of a divergence.
+pub(super) enum Confirmation {
+    /// The controller does the same.
+    Same,
+    /// It does something else, without a difference in what is compared.
+    Alone(Outcome),
+    /// It does something else, each time, and the same as before in a session in which other programs had run.
+    Leaked(Outcome),
 }
 
 /// Runs of one scenario on one controller.
@@ -65,6 +80,44 @@ impl RunAttempts<'_> {
     pub(super) fn run_fresh(self) -> Result<Outcome, HarnessError> {
         let fresh = self.controller.run_fresh(self.scenario);
         fresh.unwrap_or_else(|| self.controller.run(self.scenario))
+    }
+
+    /// Runs a scenario that diverges again, in two fresh sessions. If those differ from `found`, it is run once more in
+    /// the used session: what comes and goes is not judged, and what only a used session has is leaked state.
+    pub(super) fn confirm(self, found: &Outcome) -> Result<Confirmation, NotJudgedReason> {
+        let Some(fresh) = self.controller.run_fresh(self.scenario) else {
+            return Ok(Confirmation::Same);
+        };
+        let fresh = match fresh {
+            Ok(fresh) => fresh,
+            Err(error) if may_be_leaked(&error) => {
+                let why = format!("first it ended, then on a new controller: {error}");
+                return Err(NotJudgedReason::new(Cause::Nondeterministic, why));
+            }
+            Err(_) => return Ok(Confirmation::Same),
+        };
+        if is_identical(&fresh, found) {
+            return Ok(Confirmation::Same);
+        }
+        let second = match self.run_fresh() {
+            Ok(second) => self.first_difference(&fresh, &second),
+            Err(error) => Some(format!("first it ended, then {error}")),
+        };
+        if let Some(difference) = second {
+            let why = format!("twice on a new controller: {difference}");
+            return Err(NotJudgedReason::new(Cause::Nondeterministic, why));
+        }
+        let Some(difference) = self.first_difference(found, &fresh) else {
+            return Ok(Confirmation::Alone(fresh));
+        };
+        let again = self.controller.run(self.scenario);
+        if again.is_ok_and(|again| self.first_difference(found, &again).is_none()) {
+            return Ok(Confirmation::Leaked(fresh));
+        }
+        let why = format!(
+            "it differs once, and not when it is run again, alone or after other programs: {difference}"
+        );
+        Err(NotJudgedReason::new(Cause::Nondeterministic, why))
     }
 
     /// The first difference between two outcomes of the scenario.
