@@ -10,6 +10,7 @@ mod extensions;
 mod fuzz;
 mod known_issues;
 mod language;
+mod libraries;
 mod linuxcnc;
 mod motion;
 mod not_a_report;
