@@ -45,7 +45,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock certify --controller rs274 --only saved-state.feed --case \"with decimals\"
       run one case: a verdict prints its rule and its name as RULE / NAME
   gaugeblock certify --controller exec:./mill --options options.json
-      compare under the options that `fingerprint --format json` wrote and under those that the adapter declares
+      compare under the options that `fingerprint --format json` wrote
   gaugeblock certify --controller linuxcnc --only outputs --only inputs
       certify the whole LinuxCNC controller, with a simulated machine, on two chapters
   gaugeblock certify --controller \"exec:python3 adapter.py\" --profile modal-save

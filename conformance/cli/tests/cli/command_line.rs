@@ -116,7 +116,7 @@ fn hint_names_the_role_of_a_missing_file() {
     absent(&["certify", "--waivers", "nofile.toml"], "file of waivers (--waivers)");
     absent(&["run", &program, "--scenario", "nofile.toml"], "scenario (--scenario)");
     absent(&["fuzz", "--known", "nofile"], "earlier report (--known)");
-    absent(&["fuzz", "--options", "from:nofile"], "fingerprint (--options from:FILE)");
+    absent(&["fuzz", "--options", "from:nofile"], "fingerprint (--options)");
     absent(&["suite", "matrix", "--report", "nofile"], "report (--report)");
 }
 

@@ -46,7 +46,8 @@ impl<'a> Spectrum<'a> {
         best.map(|(_, rule)| rule)
     }
 
-    /// How suspicious a rule is: Ochiai's coefficient, over all cases and over its own.
+    /// How suspicious a rule is: the share of the failing programs that use it, and the share of its own cases that
+    /// fail. The share of failing programs among all that use it decides between equals.
     #[expect(clippy::cast_precision_loss, reason = "cases are thousands")]
     fn suspicion(&self, rule: &str, left: &[usize]) -> f64 {
         let failing = || left.iter().map(|place| &self.failing[*place]);
@@ -56,8 +57,9 @@ impl<'a> Spectrum<'a> {
             (failing().filter(uses).count(), self.passing.iter().filter(uses).count());
         let (own_failed, own_passed) =
             (failing().filter(own).count(), self.passing.iter().filter(own).count());
-        let of_all = failed as f64 / (left.len() as f64 * (failed + passed) as f64).sqrt();
+        let of_failing = failed as f64 / left.len() as f64;
         let of_own = own_failed as f64 / (own_failed + own_passed) as f64;
-        of_all + of_own
+        let of_users = failed as f64 / (failed + passed) as f64;
+        of_failing + of_own + 0.01 * of_users
     }
 }
