@@ -220,7 +220,9 @@ mod tests {
         let change = r#"{"time":0,"pin":"coolant_mist","value":null}"#;
         assert!(serde_json::from_str::<PinChange>(change).unwrap().value.is_nan());
         let state: Rs274State = serde_json::from_str(r#"{"parameter":{"31":null}}"#).unwrap();
-        assert!(state.parameter.unwrap().0.get(&"31".to_string()).unwrap().is_nan());
+        assert!(
+            state.parameter.unwrap().0.get(&alloc::string::String::from("31")).unwrap().is_nan()
+        );
     }
 
     #[test]

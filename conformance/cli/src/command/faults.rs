@@ -145,7 +145,7 @@ fn text(results: &[FaultResult<'_>]) -> String {
     let _infallible = writeln!(
         text,
         "\n{} planted faults, {} caught, {missed} not; the first finding names a rule of the fault for {named}; \
-         rules charged: median {}, 90th percentile {}",
+         rules named: median {}, 90th percentile {}",
         results.len(),
         results.len() - missed,
         at(50),
