@@ -29,7 +29,8 @@ const EXAMPLES: &str = "Examples:
   post part.cl | gaugeblock compare - --controller linuxcnc
 
 All differences are listed, each at its block; one that lasts is listed where it begins. Against the
-reference, known quirks and other options of choices that explain a difference are named and passed over.
+reference, known quirks and other options of choices that explain a difference are named and
+passed over.
 
 Exit status: 0 no difference, or none that a quirk or a choice does not explain; 1 a difference;
 2 wrong call or input; 3 a program could not be compared.";

@@ -33,8 +33,8 @@ const EXAMPLES: &str = "Examples:
 A subroutine file (*.ngc) in the folder of the program belongs to it if a call can reach it.
 A file *.gpp is a post-processor program; its toolpath is the file part.toolpath in the same folder.
 A file *.nct holds NCT custom macros.
-The output is an outcome for people: after each block comes its text. `gaugeblock schema outcome` prints
-the form of --format json, which has the same fields.
+The output is an outcome for people: after each block comes its text. `gaugeblock schema outcome`
+prints the form of --format json, which has the same fields.
 
 Exit status: 0 the program ran, even if it ended with a fault; 2 wrong call or input;
 3 the controller could not run it. With --check: 1 the program does not reach its end;
