@@ -97,8 +97,8 @@ pub trait Adapter: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Makes each program also run without observation, if observation could change it. Without this call, only a sample
-    /// does.
+    /// Makes each program also run without observation, if observation could change it. Without this call, only a
+    /// sample runs so.
     fn check_observation(&mut self) {}
 
     /// Notes about the run for the report, a sentence each.

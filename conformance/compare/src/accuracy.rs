@@ -1,7 +1,7 @@
 //! How exactly a controller reports numbers, and the largest error that it may declare.
 //!
-//! A declared error makes a comparison less strict. It is bounded, so that no declaration can buy a verdict, and what it
-//! hides is masked: a value that differs by more than the table of tolerances, and by no more than the declared error,
+//! A declared error makes a comparison less strict. It is bounded, so that no declaration can buy a verdict, and the
+//! differences that it hides are masked: a value that differs by more than the table of tolerances, and by no more than the declared error,
 //! is neither a divergence nor a match.
 
 use std::fmt;
@@ -147,7 +147,7 @@ pub struct Resolution {
 pub enum Match {
     /// They are equal within the table of tolerances.
     Equal,
-    /// They differ, but by no more than the error that the controller declares: there is no verdict.
+    /// The values differ by no more than the error that the controller declares, so that no verdict is possible.
     Hidden,
     /// They differ.
     Different,

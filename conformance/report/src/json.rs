@@ -82,7 +82,7 @@ pub struct ReportedFinding {
     pub what: String,
     /// Whether expectations, a baseline or a waiver accept all of it.
     pub known: bool,
-    /// The cases of the rule of which an assertion does not hold, the smallest program first; without a rule, all cases.
+    /// The cases of the rule with a failing assertion, the smallest program first; without a rule, all cases.
     pub cases: Vec<CaseName>,
     /// Cases of other rules of which an assertion does not hold by the same cause.
     pub touched: Vec<CaseName>,

@@ -91,9 +91,10 @@ pub fn fingerprint_entries(
 
 /// The options of open choices that a controller shows, where they are not those of the comparison and not `declared`.
 ///
-/// No document decides an open choice, so that its option is never charged: the comparison uses what is shown here. An
-/// option counts only if the whole outcome of its program is that of the model: another difference, such as a refusal for
-/// another reason, could look like the option. A controller whose behaviour an edition describes has no such options.
+/// No document decides an open choice, so that no option of it is a divergence: the comparison uses the observed option.
+/// An option counts only if the whole outcome of its program equals that of the model. Another difference, such as a
+/// refusal for another reason, could look like the option. The result is empty for a controller that an observed
+/// edition describes.
 pub fn shown_open_options(
     suite: &Suite,
     edition: &Edition,

@@ -1,7 +1,7 @@
 //! Numbers in the JSON form of outcomes, and the values that consist of them.
 //!
-//! JSON has no form for what a broken controller computes. The texts `"nan"`, `"inf"` and `"-inf"` stand for it; null in
-//! place of a number, which JavaScript writes, reads as `"nan"`.
+//! JSON has no form for the numbers that a broken controller computes. The strings `"nan"`, `"inf"` and `"-inf"` stand
+//! for them; null in place of a number, which JavaScript writes, reads as `"nan"`.
 
 use alloc::string::String;
 use core::fmt;

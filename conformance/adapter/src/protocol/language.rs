@@ -16,8 +16,8 @@ pub struct DeclaredLanguage {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub m: Option<BTreeSet<String>>,
     /// Letters that a code can have in its block, axes among them, by the name of the code: `{"G43.1": "Z"}`. A code
-    /// that is not listed can have those of the documents. G10 can be listed by what it sets: if `G10 L2` and `G10 L20`
-    /// are listed, there is no other L.
+    /// that is not listed can have those of the documents. G10 can be listed by its L word: `G10 L2` and `G10 L20`
+    /// exclude every other L.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub words: BTreeMap<String, String>,
     /// Axis letters, with `@` and `^` of polar words: `"XYZ"`.

@@ -1,4 +1,5 @@
-//! Numbers that are not JSON: what Python writes of a number that is not finite, and literals beyond the range of 64 bits.
+//! Numbers that are not JSON: the literals that Python writes for numbers that are not finite, and literals beyond the
+//! range of 64 bits.
 //!
 //! They are results of the controller, so that the referee reads them. They are rare, so that only a line that is not
 //! valid otherwise is searched for them.
@@ -17,7 +18,7 @@ pub(crate) fn read_json<T: DeserializeOwned>(line: &[u8]) -> serde_json::Result<
     }
 }
 
-/// The line with a text in place of each number that is not JSON. None if there is no such number.
+/// Replaces each number that is not JSON by a string. Returns `None` if the line has no such number.
 pub(super) fn with_texts(line: &[u8]) -> Option<Vec<u8>> {
     let mut written = Vec::with_capacity(line.len());
     let (mut rest, mut has_changed) = (line, false);

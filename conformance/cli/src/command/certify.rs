@@ -204,8 +204,8 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     Ok(report.exit_status())
 }
 
-/// The options of a controller, where they are not those of the edition: those of --options, those that it declares, and
-/// those of open choices that it shows; with a note for each of the latter.
+/// The options that differ from those of the edition: those of --options, those that the controller declares, and those
+/// that it was observed to have for open choices, with a note for each of the last.
 fn comparison_options(
     arguments: &Arguments,
     suite: &Suite,

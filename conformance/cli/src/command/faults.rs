@@ -28,7 +28,7 @@ struct FaultResult<'a> {
     broken: &'a [String],
     /// How many cases differ.
     cases: usize,
-    /// The rules of which an assertion fails.
+    /// Rules with a failing assertion.
     failing: BTreeSet<&'a str>,
     /// The rule of each finding, the worst first.
     charged: Vec<&'a str>,
@@ -74,7 +74,7 @@ fn broken_rules(suite: &Suite) -> Result<BTreeMap<String, Vec<String>>, CliError
     let unknown = rules.into_iter().find(|rule| suite.rule(rule).is_none());
     let missing = PlantedFault::ALL.iter().find(|fault| !broken.contains_key(fault.name()));
     match (unknown, missing) {
-        (Some(rule), _) => Err(CliError::failure(format!("there is no rule {rule}"), hint)),
+        (Some(rule), _) => Err(CliError::failure(format!("unknown rule {rule}"), hint)),
         (None, Some(fault)) => {
             Err(CliError::failure(format!("{} has no entry", fault.name()), hint))
         }

@@ -338,7 +338,7 @@ fn options(
     }
 }
 
-/// The choices in an edition's language of which the controller declares no option.
+/// The choices in the language of an edition, without those for which the controller declares an option.
 fn undeclared<'a>(suite: &'a Suite, edition: &Edition, declared: &Options) -> Vec<&'a Choice> {
     let open = suite
         .choices

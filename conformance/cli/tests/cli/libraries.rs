@@ -1,5 +1,5 @@
-//! Libraries that read G-code, behind adapters of a hundred lines each. What pygcode does differently from the manual is
-//! an expectation with its reason. Where it is not installed, the test says that it is left out.
+//! Libraries that read G-code, with adapters of a hundred lines each. Each divergence of pygcode from the manual is an
+//! expectation with its reason. If pygcode is not installed, the test reports that it is left out.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

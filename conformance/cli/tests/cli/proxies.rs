@@ -190,7 +190,7 @@ fn declared_resolution_buys_no_certificate() {
     let huge = Capabilities { resolution: 1e300, relative_resolution: 1.0, ..everything.clone() };
     let proxy = Proxy::new(Behaviour::Coordinates(1e6), 1, huge);
     certified(&proxy, &["motion"], |_, status| assert_ne!(status, 0));
-    // Within the bound the difference is hidden, and is no pass.
+    // Within the bound, the declared resolution hides the difference. A case with such an assertion does not pass.
     let coarse = Capabilities { resolution: 0.1, ..everything };
     let proxy = Proxy::new(Behaviour::Coordinates(0.05), 1, coarse);
     certified(&proxy, &["motion.traverse", "motion.mode-holds"], |run, _| {

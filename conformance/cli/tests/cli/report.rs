@@ -142,7 +142,7 @@ fn each_divergence_belongs_to_one_finding_in_every_report() {
         let cases = findings.iter().flat_map(Finding::divergent).count();
         assert_eq!(cases, report.divergences().len(), "each is somewhere");
         assert!(findings.len() < cases / 2, "{} of {cases}", findings.len());
-        let first = findings.first().expect("it departs");
+        let first = findings.first().expect("a finding");
         assert!(findings.iter().all(|finding| finding.severity == Severity::Accepted));
         let hanging = findings.iter().map(|finding| finding.divergent().count());
         assert!(hanging.is_sorted_by(|more, less| more >= less), "what most hangs on first");
@@ -449,8 +449,8 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
     let traces = "block main.ngc:1\n  state motion=none\n".repeat(60);
     let departed = |rule: &str, case: &str| {
         let why = serde_json::json!({
-            "found": "x", "assertion": ["a", "b"], "divergence": "main.ngc:1: motion: expected none, found feed", "explanation": [],
-            "program": "", "traces": { "expected": traces, "found": traces },
+            "found": "x", "assertion": ["a", "b"], "divergence": "main.ngc:1: motion: expected none, found feed",
+            "explanation": [], "program": "", "traces": { "expected": traces, "found": traces },
         });
         let case = serde_json::json!({
             "rule": rule, "case": case, "verdict": "diverges", "why": why, "compared": {}, "masked": [], "repeated": false,
