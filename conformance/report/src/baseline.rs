@@ -10,21 +10,33 @@ use super::merge::Stored;
 use super::stored::StoredVerdict;
 
 impl Stored {
-    /// Checks that the report is of the same controller and edition. Returns a note if it is of another version.
+    /// Checks that the report is of the same controller and edition. Returns a note for another version, and for
+    /// another accuracy.
     ///
     /// # Errors
     /// It is of another controller or edition, with both names.
-    pub fn check_header(&self, now: &Header) -> Result<Option<String>, String> {
-        let Header { controller, version, edition, .. } = &self.header;
+    pub fn check_header(&self, now: &Header) -> Result<Vec<String>, String> {
+        let Header { controller, version, edition, accuracy, .. } = &self.header;
         if (controller, edition) != (&now.controller, &now.edition) {
             return Err(format!(
                 "this baseline is of {controller} against {edition}, not of {} against {}",
                 now.controller, now.edition
             ));
         }
-        let now = &now.version;
-        Ok((version != now)
-            .then(|| format!("the baseline is of version {version}, this is version {now}")))
+        let mut notes = Vec::new();
+        if *version != now.version {
+            notes.push(format!(
+                "the baseline is of version {version}, this is version {}",
+                now.version
+            ));
+        }
+        if *accuracy != now.accuracy {
+            let now = now.accuracy;
+            notes.push(format!(
+                "the declared accuracy of the baseline is {accuracy}, this one is {now}"
+            ));
+        }
+        Ok(notes)
     }
 
     /// New and changed divergences, and cases that passed before and have no verdict now; and a note for each

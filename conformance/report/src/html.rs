@@ -46,6 +46,8 @@ struct Page<'a> {
     status: &'static str,
     notes: &'a [String],
     counts: Vec<Count>,
+    in_part: Option<String>,
+    accuracy: String,
     /// Whether anything is known of it.
     judged: bool,
     mismatches: Option<Vec<String>>,
@@ -86,6 +88,8 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         status,
         notes: &report.notes,
         counts: counts(report),
+        in_part: report.counts().in_part(),
+        accuracy: header.accuracy.to_string(),
         judged: report.counts().judged() > 0,
         mismatches: mismatches.map(|all| all.iter().map(ToString::to_string).collect()),
         profiles: json::profiles(report),
@@ -342,7 +346,7 @@ fn basis(report: &Report<'_>) -> String {
     let mut all = gaugeblock_compare::Tally::default();
     report.run.cases.iter().for_each(|result| all.extend(&result.compared));
     format!(
-        "{} values were compared: assertions of people, and everything else that happens.",
+        "{} values were compared: written assertions, and everything else that happens.",
         all.total()
     )
 }

@@ -1,6 +1,6 @@
 //! The report as one JSON document.
 
-use gaugeblock_compare::Tally;
+use gaugeblock_compare::{Accuracy, Tally};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::{Divergent, Finding, FindingCause, Severity};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
@@ -37,6 +37,8 @@ pub struct Document {
     pub edition: String,
     /// Options that the controller declares to read the documents by.
     pub options: Options,
+    /// How exactly the controller reports numbers, by its own declaration.
+    pub accuracy: Accuracy,
     /// Digest of the suite.
     pub suite: String,
     /// Version of gaugeblock.
@@ -201,6 +203,7 @@ pub fn document(report: &Report<'_>) -> Document {
         notes: report.notes.clone(),
         edition: header.edition,
         options: header.options,
+        accuracy: header.accuracy,
         suite: header.suite,
         gaugeblock_version: header.gaugeblock_version,
         only: header.only,

@@ -68,7 +68,7 @@ impl<'a> Report<'a> {
     pub fn counts(&self) -> Counts {
         let mut counts = Counts::default();
         for result in &self.run.cases {
-            counts.add(&result.verdict);
+            counts.add(result);
         }
         counts
     }

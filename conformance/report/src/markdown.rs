@@ -61,8 +61,11 @@ fn head(report: &Report<'_>) -> String {
         rule.push_str(" ---: |");
         numbers.push_str(&format!(" {count} |"));
     }
+    let in_part = counts.in_part();
+    let in_part =
+        in_part.map_or_else(String::new, |part| format!("\nOf the cases that pass, {part}.\n"));
     format!(
-        "## {says}\n\n{} {} against {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n",
+        "## {says}\n\n{} {} against {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n{in_part}",
         code(&header.controller),
         code(&header.version),
         code(&header.edition),
@@ -240,7 +243,12 @@ fn notes(report: &Report<'_>) -> String {
 fn foot(report: &Report<'_>) -> String {
     let header = &report.header;
     let suite: String = header.suite.chars().take(16).collect();
-    format!("\ngaugeblock {}, suite {}\n", plain(&header.gaugeblock_version), plain(&suite))
+    let version = plain(&header.gaugeblock_version);
+    format!(
+        "\ndeclared accuracy: {}; gaugeblock {version}, suite {}\n",
+        header.accuracy,
+        plain(&suite)
+    )
 }
 
 fn section(title: &str, items: &[String]) -> String {

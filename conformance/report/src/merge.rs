@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_adapter::Adapter;
+use gaugeblock_compare::Accuracy;
 use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
@@ -41,7 +42,7 @@ pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
 }
 
 /// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// The controller.
     pub controller: String,
@@ -51,6 +52,8 @@ pub struct Header {
     pub edition: String,
     /// Options that the controller reads the documents by.
     pub options: Options,
+    /// How exactly the controller reports numbers, by its own declaration.
+    pub accuracy: Accuracy,
     /// Digest of the suite.
     pub suite: String,
     /// Version of gaugeblock.
@@ -74,6 +77,7 @@ impl Header {
             version: observables.version.clone(),
             edition: plan.edition.id.clone(),
             options: controller.options(),
+            accuracy: observables.accuracy(),
             suite: plan.suite.digest.clone(),
             gaugeblock_version: env!("CARGO_PKG_VERSION").to_owned(),
             only: plan.only.to_vec(),
@@ -171,6 +175,7 @@ fn first_mismatch(a: &Stored, b: &Stored) -> String {
         of("controller", &first.controller, &second.controller),
         of("version", &first.version, &second.version),
         of("edition", &first.edition, &second.edition),
+        of("accuracy", &first.accuracy.to_string(), &second.accuracy.to_string()),
         of("suite", &first.suite, &second.suite),
         of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),
         of("--only", &first.only.join(" "), &second.only.join(" ")),

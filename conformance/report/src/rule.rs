@@ -1,7 +1,7 @@
 //! The verdict of each rule, and how many cases came to what.
 
 use gaugeblock_compare::Tally;
-use gaugeblock_runner::certify::{Cause, Run, Verdict};
+use gaugeblock_runner::certify::{CaseResult, Cause, Run, Verdict};
 use gaugeblock_suite::Rule;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -57,6 +57,8 @@ pub struct Counts {
     pub cases: usize,
     /// Cases that pass.
     pub pass: usize,
+    /// Cases that pass although an assertion of theirs could not be judged.
+    pub pass_in_part: usize,
     /// Cases of which an assertion does not hold, and no list accepts that.
     pub diverges: usize,
     /// Cases of which every assertion holds, and that differ in something else.
@@ -84,9 +86,13 @@ pub struct Counts {
 }
 
 impl Counts {
-    pub(crate) fn add(&mut self, verdict: &Verdict) {
+    pub(crate) fn add(&mut self, result: &CaseResult<'_>) {
+        let verdict = &result.verdict;
         self.cases += 1;
         self.broken += usize::from(verdict.own_divergence().is_some());
+        if *verdict == Verdict::Pass && result.compared.unjudged() > 0 {
+            self.pass_in_part += 1;
+        }
         let count = match verdict {
             Verdict::Pass => &mut self.pass,
             Verdict::Diverges(_) => &mut self.diverges,
@@ -128,9 +134,22 @@ impl Counts {
         self.not_judged_by_verdict().into_iter().map(|(_, count)| count).sum()
     }
 
-    /// Cases of which something is known: they pass, or they depart, whoever knows of it.
+    /// Cases of which something is known: they pass, or they differ, known or not.
     pub fn judged(self) -> usize {
         self.pass + self.side_difference + self.diverges + self.known + self.waived
+    }
+
+    /// The passing cases with an assertion that could not be judged, and their share; nothing if there are none.
+    pub fn in_part(self) -> Option<String> {
+        let share = (1000 * self.pass_in_part / self.pass.max(1)).max(1);
+        (self.pass_in_part > 0).then(|| {
+            format!(
+                "{} of them ({}.{} %) with an assertion that could not be judged",
+                self.pass_in_part,
+                share / 10,
+                share % 10
+            )
+        })
     }
 
     fn verdict(self) -> RuleVerdict {
@@ -159,7 +178,7 @@ pub(crate) fn verdicts<'a>(run: &Run<'a>) -> Vec<RuleResult<'a>> {
             });
         }
         if let Some(last) = rules.last_mut() {
-            last.counts.add(&result.verdict);
+            last.counts.add(result);
             last.compared.extend(&result.compared);
             last.verdict = last.counts.verdict();
         }

@@ -55,6 +55,7 @@ fn head(text: &mut String, report: &Report<'_>) {
     let controller = escape_line(&controller);
     line!(text, "{} against {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
+    line!(text, "{}", styled(DIM, &format!("declared accuracy: {}", report.header.accuracy)));
     for note in &report.notes {
         line!(text, "{} {}", styled(YELLOW, "note"), escape_text(note));
     }
@@ -372,6 +373,9 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         counts.unsupported,
         counts.not_judged()
     );
+    if let Some(in_part) = counts.in_part() {
+        line!(text, "of the {} that pass, {}", counts.pass, styled(YELLOW, &in_part));
+    }
     let open = counts.not_judged_by_verdict().into_iter().filter(|(_, count)| *count > 0);
     let open: Vec<_> = open.map(|(word, count)| format!("{count} {word}")).collect();
     if !open.is_empty() {

@@ -53,13 +53,13 @@ impl ComparisonArguments {
 }
 
 impl ComparisonFiles {
-    /// Refuses files of another controller or edition, and waivers for unknown rules. Returns a note where the
-    /// baseline belongs to another version.
+    /// Refuses files of another controller or edition, and waivers for unknown rules. Returns notes where the
+    /// baseline belongs to another version or accuracy.
     pub(crate) fn check_header(
         &self,
         header: &Header,
         suite: &Suite,
-    ) -> Result<Option<String>, CliError> {
+    ) -> Result<Vec<String>, CliError> {
         let waivers = self.waivers.as_ref();
         if let Some(unknown) = waivers.and_then(|(waivers, _)| waivers.first_unknown(suite)) {
             return Err(CliError::usage(
@@ -71,7 +71,7 @@ impl ComparisonFiles {
             let hint = "choose the report.json of an earlier run of this controller and edition";
             return baseline.check_header(header).map_err(|why| CliError::usage(why, hint));
         }
-        let Some(expectations) = &self.expectations else { return Ok(None) };
+        let Some(expectations) = &self.expectations else { return Ok(Vec::new()) };
         let Header { controller, version, edition, .. } = header;
         if expectations.controller != *controller || expectations.edition != *edition {
             return Err(CliError::usage(
@@ -91,7 +91,7 @@ impl ComparisonFiles {
                 "review the results of the new version, then write them with --write-expectations",
             ));
         }
-        Ok(None)
+        Ok(Vec::new())
     }
 
     /// Mismatches with the expectations or the baseline, and a note for each divergence that is fixed. Marks known and

@@ -79,7 +79,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     let (mismatches, mended) = known.compare(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {
-        notes: [whole.notes.clone(), newer.into_iter().collect(), mended].concat(),
+        notes: [whole.notes.clone(), newer, mended].concat(),
         profiles,
         mismatches,
         ..Report::of(suite, &run, header.clone())

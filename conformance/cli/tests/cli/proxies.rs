@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Reference;
-use gaugeblock_report::{Header, Report};
-use gaugeblock_runner::certify::{CaseResult, Cause, Plan, Run, Verdict, certify};
+use gaugeblock_report::{Header, Report, html, markdown, terminal};
+use gaugeblock_runner::certify::{CaseResult, Cause, Plan, Verdict, certify};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{
@@ -135,8 +135,8 @@ fn move_coordinates(outcome: &mut Outcome, random: &mut Random, error: f64) {
     }
 }
 
-/// A run of some chapters on a controller, with its exit status.
-fn certified<T>(controller: &Proxy, only: &[&str], look: impl Fn(&Run<'_>, u8) -> T) -> T {
+/// What a caller takes from the report of some chapters on a controller.
+fn certified<T>(controller: &Proxy, only: &[&str], look: impl Fn(&Report<'_>) -> T) -> T {
     static SUITE: OnceLock<Suite> = OnceLock::new();
     let suite = SUITE.get_or_init(|| {
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite")
@@ -147,7 +147,7 @@ fn certified<T>(controller: &Proxy, only: &[&str], look: impl Fn(&Run<'_>, u8) -
     let run = certify(plan, controller, &|| {});
     let header = Header::of(plan, controller, Shard::WHOLE);
     let report = Report::of(suite, &run, header);
-    look(&run, report.exit_status())
+    look(&report)
 }
 
 #[test]
@@ -157,11 +157,11 @@ fn controller_that_is_seldom_wrong_is_certified_only_if_it_was_never_seen_to_be(
     for per_mille in [10, 3, 1] {
         for seed in 0..20 {
             let proxy = Proxy::new(Behaviour::Seldom(per_mille), seed, everything.clone());
-            let status = certified(&proxy, &["modal-groups", "feed"], |run, status| {
+            let status = certified(&proxy, &["modal-groups", "feed"], |report| {
                 let word =
                     |case: &&CaseResult<'_>| case.verdict.word() == Cause::Nondeterministic.word();
-                let named = run.cases.iter().filter(word).count();
-                (status, named)
+                let named = report.run.cases.iter().filter(word).count();
+                (report.exit_status(), named)
             });
             let wrong = proxy.wrong.load(Ordering::Relaxed);
             assert_eq!(status.0 == 0, wrong == 0, "{per_mille} of 1000, seed {seed}: {status:?}");
@@ -177,8 +177,9 @@ fn controller_that_is_seldom_wrong_is_certified_only_if_it_was_never_seen_to_be(
 fn controller_that_is_right_on_the_first_run_of_a_session_leaks_state() {
     let everything = Capabilities::everything("proxy", "1");
     let proxy = Proxy::new(Behaviour::UsedSession, 1, everything);
-    certified(&proxy, &["feed"], |run, status| {
-        assert_eq!(status, 3);
+    certified(&proxy, &["feed"], |report| {
+        assert_eq!(report.exit_status(), 3);
+        let run = report.run;
         let leaks = run.cases.iter().filter(|case| case.leaked_failure.is_some()).count();
         assert!(leaks > run.cases.len() / 2, "{leaks} of {}", run.cases.len());
     });
@@ -189,14 +190,22 @@ fn declared_resolution_buys_no_certificate() {
     let everything = Capabilities::everything("proxy", "1");
     let huge = Capabilities { resolution: 1e300, relative_resolution: 1.0, ..everything.clone() };
     let proxy = Proxy::new(Behaviour::Coordinates(1e6), 1, huge);
-    certified(&proxy, &["motion"], |_, status| assert_ne!(status, 0));
+    certified(&proxy, &["motion"], |report| assert_ne!(report.exit_status(), 0));
     // Within the bound, the declared resolution hides the difference. A case with such an assertion does not pass.
     let coarse = Capabilities { resolution: 0.1, ..everything };
     let proxy = Proxy::new(Behaviour::Coordinates(0.05), 1, coarse);
-    certified(&proxy, &["motion.traverse", "motion.mode-holds"], |run, _| {
+    certified(&proxy, &["motion.traverse", "motion.mode-holds"], |report| {
+        let run = report.run;
         let passes = run.cases.iter().filter(|case| case.verdict == Verdict::Pass);
         assert!(passes.clone().all(|case| case.compared.unjudged() > 0), "{:?}", run.cases);
-        assert!(passes.count() < run.cases.len() / 2);
+        let count = passes.count();
+        assert!(count < run.cases.len() / 2);
+        let page = html::html(report).expect("a page");
+        let texts = [terminal::terminal(report, false), markdown::markdown(report), page];
+        for text in texts {
+            assert!(text.contains(&format!("{count} of them (100.0 %)")), "{text}");
+            assert!(text.contains("numbers within 0.1"), "{text}");
+        }
     });
 }
 
@@ -205,5 +214,5 @@ fn declared_clock_buys_no_certificate() {
     let everything = Capabilities::everything("proxy", "1");
     let slow = Capabilities { pin_period: 1e300, ..everything };
     let proxy = Proxy::new(Behaviour::Pins(10.0), 1, slow);
-    certified(&proxy, &["coolant", "outputs"], |_, status| assert_eq!(status, 1));
+    certified(&proxy, &["coolant", "outputs"], |report| assert_eq!(report.exit_status(), 1));
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use gaugeblock_adapter::{Adapter, HarnessError};
-use gaugeblock_compare::Capabilities;
+use gaugeblock_compare::{Accuracy, Capabilities};
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::grouping::size;
 use gaugeblock_report::merge::Stored;
@@ -379,10 +379,14 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
     let header = Header::of(plan, &model, Shard::WHOLE);
     let report = Report::of(&suite, &run, header.clone());
     let stored = Stored::read(&json::json(&report).to_string()).expect("a report");
-    assert_eq!(stored.check_header(&header), Ok(None));
+    assert_eq!(stored.check_header(&header), Ok(Vec::new()));
     let newer = Header { version: "2".to_owned(), only: Vec::new(), ..header.clone() };
-    let note = stored.check_header(&newer).expect("what a baseline is for").expect("a note");
-    assert!(note.ends_with("this is version 2"), "{note}");
+    let notes = stored.check_header(&newer).expect("what a baseline is for");
+    assert!(matches!(&notes[..], [note] if note.ends_with("this is version 2")), "{notes:?}");
+    let accuracy = Accuracy { absolute: 0.01, ..Accuracy::default() };
+    let notes = stored.check_header(&Header { accuracy, ..header.clone() });
+    let note = "the declared accuracy of the baseline is exact, this one is numbers within 0.01";
+    assert_eq!(notes, Ok(vec![note.to_owned()]));
     for other in [
         Header { controller: "mill".to_owned(), ..header.clone() },
         Header { edition: "emc2-2.5".to_owned(), ..header.clone() },
