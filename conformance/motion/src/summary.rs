@@ -5,7 +5,7 @@ use std::fmt;
 use gaugeblock_reference::motion::bound::{Kind, least_time};
 use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge};
 use gaugeblock_vocabulary::motion::{
-    MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
+    MotionAction, MotionLimits, MotionScript, PathElement, ProgrammedPath, Samples, Shape,
 };
 
 /// Most violations that are shown.
@@ -14,7 +14,7 @@ const SHOWN: usize = 12;
 /// A motion, held to the laws and to the least time.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// Seconds from the first to the last moving sample.
+    /// Seconds from the first to the last moving sample, and those of dwells before and after.
     pub time: f64,
     /// No motion that keeps its limits at every instant takes less; or why that is not known.
     pub least: Result<f64, String>,
@@ -41,7 +41,7 @@ impl Summary {
             }
         }
         Self {
-            time: moving_time(samples),
+            time: moving_time(samples) + dwells_at_ends(path),
             least: bound.map(|bound| bound.least),
             kinds,
             judgement: judge(samples, path, limits, script),
@@ -56,10 +56,10 @@ impl Summary {
     /// The time, and how it compares, in a line.
     pub fn headline(&self) -> String {
         match &self.least {
+            _ if self.time <= 0.0 => "0.000 s: nothing moves".to_owned(),
             // Laws of samples leave room for what no motion could do that kept its limits at every instant.
             Ok(least) if self.time < least * (1.0 - 1e-6) => format!(
-                "{:.3} s; {least:.3} s at best ({}) if limits are kept at every instant: it passes breaks of an exact path \
-                 between two samples",
+                "{:.3} s; {least:.3} s at best ({}) if limits are kept at every instant, and not in the samples alone",
                 self.time,
                 self.kinds.join(", ")
             ),
@@ -127,6 +127,29 @@ fn in_words(kind: Kind) -> &'static str {
         Kind::Axis => "one axis alone",
         Kind::Length => "the shortest way at the highest feed",
     }
+}
+
+/// Seconds of the dwells before the first and after the last motion. The samples of a recording need not have them.
+fn dwells_at_ends(path: &ProgrammedPath) -> f64 {
+    let mut at = path.start;
+    let moves = |element: &PathElement| {
+        let is_curved = matches!(element.shape, Shape::Arc { .. } | Shape::Curve { .. });
+        let before = at;
+        at = element.end().unwrap_or(at);
+        is_curved || at != before
+    };
+    let moving: Vec<bool> = path.elements.iter().map(moves).collect();
+    let first = moving.iter().position(|moves| *moves);
+    let last = moving.iter().rposition(|moves| *moves);
+    let elements = path.elements.iter().enumerate();
+    let at_ends = elements.filter(|(at, _)| {
+        first.is_none_or(|first| *at < first) || last.is_some_and(|last| *at > last)
+    });
+    let dwell = |element: &PathElement| match element.shape {
+        Shape::Dwell { seconds } => seconds,
+        _ => 0.0,
+    };
+    at_ends.map(|(_, element)| dwell(element)).sum()
 }
 
 /// Seconds from where the position first changes to where it last does.

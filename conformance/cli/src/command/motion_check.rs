@@ -60,6 +60,16 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     user_files::check_outputs_spare_inputs(&inputs, &[("--svg", arguments.svg.as_deref())])?;
     let limits = plan::limits(&arguments.machine)?;
     let samples = read(&arguments.samples)?;
+    if (samples.period() - limits.period).abs() > 1e-9 {
+        return Err(CliError::usage(
+            format!(
+                "the samples have a period of {:?} s, the machine has one of {:?} s",
+                samples.period(),
+                limits.period
+            ),
+            "name the machine on which the samples were recorded",
+        ));
+    }
     let script = plan::script(arguments.script.as_deref())?;
     let path = plan::path(&scenario, &arguments.program, Position::default())?;
     let summary = Summary::of(&samples, &path, &limits, &script);
@@ -77,9 +87,7 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
 
 fn read(file: &Path) -> Result<Samples, CliError> {
     let name = file.display();
-    let bytes = std::fs::read(file).map_err(|error| {
-        CliError::usage(format!("{name}: {error}"), "check the path of the samples")
-    })?;
+    let bytes = user_files::read_bytes(file, "samples")?;
     let samples = match std::str::from_utf8(&bytes) {
         Ok(text) if text.starts_with('#') => Samples::from_csv(text),
         Ok(text) if !text.is_empty() => {

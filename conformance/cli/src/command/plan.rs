@@ -284,12 +284,14 @@ fn write_samples(file: &Path, samples: &Samples) -> Result<(), CliError> {
 }
 
 /// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
-/// could be checked does not pass.
+/// could be checked does not pass. Where nothing moves, none is checked.
 pub(crate) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {
         1
-    } else if laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. })) {
+    } else if summary.time > 0.0
+        && laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. }))
+    {
         0
     } else {
         3
@@ -322,7 +324,7 @@ mod tests {
             (vec![open], 3),
         ] {
             let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
-            let summary = Summary { time: 0.0, least: Ok(0.0), kinds: Vec::new(), judgement };
+            let summary = Summary { time: 1.0, least: Ok(0.0), kinds: Vec::new(), judgement };
             assert_eq!(exit_status(&summary), status, "{summary}");
         }
     }

@@ -1,6 +1,6 @@
 //! Reading programs and writing results: every trouble names its place.
 
-use std::io::{ErrorKind, Read as _};
+use std::io::{ErrorKind, Read};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
@@ -17,10 +17,7 @@ const STANDARD_INPUT: &str = "-";
 pub(crate) fn read_program(path: &Path) -> Result<String, CliError> {
     let role = "program";
     let bytes = if is_standard_input(path) {
-        let mut bytes = Vec::new();
-        let read = std::io::stdin().read_to_end(&mut bytes);
-        read.map_err(|error| unreadable(path, role, &error))?;
-        bytes
+        read_stream(path, role, std::io::stdin())?
     } else {
         read_bytes(path, role)?
     };
@@ -46,7 +43,12 @@ pub(crate) fn read_text(path: &Path, role: &str) -> Result<String, CliError> {
     text_of(path, role, read_bytes(path, role)?)
 }
 
-fn read_bytes(path: &Path, role: &str) -> Result<Vec<u8>, CliError> {
+/// Most bytes that are read of a pipe or a device.
+const STREAM_LENGTH_MAX: u64 = 64 << 20;
+
+/// The bytes of a file; `role` says what it is in this call. Of a pipe or a device, whose length is unknown, only so
+/// many bytes are read as memory holds for sure.
+pub(crate) fn read_bytes(path: &Path, role: &str) -> Result<Vec<u8>, CliError> {
     let name = path.display();
     if path.is_dir() {
         return Err(CliError::usage(
@@ -54,7 +56,25 @@ fn read_bytes(path: &Path, role: &str) -> Result<Vec<u8>, CliError> {
             format!("name the {role} itself, not its folder"),
         ));
     }
+    let file = std::fs::File::open(path).map_err(|error| unreadable(path, role, &error))?;
+    let is_regular = file.metadata().is_ok_and(|metadata| metadata.is_file());
+    if !is_regular {
+        return read_stream(path, role, file);
+    }
     std::fs::read(path).map_err(|error| unreadable(path, role, &error))
+}
+
+/// The bytes of a pipe or a device up to its end.
+fn read_stream(path: &Path, role: &str, stream: impl Read) -> Result<Vec<u8>, CliError> {
+    let mut bytes = Vec::new();
+    let read = stream.take(STREAM_LENGTH_MAX + 1).read_to_end(&mut bytes);
+    if read.map_err(|error| unreadable(path, role, &error))? as u64 > STREAM_LENGTH_MAX {
+        return Err(CliError::usage(
+            format!("{}: no end after {STREAM_LENGTH_MAX} bytes", program_name(path)),
+            format!("name a {role}: a file, or a pipe that ends"),
+        ));
+    }
+    Ok(bytes)
 }
 
 /// Bytes as text without a NUL, on which controllers need not agree.
