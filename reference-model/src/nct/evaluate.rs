@@ -174,7 +174,7 @@ impl Run<'_> {
         })
     }
 
-    /// Rule nct.vacant-comparison. Vacant is equal to vacant, another value than zero, and greater than it.
+    /// Rule nct.vacant-comparison. Vacant is equal to vacant alone, and greater than zero.
     fn vacant_condition(
         &mut self,
         comparison: Comparison,
@@ -182,7 +182,14 @@ impl Run<'_> {
         right: VariableValue,
     ) -> Result<bool, StepError> {
         if [left, right].iter().flatten().any(|number| !is_zero(*number)) {
-            return Err(open("a vacant variable compared with a number that is not zero"));
+            return match comparison {
+                Comparison::Equal => Ok(false),
+                Comparison::NotEqual => Ok(true),
+                _ => {
+                    Err(open("GT, GE, LT or LE of a vacant variable and a number that is not zero"))
+                }
+            }
+            .inspect(|_| self.coverage.accepted(rule::nct::VACANT_COMPARISON));
         }
         let order = match (left, right) {
             (None, None) => Ordering::Equal,

@@ -14,6 +14,8 @@ pub type Locals = [VariableValue; 33];
 const COMMON: [(u32, u32); 2] = [(100, 100), (500, 100)];
 /// How many common variables there are.
 pub const COMMON_COUNT: usize = 200;
+/// The greatest number of a common variable.
+const LAST_COMMON: i64 = 599;
 
 /// All variables.
 #[derive(Clone, Debug)]
@@ -95,7 +97,8 @@ impl Default for Variables {
     }
 }
 
-/// Rule nct.variable-numbers. There are #1 to #33, #100 to #199 and #500 to #599; #0 holds nothing.
+/// Rule nct.variable-numbers. There are #1 to #33, #100 to #199 and #500 to #599; #0 holds nothing. System variables
+/// have other numbers, which the documents do not list (page 174): a greater number is not supported.
 fn place(number: i64) -> Result<Place, StepError> {
     let known = u32::try_from(number).ok().and_then(|number| match number {
         0 => Some(Place::Vacant),
@@ -110,6 +113,9 @@ fn place(number: i64) -> Result<Place, StepError> {
             })
         }
     });
+    if known.is_none() && number > LAST_COMMON {
+        return Err(StepError::Unsupported(format!("the system variable #{number}")));
+    }
     let message = format!("there is no variable #{number}");
     let rule = rule::nct::VARIABLE_NUMBERS;
     known.ok_or_else(|| refuse(rule, FaultKind::ParameterOutOfRange, message))

@@ -332,3 +332,49 @@ fn block_that_one_side_refuses_is_the_difference() {
     let text = says(&here, &of_production, 1, &["part.ngc:3: end\n      | m3 $-1\n"]);
     assert!(text.contains("production  refuses this block"), "{text}");
 }
+
+#[test]
+fn system_variables_are_not_supported_and_not_refused() {
+    let here = folder("system-variables");
+    for (name, program, line) in [
+        ("alarm.nct", "#3000=121 (text)\nM30\n", 1),
+        ("read.nct", "O1\n#1=#4012\nM30\n", 2),
+        ("many-digits.nct", "O1\n#[10000000000*10000000000]=1\nM30\n", 2),
+    ] {
+        write(&here, name, program);
+        for controller in ["reference", "production"] {
+            let end =
+                format!("end unsupported file=\"{name}\" line={line} what=\"the system variable #");
+            says(&here, &format!("run {name} --controller {controller}"), 0, &[&end]);
+        }
+    }
+}
+
+#[test]
+fn rs274_is_known_around_m61() {
+    if !has_rs274("programs with M61 on rs274") {
+        return;
+    }
+    let here = folder("m61");
+    write(&here, "mill.tbl", "T1 P1 Z0.5\nT2 P2 Z1.5\n");
+    for (at, program) in [
+        "m61 q1 g43\ng0 x1",
+        "m61 q1\ng43\ng0 x1",
+        "t1 m6\nm61 q2\ng43\ng0 x1",
+        "t1 m6\nm61 q2 g43\ng0 x1",
+        "t1 m6\nm61 q0 g43\ng0 x1",
+        "t1 m6\nt2 m6 g43\ng0 x1",
+        "t1 m6\nm61 q0\ng49\ng10 l0",
+        "t1 m6\nm61 q2\ng10 l0",
+        "m61 q2\ng10 l0",
+        "t1 m6\nt0 m6\ng10 l0",
+    ]
+    .iter()
+    .enumerate()
+    {
+        let name = format!("{at}.ngc");
+        write(&here, &name, format!("g20 g90\n{program}\nm2\n"));
+        let call = "-t mill.tbl --controller rs274 --edition rs274-2.9-observed";
+        says(&here, &format!("compare {name} {call}"), 0, &[]);
+    }
+}

@@ -163,11 +163,11 @@ fn finite(result: f64) -> Result<f64, Stop> {
     refuse(FaultKind::OutOfDomain, "the result is not a number, or too large")
 }
 
-/// A comparison with a vacant side: zero is below vacant.
+/// A comparison with a vacant side: vacant is equal to vacant alone, and zero is below it.
 fn vacant(left: Option<f64>, compare: Compare, right: Option<f64>) -> Result<bool, Stop> {
-    let is_open = matches!(compare, Compare::Less | Compare::LessOrEqual)
-        || left.or(right).is_some_and(|number| number.abs() > 0.0);
-    if is_open {
+    let is_ordered = !matches!(compare, Compare::Equal | Compare::NotEqual);
+    let has_value = left.or(right).is_some_and(|number| number.abs() > 0.0);
+    if is_ordered && has_value || matches!(compare, Compare::Less | Compare::LessOrEqual) {
         return Err(Stop::Open("a comparison with a vacant value that no table has"));
     }
     Ok(compare.says(left.is_none().cmp(&right.is_none())))

@@ -177,5 +177,8 @@ fn end_of(line: u32, stop: Stop) -> End {
             };
             End::Unsupported { block, what }
         }
+        Stop::SystemVariable(number) => {
+            End::Unsupported { block, what: format!("the system variable #{number}") }
+        }
     }
 }

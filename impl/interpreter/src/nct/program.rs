@@ -193,12 +193,17 @@ pub(super) enum Stop {
     Open(&'static str),
     /// A code that this interpreter does not have: its letter, and ten times its number.
     Unsupported(u8, u16),
+    /// A variable beyond the common ones: a system variable, which this interpreter does not have.
+    SystemVariable(i64),
 }
 
 /// A refusal.
 pub(super) fn refuse<T>(kind: FaultKind, why: &'static str) -> Result<T, Stop> {
     Err(Stop::Refused(kind, why))
 }
+
+/// The greatest number of a common variable.
+const LAST_COMMON: i64 = 599;
 
 /// The variable of a number.
 pub(super) fn slot(number: Option<f64>) -> Result<Slot, Stop> {
@@ -212,8 +217,10 @@ pub(super) fn slot(number: Option<f64>) -> Result<Slot, Stop> {
         Some(number @ (100..=199 | 500..=599)) => {
             u16::try_from(number).map(Slot::Common).map_err(|_| out)
         }
+        Some(number) if number > LAST_COMMON => Err(Stop::SystemVariable(number)),
         Some(_) => Err(out),
-        None if number.abs() > 9.0e15 => Err(out),
+        None if number > 9.0e15 => Err(Stop::SystemVariable(i64::MAX)),
+        None if number < -9.0e15 => Err(out),
         None => Err(Stop::Open("a number of a variable that is not whole")),
     }
 }

@@ -111,11 +111,12 @@ rules! {
     TEXT_END = "nct.text-end",
     /// `#0` holds nothing, for ever. A vacant variable is copied as vacant, and counts as zero in arithmetic.
     VACANT = "nct.vacant",
-    /// Vacant is equal to vacant, is not zero, and is greater than zero.
+    /// Vacant is equal to vacant alone, to no number, and is greater than zero.
     VACANT_COMPARISON = "nct.vacant-comparison",
     /// A word with a vacant value is left out.
     VACANT_WORD = "nct.vacant-word",
-    /// There are `#1` to `#33`, `#100` to `#199` and `#500` to `#599`.
+    /// There are `#1` to `#33`, `#100` to `#199` and `#500` to `#599`; greater numbers may be those of system
+    /// variables and stay open.
     VARIABLE_NUMBERS = "nct.variable-numbers",
     /// A value that is out of the range of its letter is refused.
     WORD_RANGE = "nct.word-range",

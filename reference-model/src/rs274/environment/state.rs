@@ -78,6 +78,8 @@ pub(super) struct Stub {
     pub(super) led: bool,
     /// Whether the block that is executed queries the point.
     pub(super) asked: bool,
+    /// The tool that is known again at the end of a block with M61.
+    pub(super) tool_after_block: Option<i32>,
 }
 
 /// A point as the stub received it: where neither unit nor offset has changed, it is the same to the last bit.
@@ -95,6 +97,6 @@ impl Default for Stub {
     fn default() -> Self {
         let zero = Position::default();
         let stands = Stands { point: zero, offset: zero, units: LengthUnit::Millimetre };
-        Self { stands, lost: false, led: false, asked: false }
+        Self { stands, lost: false, led: false, asked: false, tool_after_block: None }
     }
 }

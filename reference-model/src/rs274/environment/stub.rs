@@ -41,12 +41,24 @@ pub(crate) enum BlockMotion {
     NoPoint,
 }
 
+/// M61 names a tool: the words of its block take it to be in the spindle. At the end of the block the stub reports the
+/// tool of the last M6 again. It reports nothing of M61 Q0.
+pub(crate) fn names_tool(tool: i32, state: &mut State) {
+    if tool > 0 {
+        state.environment.stub.tool_after_block.get_or_insert(state.known_tool);
+        state.known_tool = tool;
+    }
+}
+
 /// The end of a block: the stub follows its moves, and answers its query of the position.
 ///
 /// # Errors
 /// The block queries a position that is not a number.
 pub(crate) fn after_block(motion: BlockMotion, state: &mut State) -> Result<(), StepError> {
     let asked = std::mem::take(&mut state.environment.stub.asked);
+    if let Some(tool) = state.environment.stub.tool_after_block.take() {
+        state.known_tool = tool;
+    }
     if !state.environment.is_stand_alone() {
         return Ok(());
     }

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Axis, ControllerMode, Effect, FaultKind, Position, S
 use super::positions;
 use super::{pass, whole, word};
 use crate::ids::{choice, rule};
+use crate::rs274::environment::stub;
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -152,7 +153,9 @@ pub fn set_number(words: &Words, state: &mut State, record: &mut Record) -> Resu
         state.coverage.accepted(accepted);
     }
     state.tool = tool;
-    if !state.environment.is_stand_alone() {
+    if state.environment.is_stand_alone() {
+        stub::names_tool(tool, state);
+    } else {
         state.known_tool = tool;
     }
     state.environment.machine_is_asked();

@@ -29,8 +29,8 @@ const FIXTURE: u32 = 9;
 /// Rule tool.reload. G10 L0 reads the tool table again, which holds what was written into it.
 /// Rule tool.reload-needs-empty-spindle. No tool may be in the spindle.
 pub(super) fn reload(state: &mut State) -> Result<(), StepError> {
-    if state.tool != 0 {
-        let message = format!("G10 L0 with tool {} in the spindle", state.tool);
+    if state.known_tool != 0 {
+        let message = format!("G10 L0 with tool {} in the spindle", state.known_tool);
         let rule = rule::tool::RELOAD_NEEDS_EMPTY_SPINDLE;
         return Err(refuse(rule, FaultKind::ModalConflict, message));
     }
