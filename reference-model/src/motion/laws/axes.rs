@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::motion::Column;
 use gaugeblock_vocabulary::scenario::AxisLimits;
 
 use super::record::Record;
-use super::verdict::{Findings, Law, Verdict};
+use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::vector::last_place;
 
 const RELATIVE: f64 = 1e-9;
@@ -94,8 +94,14 @@ fn one_axis(
         let size = window.iter().map(|point| last_place(point[place])).fold(0.0, f64::max);
         let off = (order.places * size + written * record.samples.resolution()) * rate;
         let allowed = limit * (1.0 + RELATIVE) + off;
-        let words =
-            || format!("{axis} has {measured} {unit}{} where {limit} are allowed", order.unit);
+        let words = || {
+            format!(
+                "{axis} has {measured} {unit}{} where {limit} are allowed",
+                order.unit,
+                measured = figure(measured),
+                limit = figure(limit)
+            )
+        };
         let at = cycle + order.weights.len() / 2;
         findings.at_most(at, Some(axis), (measured, allowed), (limit, &words));
     }

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;
-use super::verdict::{Findings, Law, Verdict};
+use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::bound::stopping;
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, minus};
@@ -50,8 +50,14 @@ pub(super) fn feed(record: &Record<'_>) -> Verdict {
             continue;
         }
         let Some((measured, limit, leg)) = least else { continue };
-        let words =
-            || format!("{measured} per second at {} where {limit} are allowed", leg.element.block);
+        let words = || {
+            format!(
+                "{measured} per second at {} where {limit} are allowed",
+                leg.element.block,
+                measured = figure(measured),
+                limit = figure(limit)
+            )
+        };
         findings.at_most(sample, None, (measured, limit * (1.0 + RELATIVE) + off), (limit, &words));
     }
     findings.verdict()
@@ -81,8 +87,13 @@ fn rapid(
             continue;
         }
         let off = 2.0 * (record.samples.resolution() + RELATIVE * 1e-3) / record.period;
-        let words =
-            || format!("{axis} makes {measured} per second in a rapid where {limit} are allowed");
+        let words = || {
+            format!(
+                "{axis} makes {measured} per second in a rapid where {limit} are allowed",
+                measured = figure(measured),
+                limit = figure(limit)
+            )
+        };
         findings.at_most(
             sample,
             Some(axis),

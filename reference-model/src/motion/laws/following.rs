@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::motion::{Column, PathMode};
 
 use super::matching::{Matching, Miss, Missed};
 use super::record::Record;
-use super::verdict::{Findings, Law, Verdict};
+use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, direction, dot, from_segment, length, minus, plus};
 
@@ -46,7 +46,11 @@ pub(super) fn deviation(record: &Record<'_>) -> Verdict {
     let words = |_: &Route<'_>, miss: &Miss| {
         let far = miss.what == Missed::Path;
         far.then(|| {
-            format!("{} mm from the path where {} are allowed", miss.distance, miss.allowed)
+            format!(
+                "{} mm from the path where {} are allowed",
+                figure(miss.distance),
+                figure(miss.allowed)
+            )
         })
     };
     let findings = match missed(record, Law::Deviation, words) {
@@ -65,7 +69,8 @@ pub(super) fn vertex(record: &Record<'_>) -> Verdict {
             let block = &route.legs[corner - 1].element.block;
             Some(format!(
                 "the end of {block} is passed at {} mm where {} are allowed",
-                miss.distance, miss.allowed
+                figure(miss.distance),
+                figure(miss.allowed)
             ))
         }
         Missed::Path | Missed::Leg(_) | Missed::Middle(_) | Missed::Order => None,
@@ -112,7 +117,10 @@ pub(super) fn progress(record: &Record<'_>) -> Verdict {
     let words = |_: &Route<'_>, miss: &Miss| {
         let back = miss.what == Missed::Order;
         back.then(|| {
-            format!("the path is followed backwards, {} mm from the sample before", miss.distance)
+            format!(
+                "the path is followed backwards, {} mm from the sample before",
+                figure(miss.distance)
+            )
         })
     };
     match missed(record, Law::Progress, words) {
@@ -137,7 +145,7 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
     for miss in &matching.missed {
         if let Missed::Middle(leg) = miss.what {
             let block = &route.legs[leg].element.block;
-            let words = format!("the middle of {block} is passed at {} mm", miss.distance);
+            let words = format!("the middle of {block} is passed at {} mm", figure(miss.distance));
             findings.breaks(miss.sample, None, (miss.distance, miss.allowed), words);
         }
     }
@@ -153,7 +161,7 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
             .map(|corner| from_corner(route, *corner, &record.points[sample]))
             .fold(f64::INFINITY, f64::min);
         let block = &route.legs[*first].element.block;
-        let words = || format!("{away} mm outside of the triangle at {block}");
+        let words = || format!("{away} mm outside of the triangle at {block}", away = figure(away));
         findings.at_most(sample, None, (away, record.slack), (0.0, &words));
     }
     findings.verdict()

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::matching::Matching;
 use super::record::Record;
-use super::verdict::{Findings, Law, Verdict};
+use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::bound::{Shortest, Stop, shortest_stopping, stopping};
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, direction, distance, minus};
@@ -82,7 +82,10 @@ pub(super) fn abort(record: &Record<'_>) -> Verdict {
     let last = record.points.len() - 1;
     if !record.rests(last) {
         let speed = record.speed(last);
-        let words = format!("the motion still makes {speed} mm/s when the record ends");
+        let words = format!(
+            "the motion still makes {speed} mm/s when the record ends",
+            speed = figure(speed)
+        );
         findings.breaks(last, None, (speed, 0.0), words);
     } else if back {
         return Verdict::NotJudged("an abort while the path is run backwards".to_owned());
@@ -110,11 +113,17 @@ fn stops(
         let step = distance(&record.points[sample - 1], &record.points[sample]);
         way += step;
         let words = || {
-            format!("the motion goes on for {way} mm from {speed} mm/s where {least} mm suffice")
+            format!(
+                "the motion goes on for {way} mm from {speed} mm/s where {least} mm suffice",
+                way = figure(way),
+                speed = figure(speed),
+                least = figure(least)
+            )
         };
         findings.at_most(sample, None, (way, allowed), (0.0, &words));
         if rested && step > record.slack {
-            let words = format!("the motion goes on by {step} mm while it is held");
+            let words =
+                format!("the motion goes on by {step} mm while it is held", step = figure(step));
             findings.breaks(sample, None, (step, 0.0), words);
         }
         rested |= sample > latest && step <= record.slack;
@@ -213,7 +222,10 @@ pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
             Shortest::Within(Stop { distance, .. }) => {
                 let words = || {
                     format!(
-                        "{distance} mm are needed to stop from {speed} mm/s and {left} mm are queued"
+                        "{distance} mm are needed to stop from {speed} mm/s and {left} mm are queued",
+                        speed = figure(speed),
+                        distance = figure(distance),
+                        left = figure(left)
                     )
                 };
                 findings.at_most(
@@ -272,7 +284,12 @@ fn each_axis(
             off = off.max(record.bulge + record.slack + leg.tolerance + bow);
         }
         let words = || {
-            format!("{axis} needs {needed} mm to stop from {speed} mm/s and {left} mm are queued")
+            format!(
+                "{axis} needs {needed} mm to stop from {speed} mm/s and {left} mm are queued",
+                speed = figure(speed),
+                left = figure(left),
+                needed = figure(needed)
+            )
         };
         findings.at_most(sample, Some(axis), (needed, left * (1.0 + 1e-9) + off), (0.0, &words));
     }

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::corner_passes::{CornerPass, Rests, corner_passes, to_rest};
 use super::record::Record;
-use super::verdict::{Findings, Law, Verdict};
+use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::route::{CornerTolerance, Leg, Task};
 use crate::motion::vector::{AxisVector, count, distance};
 
@@ -41,7 +41,8 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
         let block = &route.legs[number - 1].element.block;
         let words = || {
             format!(
-                "no rest at the end of {block}: its samples are {needed} s apart by rest, at least"
+                "no rest at the end of {block}: its samples are {needed} s apart by rest, at least",
+                needed = figure(needed)
             )
         };
         let limit = record.period;
@@ -66,13 +67,16 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
     let mut findings = Findings::of(Law::Ends);
     let start = record.path.start.to_array();
     let away = distance(&record.points[0], &start);
-    let words = || format!("the first sample is {away} mm from where the path starts");
+    let words =
+        || format!("the first sample is {away} mm from where the path starts", away = figure(away));
     findings.at_most(0, None, (away, record.slack), (0.0, &words));
     if record.requests.aborted.is_none() {
         let end = record.path.elements.iter().rev().find_map(|element| element.end());
         let end = end.map_or(start, |end| end.to_array());
         let away = distance(&record.points[last], &end);
-        let words = || format!("the last sample is {away} mm from where the path ends");
+        let words = || {
+            format!("the last sample is {away} mm from where the path ends", away = figure(away))
+        };
         findings.at_most(last, None, (away, record.slack), (0.0, &words));
     }
     if let Some(why) = unstated(record) {
@@ -96,7 +100,8 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
             }
             let words = || {
                 format!(
-                    "{axis} makes {step} in the sample with which the record {what}: it is not at rest"
+                    "{axis} makes {step} in the sample with which the record {what}: it is not at rest",
+                    step = figure(step)
                 )
             };
             findings.at_most(
@@ -159,13 +164,25 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
         earliest = rest.at.map_or(earliest, |(first, _)| first);
         let Rest { at, least, most } = rest;
         let after = at.map_or(pass.after(record), |(_, end)| (end + 1).min(last));
-        let words = || format!("rest for less than {most} s where {seconds} s are programmed");
+        let words = || {
+            format!(
+                "rest for less than {most} s where {seconds} s are programmed",
+                most = figure(most),
+                seconds = figure(seconds)
+            )
+        };
         let open_ended = pass.is_aborted(record);
         if !open_ended && record.requests.aborted.is_none_or(|cycle| cycle > after) {
             findings.at_most(after, None, (shortest, most), (0.0, &words));
         }
         if !open(&rest) {
-            let words = || format!("rest for at least {least} s where {seconds} s are programmed");
+            let words = || {
+                format!(
+                    "rest for at least {least} s where {seconds} s are programmed",
+                    least = figure(least),
+                    seconds = figure(seconds)
+                )
+            };
             findings.at_most(after, None, (least, longest), (0.0, &words));
         }
     }

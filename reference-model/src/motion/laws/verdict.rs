@@ -137,6 +137,14 @@ impl Judgement {
     }
 }
 
+/// Digits of a number in a message.
+const DIGITS: usize = 7;
+
+/// A number as messages write it: rounded to so many digits.
+pub(super) fn figure(number: f64) -> f64 {
+    format!("{number:.*e}", DIGITS - 1).parse().unwrap_or(number)
+}
+
 /// Findings of one law as they are made, cycle by cycle; those at neighbouring cycles become one.
 #[derive(Clone, Debug)]
 pub(super) struct Findings {
