@@ -145,9 +145,8 @@ fn dwells_at_ends(path: &ProgrammedPath) -> f64 {
     let at_ends = elements.filter(|(at, _)| {
         first.is_none_or(|first| *at < first) || last.is_some_and(|last| *at > last)
     });
-    let dwell = |element: &PathElement| match element.shape {
-        Shape::Dwell { seconds } => seconds,
-        _ => 0.0,
+    let dwell = |element: &PathElement| {
+        if let Shape::Dwell { seconds } = element.shape { seconds } else { 0.0 }
     };
     at_ends.map(|(_, element)| dwell(element)).sum()
 }

@@ -185,7 +185,10 @@ impl Run<'_> {
             return match comparison {
                 Comparison::Equal => Ok(false),
                 Comparison::NotEqual => Ok(true),
-                _ => {
+                Comparison::Greater
+                | Comparison::GreaterOrEqual
+                | Comparison::Less
+                | Comparison::LessOrEqual => {
                     Err(open("GT, GE, LT or LE of a vacant variable and a number that is not zero"))
                 }
             }
