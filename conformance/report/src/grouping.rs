@@ -30,10 +30,7 @@ pub fn size(finding: &Finding<'_, '_>) -> String {
 pub fn title(controller: &str, finding: &Finding<'_, '_>) -> String {
     let first = finding.divergent().next();
     match &finding.cause {
-        FindingCause::Options(_) => {
-            let explanation = first.and_then(|(_, divergence)| explain(controller, divergence));
-            explanation.map(|explanation| explanation.text).unwrap_or_default()
-        }
+        FindingCause::Options(parts) => explanation_by(controller, parts).text,
         FindingCause::Rule => {
             first.map(|(_, divergence)| difference_in_words(divergence)).unwrap_or_default()
         }
@@ -52,22 +49,25 @@ pub struct Explanation {
 
 /// The explanation of a divergence, or the controller that does the same.
 pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanation> {
-    if divergence.explanation.is_empty() {
-        return None;
-    }
-    let names = divergence.explanation.join(" and ");
+    let parts = &divergence.explanation;
+    (!parts.is_empty()).then(|| explanation_by(controller, parts))
+}
+
+/// An explanation by quirks and other options of choices.
+fn explanation_by(controller: &str, parts: &[String]) -> Explanation {
+    let names = parts.join(" and ");
     let of_linuxcnc = |name: &String| name.starts_with("rs274.") || name.starts_with("linuxcnc.");
-    let applies_to_controller = matches!(controller, "rs274" | "linuxcnc")
-        || !divergence.explanation.iter().any(of_linuxcnc);
+    let applies_to_controller =
+        matches!(controller, "rs274" | "linuxcnc") || !parts.iter().any(of_linuxcnc);
     let text = if applies_to_controller {
         // Of several, one may explain this difference alone, and the others what follows it.
-        let several = divergence.explanation.len() > 1;
+        let several = parts.len() > 1;
         let what = if several { " (this and later differences)" } else { "" };
         format!("explained by {names}{what}")
     } else {
         format!("LinuxCNC does this, too: {names}")
     };
-    Some(Explanation { applies_to_controller, text })
+    Explanation { applies_to_controller, text }
 }
 
 /// What differs, without lines and numbers.

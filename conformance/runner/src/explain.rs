@@ -22,6 +22,13 @@ impl AlternativeOption<'_> {
             ChoiceKind::Choice => format!("{} = {}", self.choice.id, self.option),
         }
     }
+
+    /// A scenario under this option.
+    pub(crate) fn applied_to(&self, scenario: &Scenario) -> Scenario {
+        let mut scenario = scenario.clone();
+        scenario.options.0.insert(self.choice.id.clone(), self.option.to_owned());
+        scenario
+    }
 }
 
 /// A divergence with all that its explanation depends on.

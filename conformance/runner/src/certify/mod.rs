@@ -275,9 +275,22 @@ impl CaseJudge<'_> {
         found: &Outcome,
     ) -> Verdict {
         let context = self.context(rule, case, found);
-        let why = divergence.difference.as_ref().map(|_| context.explain()).unwrap_or_default();
+        let mut why = divergence.difference.as_ref().map(|_| context.explain()).unwrap_or_default();
+        if let (2.., Some((assertion, _))) = (why.len(), &divergence.assertion) {
+            // The option that breaks the assertion by itself is the cause; others change what follows.
+            why.sort_by_key(|option| !self.breaks(option, case, assertion));
+        }
         let explanation = why.iter().map(AlternativeOption::name).collect();
         Verdict::of_divergence(RuleDivergence { explanation, ..divergence })
+    }
+
+    /// Whether an assertion does not hold on the model under one other option.
+    fn breaks(&self, option: &AlternativeOption<'_>, case: &Case, assertion: &str) -> bool {
+        let found = Observed::of(&gaugeblock_reference::run(&option.applied_to(self.scenario)).0);
+        let observables = self.controller.observables(self.scenario);
+        let claims = case.parsed();
+        let claim = claims.iter().find(|claim| claim.text == assertion);
+        claim.is_some_and(|claim| matches!(judge(claim, &found, &observables), Finding::Fails(_)))
     }
 
     /// Whether a pass would rest on nothing but the acceptance of the program: no assertion about anything else is

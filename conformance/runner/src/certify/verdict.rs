@@ -180,7 +180,8 @@ pub struct RuleDivergence {
     pub assertion: Option<(String, String)>,
     /// The first difference from the model's outcome.
     pub difference: Option<String>,
-    /// The quirks and other options of choices that explain it, as few as possible.
+    /// The quirks and other options of choices that explain it, as few as possible. One that breaks the assertion by
+    /// itself is the first.
     pub explanation: Vec<String>,
     /// Both outcomes as texts; none for servo samples.
     pub traces: Option<Traces>,

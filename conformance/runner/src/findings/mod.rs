@@ -110,11 +110,13 @@ pub fn findings<'a, 'r>(
 
 /// Findings of divergences that quirks or other options explain.
 ///
-/// If several explain a divergence together, it belongs to the first of them that explains another one alone.
+/// If several explain a divergence together, the first of them breaks its assertion. Where every assertion holds, the
+/// first that is the cause of another divergence counts.
 fn by_options<'a, 'r>(suite: &'a Suite, explained: Vec<Divergent<'a, 'r>>) -> Vec<Finding<'a, 'r>> {
-    let single: BTreeSet<&String> = explained
+    let causes: BTreeSet<&String> = explained
         .iter()
         .filter_map(|(_, divergence)| match divergence.explanation.as_slice() {
+            [first, ..] if divergence.assertion.is_some() => Some(first),
             [one] => Some(one),
             _ => None,
         })
@@ -122,8 +124,8 @@ fn by_options<'a, 'r>(suite: &'a Suite, explained: Vec<Divergent<'a, 'r>>) -> Ve
     let mut by_cause: BTreeMap<Vec<String>, Vec<Divergent<'a, 'r>>> = BTreeMap::new();
     for (result, divergence) in &explained {
         let parts = &divergence.explanation;
-        let alone = parts.iter().find(|part| single.contains(part));
-        let cause = alone.map_or_else(|| parts.clone(), |part| vec![part.clone()]);
+        let first = parts.iter().find(|part| causes.contains(part));
+        let cause = first.map_or_else(|| parts.clone(), |part| vec![part.clone()]);
         by_cause.entry(cause).or_default().push((*result, *divergence));
     }
     let findings = by_cause.into_iter().map(|(parts, cases)| {

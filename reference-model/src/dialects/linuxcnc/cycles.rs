@@ -49,6 +49,14 @@ impl CycleRules for LinuxCnc {
         Documented.check_cycle_dwell(seconds, state)
     }
 
+    /// Quirk rs274.peck-rounding. A stroke that ends above the bottom by a rounding error is not the last.
+    fn is_last_peck(&self, left: f64, state: &State) -> bool {
+        if state.has_quirk(quirk::rs274::PECK_ROUNDING) {
+            return left <= 0.0;
+        }
+        Documented.is_last_peck(left, state)
+    }
+
     /// Quirk rs274.unused-q-minus-one. In a cycle, too, Q-1 counts as no Q.
     fn programmed_peck(&self, words: &Words, state: &State) -> Option<f64> {
         let peck = Documented.programmed_peck(words, state);

@@ -4,4 +4,4 @@ pub(super) const LINUXCNC: u16 = 0;
 pub(super) const RS274: u16 = 12;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 166;
+pub(crate) const COUNT: u16 = 167;

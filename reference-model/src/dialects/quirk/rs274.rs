@@ -193,6 +193,9 @@ quirks! {
     /// G61, G61.1 and G64 are refused while cutter compensation is on, and so is a restore of another path
     /// control mode or tolerance with a compensation that was on at the save.
     PATH_UNDER_COMPENSATION = "rs274.path-under-compensation",
+    /// A stroke of G73 or G83 that ends above the bottom by no more than a rounding error is followed by
+    /// another.
+    PECK_ROUNDING = "rs274.peck-rounding",
     /// G95 takes no $ unless something else in its block does.
     PER_REVOLUTION_DOLLAR = "rs274.per-revolution-dollar",
     /// Under feed per revolution G1, G2 and G3 are refused while the speed of the spindle is zero, whether it

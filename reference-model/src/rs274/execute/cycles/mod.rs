@@ -113,6 +113,12 @@ pub(crate) trait CycleRules {
         Ok(())
     }
 
+    /// Rules cycles.peck and cycles.chip-breaking. Whether so little is left above the bottom that the next stroke ends
+    /// there: not more than a rounding error.
+    fn is_last_peck(&self, left: f64, _state: &State) -> bool {
+        left <= strokes::REACHED
+    }
+
     /// Q as a block of G73 or G83 programs it.
     fn programmed_peck(&self, words: &Words, _state: &State) -> Option<f64> {
         word(words, 'q')

@@ -12,7 +12,7 @@ use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
 /// A bottom that is this close is reached: what is left is rounding of the increments.
-const REACHED: f64 = 1e-9;
+pub(super) const REACHED: f64 = 1e-9;
 
 /// P of the cycles that dwell.
 ///
@@ -155,7 +155,7 @@ fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), St
         LengthUnit::Millimetre => 0.254,
     };
     let mut drilled = cycle.retract - cycle.peck;
-    while drilled - cycle.bottom > REACHED {
+    while !state.dialect().is_last_peck(drilled - cycle.bottom, state) {
         if record.is_full() {
             return Err(StepError::TooManyEffects);
         }
