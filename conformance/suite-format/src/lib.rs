@@ -2,6 +2,7 @@
 
 pub mod assertion;
 pub mod files;
+pub mod grid;
 pub mod ids;
 pub mod ledger;
 mod motion;
@@ -14,6 +15,7 @@ use gaugeblock_vocabulary::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
+pub use grid::{Grid, GridLists};
 pub use motion::{MotionAssertion, MotionCase, Piece, SampleDefect};
 pub use page::{
     Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
@@ -34,6 +36,8 @@ pub struct Suite {
     pub editions: Vec<Edition>,
     /// Profiles in the order of their file.
     pub profiles: Vec<Profile>,
+    /// Lists that grids name.
+    pub lists: GridLists,
     /// Path of each rule's page within the suite.
     pub paths: BTreeMap<String, String>,
     /// Digest of all its pages, in hexadecimal.
@@ -55,6 +59,7 @@ impl Suite {
             motion_choices: Vec::new(),
             editions: Vec::new(),
             profiles: Vec::new(),
+            lists: GridLists::new(),
             paths: BTreeMap::new(),
             digest: files::digest(files),
         };
@@ -67,6 +72,7 @@ impl Suite {
         suite.rules.sort_by(|a, b| a.id.cmp(&b.id));
         suite.choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.motion_choices.sort_by(|a, b| a.id.cmp(&b.id));
+        suite.expand_grids(&mut errors);
         suite.check(&mut errors);
         if errors.is_empty() { Ok(suite) } else { Err(errors) }
     }
@@ -91,6 +97,9 @@ impl Suite {
                 }
                 self.profiles = toml::from_str::<Page>(text).map_err(parsed)?.profile;
             }
+            "" if name == "lists.toml" => {
+                self.lists = toml::from_str(text).map_err(parsed)?;
+            }
             "" | "documents" => {}
             "choices" | "quirks" => {
                 let choice: Choice = toml::from_str(text).map_err(parsed)?;
@@ -113,15 +122,32 @@ impl Suite {
                 let mut rule: Rule = toml::from_str(text).map_err(parsed)?;
                 motion::complete(&mut rule.motion)?;
                 expect_id(&rule.id, &format!("{chapter}.{}", name.trim_end_matches(".toml")))?;
-                for case in &rule.cases {
-                    assertions(&case.assertions)
-                        .map_err(|error| format!("case `{}`: {error}", case.name))?;
-                }
                 self.paths.insert(rule.id.clone(), path.to_owned());
                 self.rules.push(rule);
             }
         }
         Ok(())
+    }
+
+    /// Adds the cases of each grid to those of its rule, and checks the assertions of all.
+    fn expand_grids(&mut self, errors: &mut Vec<String>) {
+        for rule in &mut self.rules {
+            let path = &self.paths[&rule.id];
+            for (place, grid) in rule.grids.iter().enumerate() {
+                match grid.cases(&self.lists) {
+                    Ok(cases) => {
+                        let cell = |case| Case { grid: Some(place), ..case };
+                        rule.cases.extend(cases.into_iter().map(cell));
+                    }
+                    Err(error) => errors.push(format!("{path}: grid `{}`: {error}", grid.name)),
+                }
+            }
+            for case in &rule.cases {
+                if let Err(error) = assertions(&case.assertions) {
+                    errors.push(format!("{path}: case `{}`: {error}", case.name));
+                }
+            }
+        }
     }
 
     fn check(&self, errors: &mut Vec<String>) {

@@ -9,6 +9,7 @@ use gaugeblock_vocabulary::scenario::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::grid::Grid;
 use super::motion::MotionCase;
 
 /// Where a document says something.
@@ -105,6 +106,9 @@ pub struct Rule {
     /// Its cases.
     #[serde(rename = "case", default)]
     pub cases: Vec<Case>,
+    /// Templates of further cases; they are among the cases once the suite is read.
+    #[serde(rename = "grid", default)]
+    pub grids: Vec<Grid>,
     /// Its cases of motion.
     #[serde(default)]
     pub motion: Vec<MotionCase>,
@@ -148,6 +152,9 @@ pub struct Case {
     /// Only in these editions; all when empty.
     #[serde(default)]
     pub editions: Vec<String>,
+    /// The place of the grid that it is from, from 0; none if the page has it as it is.
+    #[serde(skip)]
+    pub grid: Option<usize>,
     /// What else the run depends on.
     #[serde(flatten)]
     pub setup: Setup,

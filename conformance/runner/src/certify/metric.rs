@@ -123,6 +123,7 @@ mod tests {
             program: String::new(),
             assertions: vec![assertion.to_owned()],
             golden: None,
+            grid: None,
             editions: Vec::new(),
             setup: Setup::default(),
         };

@@ -135,7 +135,8 @@ fn by_options<'a, 'r>(suite: &'a Suite, explained: Vec<Divergent<'a, 'r>>) -> Ve
     findings.collect()
 }
 
-/// The rule that depends on what explains these cases, and of which most of them fail.
+/// The rule that depends on what explains these cases, and of which most of them fail; another one of which some fail
+/// if none of them does.
 fn owner<'a>(suite: &'a Suite, parts: &[String], cases: &[Divergent<'a, '_>]) -> Option<&'a Rule> {
     let ids: Vec<&str> =
         parts.iter().map(|part| part.split(" = ").next().unwrap_or_default()).collect();
@@ -147,7 +148,13 @@ fn owner<'a>(suite: &'a Suite, parts: &[String], cases: &[Divergent<'a, '_>]) ->
         own.count()
     };
     let owners = suite.rules.iter().filter(owns);
-    owners.max_by_key(|rule| (failing(rule), Reverse(rule.id.as_str())))
+    let owner = owners.max_by_key(|rule| (failing(rule), Reverse(rule.id.as_str())));
+    if owner.is_some_and(|owner| failing(owner) > 0) {
+        return owner;
+    }
+    // The run has no case of an owner. A rule of which an assertion fails is broken, too.
+    let broken = suite.rules.iter().filter(|rule| failing(rule) > 0);
+    broken.max_by_key(|rule| (failing(rule), Reverse(rule.id.as_str()))).or(owner)
 }
 
 /// Findings of divergences that no option explains.

@@ -1,0 +1,249 @@
+//! Grids: one program and its assertions for each combination of some lists, each a case of its own.
+//!
+//! A grid has a template of a case. Its texts name the items of the lists:
+//!
+//! | in the template | becomes |
+//! | --- | --- |
+//! | `{exit}` | the name of the item of the list `exit` |
+//! | `{item.set}` | the text `set` of the item of the list `item` |
+//! | `{item.when?}` | the same, or nothing where the item has no such text |
+//! | `{mark restore}`, in the program | nothing; it names its line |
+//! | `{line restore}`, in an assertion | the number of that line |
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+use crate::page::{Case, Setup};
+
+/// An item of a list: its texts. Each has the text `name`.
+pub type GridItem = BTreeMap<String, String>;
+
+/// The lists that grids of all pages can name, by their names.
+pub type GridLists = BTreeMap<String, Vec<GridItem>>;
+
+/// A template of cases.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Grid {
+    /// The name of each case.
+    pub name: String,
+    /// Why they are there.
+    #[serde(default)]
+    pub why: String,
+    /// The lists whose combinations are the cases.
+    pub each: BTreeMap<String, GridList>,
+    /// Combinations that are left out: the names of the items of some of the lists.
+    #[serde(default)]
+    pub except: Vec<BTreeMap<String, String>>,
+    /// The main program.
+    pub program: String,
+    /// What must be observed.
+    #[serde(rename = "assert")]
+    pub assertions: Vec<String>,
+    /// Only in these editions; all when empty.
+    #[serde(default)]
+    pub editions: Vec<String>,
+    /// What else the runs depend on.
+    #[serde(flatten)]
+    pub setup: Setup,
+}
+
+/// A list of a grid.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum GridList {
+    /// A list of the suite's file `lists.toml`.
+    Named(String),
+    /// Its own items.
+    Items(Vec<GridItem>),
+}
+
+impl Grid {
+    /// The cases, in the order of the lists' names and of their items.
+    ///
+    /// # Errors
+    /// A list that does not exist, an item without a name, an exception that leaves out nothing, or a placeholder that
+    /// stands for nothing.
+    pub fn cases(&self, lists: &GridLists) -> Result<Vec<Case>, String> {
+        let mut combinations: Vec<BTreeMap<&str, &GridItem>> = vec![BTreeMap::new()];
+        for (list, items) in &self.each {
+            let items = items_of(list, items, lists)?;
+            combinations = combinations
+                .into_iter()
+                .flat_map(|begun| {
+                    items.iter().map(move |item| {
+                        let mut combination = begun.clone();
+                        combination.insert(list, item);
+                        combination
+                    })
+                })
+                .collect();
+        }
+        let is_left_out = |exception: &BTreeMap<String, String>,
+                           combination: &BTreeMap<&str, &GridItem>| {
+            exception.iter().all(|(list, name)| {
+                combination.get(list.as_str()).is_some_and(|item| item.get(NAME) == Some(name))
+            })
+        };
+        for exception in &self.except {
+            if !combinations.iter().any(|combination| is_left_out(exception, combination)) {
+                return Err(format!("the exception {exception:?} leaves out nothing"));
+            }
+        }
+        combinations.retain(|it| !self.except.iter().any(|exception| is_left_out(exception, it)));
+        combinations.iter().map(|combination| self.case(combination)).collect()
+    }
+
+    /// The case of a combination.
+    fn case(&self, combination: &BTreeMap<&str, &GridItem>) -> Result<Case, String> {
+        let item_text = |key: &str| item_text(combination, key);
+        let template = filled(&self.program, &|key| {
+            // Marks stay until each text is at its place.
+            if key.starts_with(MARK) { Ok(format!("{{{key}}}")) } else { item_text(key) }
+        })?;
+        let (program, lines) = without_marks(&template);
+        let assertions = self.assertions.iter().map(|text| {
+            filled(text, &|key| match key.strip_prefix(LINE) {
+                Some(mark) => {
+                    let line = lines.get(mark).ok_or_else(|| format!("no mark `{mark}`"))?;
+                    Ok(line.to_string())
+                }
+                None => item_text(key),
+            })
+        });
+        Ok(Case {
+            name: filled(&self.name, &item_text)?,
+            why: filled(&self.why, &item_text)?,
+            program,
+            assertions: assertions.collect::<Result<_, String>>()?,
+            golden: None,
+            editions: self.editions.clone(),
+            grid: None,
+            setup: self.setup.clone(),
+        })
+    }
+}
+
+/// The text of an item that is its name.
+const NAME: &str = "name";
+
+/// What begins a placeholder that names its line.
+const MARK: &str = "mark ";
+
+/// What begins a placeholder for the number of a line.
+const LINE: &str = "line ";
+
+/// The items of a list, which each have a name.
+fn items_of<'a>(
+    list: &str,
+    items: &'a GridList,
+    lists: &'a GridLists,
+) -> Result<&'a [GridItem], String> {
+    let items = match items {
+        GridList::Items(items) => items,
+        GridList::Named(name) => {
+            lists.get(name).ok_or_else(|| format!("lists.toml has no list `{name}`"))?
+        }
+    };
+    match items.iter().position(|item| !item.contains_key(NAME)) {
+        Some(place) => Err(format!("item {} of the list `{list}` has no name", place + 1)),
+        None => Ok(items),
+    }
+}
+
+/// The text that a placeholder names: `item`, `item.set` or `item.when?`.
+fn item_text(combination: &BTreeMap<&str, &GridItem>, key: &str) -> Result<String, String> {
+    let (list, text) = key.split_once('.').unwrap_or((key, NAME));
+    let item = combination.get(list).ok_or_else(|| format!("`{{{key}}}` names no list"))?;
+    let (text, is_optional) = text.strip_suffix('?').map_or((text, false), |text| (text, true));
+    match item.get(text) {
+        Some(found) => Ok(found.clone()),
+        None if is_optional => Ok(String::new()),
+        None => Err(format!("`{}` of the list `{list}` has no `{text}`", item[NAME])),
+    }
+}
+
+/// A template with a text for each placeholder.
+fn filled(template: &str, text: &dyn Fn(&str) -> Result<String, String>) -> Result<String, String> {
+    let mut filled = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('{') {
+        let (key, after) =
+            after.split_once('}').ok_or_else(|| format!("`{{{after}` is not closed"))?;
+        filled.push_str(before);
+        filled.push_str(&text(key)?);
+        rest = after;
+    }
+    filled.push_str(rest);
+    Ok(filled)
+}
+
+/// A program without its marks, and the line of each, from 1.
+fn without_marks(template: &str) -> (String, BTreeMap<&str, usize>) {
+    let mut lines = BTreeMap::new();
+    let mut program = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('{') {
+        let (key, after) = after.split_once('}').unwrap_or((after, ""));
+        program.push_str(before);
+        let line = program.matches('\n').count() + 1;
+        lines.insert(key.strip_prefix(MARK).unwrap_or(key), line);
+        rest = after;
+    }
+    program.push_str(rest);
+    (program, lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cases of a grid, each as its name, program and assertions; or why there are none.
+    fn cases(text: &str) -> Result<Vec<(String, String, Vec<String>)>, String> {
+        let grid: Grid = toml::from_str(text).expect("a grid");
+        let item = |name: &str| GridItem::from([(NAME.to_owned(), name.to_owned())]);
+        let lists = GridLists::from([("planes".to_owned(), vec![item("g17"), item("g18")])]);
+        let cases = grid.cases(&lists)?.into_iter();
+        Ok(cases.map(|case| (case.name, case.program, case.assertions)).collect())
+    }
+
+    const TWO: &str = r#"
+        name = "{item} in {plane}"
+        each.plane = "planes"
+        each.item = [{ name = "feed", set = "f5", is = "feed_rate = 5" }, { name = "mist", set = "m7\nm8" }]
+        except = [{ item = "mist", plane = "g18" }]
+        program = "{plane}\n{item.set}\nm72 {mark restore}\nm2"
+        assert = ["after {line restore} {item.is?}"]
+    "#;
+
+    #[test]
+    fn each_combination_is_a_case_but_for_exceptions() {
+        let text = |text: &str| text.to_owned();
+        let one = |name, program, assertion| (text(name), text(program), vec![text(assertion)]);
+        assert_eq!(
+            cases(TWO),
+            Ok(vec![
+                one("feed in g17", "g17\nf5\nm72 \nm2", "after 3 feed_rate = 5"),
+                one("feed in g18", "g18\nf5\nm72 \nm2", "after 3 feed_rate = 5"),
+                one("mist in g17", "g17\nm7\nm8\nm72 \nm2", "after 4 "),
+            ])
+        );
+    }
+
+    #[test]
+    fn what_stands_for_nothing_is_an_error() {
+        for (from, to, why) in [
+            ("{item.is?}", "{item.is}", "`mist` of the list `item` has no `is`"),
+            ("{item.is?}", "{motion}", "`{motion}` names no list"),
+            ("{line restore}", "{line save}", "no mark `save`"),
+            ("\"planes\"", "\"codes\"", "lists.toml has no list `codes`"),
+            ("name = \"feed\", ", "", "item 1 of the list `item` has no name"),
+            ("plane = \"g18\"", "plane = \"g19\"", "leaves out nothing"),
+            ("{item} in", "{item in", "`{item in {plane}` names no list"),
+        ] {
+            let error = cases(&TWO.replace(from, to)).expect_err(from);
+            assert!(error.contains(why), "{error}");
+        }
+    }
+}
