@@ -96,7 +96,7 @@ impl Observed {
             for event in &step.events {
                 match event {
                     Event::Set(change) => {
-                        if moves_coordinates(change) {
+                        if moves_coordinates(&settings, change) {
                             point = None;
                         }
                         settings.overlay(change);
@@ -184,13 +184,17 @@ pub(crate) fn end_of(effect: &Effect) -> Option<Position> {
     Some(*end)
 }
 
-/// Whether the controlled point has other program coordinates after this change.
-fn moves_coordinates(change: &Settings) -> bool {
-    change.units.is_some()
-        || change.g5x_offset.is_some()
-        || change.g92_offset.is_some()
-        || change.rotation.is_some()
-        || change.tool_offset.is_some()
+/// Whether the controlled point has other program coordinates after this change: a setting that is repeated unchanged
+/// moves nothing.
+fn moves_coordinates(before: &Settings, change: &Settings) -> bool {
+    fn differs<T: PartialEq>(before: Option<&T>, after: Option<&T>) -> bool {
+        after.is_some() && before != after
+    }
+    differs(before.units.as_ref(), change.units.as_ref())
+        || differs(before.g5x_offset.as_ref(), change.g5x_offset.as_ref())
+        || differs(before.g92_offset.as_ref(), change.g92_offset.as_ref())
+        || differs(before.rotation.as_ref(), change.rotation.as_ref())
+        || differs(before.tool_offset.as_ref(), change.tool_offset.as_ref())
 }
 
 /// After a call or return, which a recorded call level marks, only those local named parameters exist that are recorded

@@ -1,7 +1,9 @@
 //! What a declaration or an answer leaves open is masked, and nothing else is.
 
 use gaugeblock_reference::run;
-use gaugeblock_vocabulary::{Effect, End, Event, Outcome, Rs274State, Scenario, State};
+use gaugeblock_vocabulary::{
+    Effect, End, Event, LengthUnit, Outcome, Position, Rs274State, Scenario, Settings, State,
+};
 
 use crate::observe::Observed;
 use crate::{Capabilities, Comparison, compare};
@@ -119,10 +121,30 @@ fn unknown_field_is_masked_until_it_is_reported_again() {
 }
 
 #[test]
+fn repeated_setting_leaves_the_controlled_point_known() {
+    let some = Capabilities { moves_in_place: false, ..everything() };
+    let metric = Settings { units: Some(LengthUnit::Millimetre), ..Settings::default() };
+    let offset = Settings { g92_offset: Some(Position::default()), ..Settings::default() };
+    let inches = Settings { units: Some(LengthUnit::Inch), ..Settings::default() };
+    let compared_after = |change: Settings| {
+        compared("g21 g0 x1\ng90\nm2\n", &some, |found| {
+            // The controller reports a move to the present position, which the declaration leaves out.
+            let end = Position { x: 1.0, ..Position::default() };
+            let traverse = Event::Do(Effect::StraightTraverse { end });
+            found.steps[1].events = vec![Event::Set(Box::new(change)), traverse];
+        })
+    };
+    for unchanged in [metric, offset] {
+        assert_eq!(compared_after(unchanged.clone()).divergence, None, "{unchanged:?}");
+    }
+    assert!(compared_after(inches).divergence.is_some());
+}
+
+#[test]
 fn refusal_is_masked_for_a_controller_that_never_refuses() {
     let never = Capabilities { refuses: false, ..everything() };
     let goes_on = |found: &mut Outcome| {
-        let end = gaugeblock_vocabulary::Position { x: 9.0, ..Default::default() };
+        let end = Position { x: 9.0, ..Position::default() };
         let block = gaugeblock_vocabulary::BlockLocation::new("main.ngc", 2);
         let events = vec![Event::Do(Effect::StraightTraverse { end })];
         found.steps.push(gaugeblock_vocabulary::Step { block, events, state: None });
