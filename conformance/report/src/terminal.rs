@@ -134,6 +134,9 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
         let style = if explanation.applies_to_controller { YELLOW } else { DIM };
         line!(text, "  {}", styled(style, &explanation.text));
     }
+    if let Some(source) = result.verdict.accepted_by() {
+        line!(text, "  accepted  {}", escape_text(source));
+    }
     line!(text);
 }
 

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::certify::{RuleDivergence, Run, Verdict};
+use crate::certify::{EXPECTATIONS, RuleDivergence, Run, Verdict};
 
 /// A known divergence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,6 +23,9 @@ pub struct KnownDivergence {
     /// The quirk, or the other option of a choice, that explains it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explanation: Option<String>,
+    /// Why it differs: a sentence, or a name in [`Expectations::reasons`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
 }
 
 /// The known divergences of a controller from an edition.
@@ -35,6 +38,9 @@ pub struct Expectations {
     pub version: String,
     /// The edition that it is compared with.
     pub edition: String,
+    /// Reasons that several divergences share, by their names.
+    #[serde(default, skip_serializing)]
+    pub reasons: BTreeMap<String, String>,
     /// The divergences, ordered by rule and case.
     #[serde(default)]
     pub known: Vec<KnownDivergence>,
@@ -102,16 +108,34 @@ impl Expectations {
     /// Reads a file of expectations.
     ///
     /// # Errors
-    /// It is not in the form; the message has line and column.
+    /// It is not in the form, with line and column; a divergence is listed twice; a reason is empty, has an unknown
+    /// name, or is a named one that no divergence has.
     pub fn read(text: &str) -> Result<Self, String> {
         let read: Self = toml::from_str(text).map_err(|error| error.to_string())?;
         let mut seen = BTreeSet::new();
+        let mut unused: BTreeSet<&String> = read.reasons.keys().collect();
         for known in &read.known {
-            if !seen.insert((&known.rule, &known.case)) {
-                return Err(format!("{} / {} is listed twice", known.rule, known.case));
+            let KnownDivergence { rule, case, reason, .. } = known;
+            if !seen.insert((rule, case)) {
+                return Err(format!("{rule} / {case} is listed twice"));
+            }
+            if let Some(reason) = reason
+                && !unused.remove(reason)
+                && !read.reasons.contains_key(reason)
+                && !reason.trim().contains(' ')
+            {
+                return Err(format!(
+                    "invalid reason of {rule} / {case}: {reason:?}; expected a sentence, or a name in [reasons]"
+                ));
             }
         }
-        Ok(read)
+        if let Some((name, _)) = read.reasons.iter().find(|(_, text)| text.trim().is_empty()) {
+            return Err(format!("invalid reason {name}: \"\"; expected a sentence"));
+        }
+        match unused.first() {
+            Some(name) => Err(format!("unused reason: {name}; expected a divergence that has it")),
+            None => Ok(read),
+        }
     }
 
     /// The divergences of a run, as expectations. A side difference is listed unless all that explains it explains a
@@ -131,13 +155,53 @@ impl Expectations {
                 case: result.name.to_owned(),
                 found: divergence.summary(),
                 explanation: joined(&divergence.explanation),
+                reason: None,
             })
         });
         Self {
             controller: controller.to_owned(),
             version: version.to_owned(),
             edition: run.edition.id.clone(),
+            reasons: BTreeMap::new(),
             known: known.collect(),
+        }
+    }
+
+    /// Takes the reasons of an earlier list over to the divergences of the same rules and cases. Returns a note for each
+    /// whose difference has changed: its reason may not apply any more.
+    pub fn keep_reasons(&mut self, earlier: &Self) -> Vec<String> {
+        let places = earlier.known.iter().map(|known| ((&known.rule, &known.case), known));
+        let before: BTreeMap<_, _> = places.collect();
+        let mut notes = Vec::new();
+        for known in &mut self.known {
+            let Some(old) = before.get(&(&known.rule, &known.case)) else { continue };
+            let Some(reason) = &old.reason else { continue };
+            if old.found != known.found {
+                notes.push(format!(
+                    "the difference of {} / {} has changed: check its reason",
+                    known.rule, known.case
+                ));
+            }
+            if let Some(text) = earlier.reasons.get(reason) {
+                self.reasons.insert(reason.clone(), text.clone());
+            }
+            known.reason = Some(reason.clone());
+        }
+        notes
+    }
+
+    /// Why the divergence of a case is listed, if the file says so.
+    pub fn reason(&self, rule: &str, case: &str) -> Option<&str> {
+        let known = self.known.iter().find(|known| known.rule == rule && known.case == case)?;
+        let reason = known.reason.as_ref()?;
+        Some(self.reasons.get(reason).unwrap_or(reason))
+    }
+
+    /// What accepts the divergence of a case: this list, with its reason.
+    pub fn source(&self, rule: &str, case: &str) -> String {
+        match self.reason(rule, case) {
+            Some(reason) => format!("{EXPECTATIONS}: {reason}"),
+            None => EXPECTATIONS.to_owned(),
         }
     }
 
@@ -146,7 +210,19 @@ impl Expectations {
     /// # Errors
     /// TOML cannot hold the text.
     pub fn to_text(&self) -> Result<String, String> {
-        toml::to_string(self).map_err(|error| error.to_string())
+        let text = toml::to_string(self).map_err(|error| error.to_string())?;
+        if self.reasons.is_empty() {
+            return Ok(text);
+        }
+        // Named reasons are paragraphs, in lines that a person can read.
+        let reasons: String = self
+            .reasons
+            .iter()
+            .map(|(name, text)| format!("{name} = {}\n", paragraph(text)))
+            .collect();
+        let at = text.find("\n[[known]]").unwrap_or(text.len());
+        let (head, known) = text.split_at(at);
+        Ok(format!("{head}\n[reasons]\n{reasons}{known}"))
     }
 
     /// Differences between a run and these expectations; none if the run diverges exactly as listed.
@@ -213,4 +289,34 @@ fn joined(explanation: &[String]) -> Option<String> {
 
 fn parts(explanation: &str) -> impl Iterator<Item = &str> {
     explanation.split(AND)
+}
+
+/// A text of TOML in lines of 120 columns at most, as far as its words allow; TOML joins them again.
+fn paragraph(text: &str) -> String {
+    const COLUMNS_MAX: usize = 118;
+    let mut written = String::from("\"\"\"\n");
+    let mut column = 0;
+    for word in text.split_whitespace().map(escaped) {
+        let width = word.chars().count();
+        if column > 0 && column + 1 + width > COLUMNS_MAX {
+            written.push_str(" \\\n");
+            column = 0;
+        } else if column > 0 {
+            written.push(' ');
+            column += 1;
+        }
+        written.push_str(&word);
+        column += width;
+    }
+    written + "\"\"\""
+}
+
+/// A word without what ends or controls a text of TOML.
+fn escaped(word: &str) -> String {
+    let escape = |letter: char| match letter {
+        '"' | '\\' => format!("\\{letter}"),
+        _ if letter.is_control() => format!("\\u{:04X}", u32::from(letter)),
+        _ => letter.to_string(),
+    };
+    word.chars().map(escape).collect()
 }

@@ -21,7 +21,7 @@ use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Rule, Suite, options_of};
 use gaugeblock_vocabulary::Options;
 
-use super::comparison::ComparisonArguments;
+use super::comparison::{ComparisonArguments, earlier_expectations};
 use super::{controller, options, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
@@ -83,7 +83,8 @@ pub(crate) struct Arguments {
     options: Option<PathBuf>,
     #[command(flatten)]
     against: ComparisonArguments,
-    /// Write the divergences as a file for --expectations; read it before you use it
+    /// Write the divergences as a file for --expectations, and keep the reasons that the file has; read it before you
+    /// use it
     #[arg(long, value_name = "FILE")]
     write_expectations: Option<PathBuf>,
     /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder; keep a journal
@@ -139,6 +140,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     known_profiles(&arguments.profile, suite)?;
     let known = arguments.against.read()?;
+    let earlier = earlier_expectations(arguments.write_expectations.as_deref())?;
     if let Some(folder) = &arguments.report {
         user_files::create_folder(folder)?;
     }
@@ -192,7 +194,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
     let profiles = profiles::profiles(suite, &run, claimed);
     if let Some(file) = &arguments.write_expectations {
-        write_expectations(file, &run, controller.capabilities())?;
+        notes.extend(write_expectations(file, earlier, &run, controller.capabilities())?);
     }
     let report = Report { notes, profiles, mismatches, ..Report::of(suite, &run, header) };
     if let Some(folder) = &arguments.report {
@@ -393,15 +395,20 @@ pub(crate) fn progress(cases: usize) -> indicatif::ProgressBar {
     }
 }
 
+/// Writes the divergences as expectations, with the reasons that the earlier file had. Returns notes about reasons.
 fn write_expectations(
     file: &Path,
+    earlier: Option<Expectations>,
     run: &Run<'_>,
     observables: &Capabilities,
-) -> Result<(), CliError> {
-    let text = Expectations::of(run, &observables.name, &observables.version).to_text().map_err(
-        |error| CliError::failure(error, "this is a bug in gaugeblock; please report it"),
-    )?;
-    user_files::write_whole(file, &text)
+) -> Result<Vec<String>, CliError> {
+    let mut listed = Expectations::of(run, &observables.name, &observables.version);
+    let notes = earlier.map_or_else(Vec::new, |earlier| listed.keep_reasons(&earlier));
+    let text = listed.to_text().map_err(|error| {
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    user_files::write_whole(file, &text)?;
+    Ok(notes)
 }
 
 pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), CliError> {

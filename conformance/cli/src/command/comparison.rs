@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use gaugeblock_report::Header;
 use gaugeblock_report::merge::Stored;
-use gaugeblock_runner::certify::{BASELINE, EXPECTATIONS, Run};
+use gaugeblock_runner::certify::{BASELINE, Run};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
@@ -44,8 +44,12 @@ impl ComparisonArguments {
         let baseline = self.baseline.as_deref().map(stored_report::stored).transpose()?;
         let today = self.today.unwrap_or_else(today);
         let waivers = self.waivers.as_deref().map(read_waivers).transpose()?;
+        let expectations = self.expectations.as_deref().map(|path| {
+            let hint = "`gaugeblock certify --write-expectations FILE` writes such a file";
+            read_expectations(path, "--expectations", hint)
+        });
         Ok(ComparisonFiles {
-            expectations: self.expectations.as_deref().map(read_expectations).transpose()?,
+            expectations: expectations.transpose()?,
             baseline: baseline.map(|(_, stored)| stored),
             waivers: waivers.map(|waivers| (waivers, today)),
         })
@@ -101,20 +105,26 @@ impl ComparisonFiles {
         run: &mut Run<'_>,
         whole: bool,
     ) -> (Option<Vec<ExpectationMismatch>>, Vec<String>) {
-        let (mut mismatches, mut notes, mut source) = (None, Vec::new(), None);
+        let (mut mismatches, mut notes) = (None, Vec::new());
         if let Some(expectations) = &self.expectations {
-            (mismatches, source) = (Some(expectations.compare(run, whole)), Some(EXPECTATIONS));
+            mismatches = Some(expectations.compare(run, whole));
         }
         if let Some(baseline) = &self.baseline {
             let (new, mended) = baseline.compare(run);
-            (mismatches, source) = (Some(new), Some(BASELINE));
-            notes = mended;
+            (mismatches, notes) = (Some(new), mended);
         }
         let mut waived = Vec::new();
         if let Some((waivers, today)) = &self.waivers {
             let (left, held) = waivers.apply(run, mismatches, *today);
             (mismatches, waived) = (Some(left), held);
         }
+        let listed = |rule: &str, case: &str| match &self.expectations {
+            Some(expectations) => expectations.source(rule, case),
+            None => BASELINE.to_owned(),
+        };
+        let has_list = self.expectations.is_some() || self.baseline.is_some();
+        let source: Option<&dyn Fn(&str, &str) -> String> =
+            if has_list { Some(&listed) } else { None };
         run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, source);
         (mismatches, notes)
     }
@@ -134,13 +144,19 @@ fn today() -> Day {
     Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }
 
-fn read_expectations(path: &Path) -> Result<Expectations, CliError> {
-    let name = path.display();
-    let text = user_files::read_text(path, "file of expectations (--expectations)")?;
-    Expectations::read(&text).map_err(|error| {
-        CliError::usage(
-            format!("{name}: {}", error.trim_end()),
-            "`gaugeblock certify --write-expectations FILE` writes such a file",
-        )
-    })
+/// The expectations that a file has before it is written anew; none if there is no such file, or it is empty.
+pub(crate) fn earlier_expectations(path: Option<&Path>) -> Result<Option<Expectations>, CliError> {
+    let has_text =
+        |path: &&Path| path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0);
+    let read = path.filter(has_text).map(|path| {
+        let hint = "remove the file, or name another one with --write-expectations";
+        read_expectations(path, "--write-expectations", hint)
+    });
+    read.transpose()
+}
+
+fn read_expectations(path: &Path, option: &str, hint: &str) -> Result<Expectations, CliError> {
+    let text = user_files::read_text(path, &format!("file of expectations ({option})"))?;
+    Expectations::read(&text)
+        .map_err(|error| CliError::usage(format!("{}: {}", path.display(), error.trim_end()), hint))
 }

@@ -82,6 +82,7 @@ fn one_entry_less_or_one_too_many_is_named() {
         .or(suite.rules.first())
         .expect("a rule");
     listed.known.push(gaugeblock_runner::expectations::KnownDivergence {
+        reason: None,
         rule: rule.id.clone(),
         case: rule.cases[0].name.clone(),
         found: "nothing of the kind".to_owned(),

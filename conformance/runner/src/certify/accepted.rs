@@ -10,13 +10,13 @@ pub const EXPECTATIONS: &str = "listed in the expectations";
 pub const BASELINE: &str = "as in the baseline";
 
 impl Run<'_> {
-    /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the known
-    /// ones. A side difference is known where it is listed itself, or where a listed divergence has its cause.
+    /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the one of a
+    /// rule and case. A side difference is known where it is listed itself, or where a listed divergence has its cause.
     pub fn mark_accepted(
         &mut self,
         mismatches: &[ExpectationMismatch],
         waived: &[Waived],
-        source: Option<&str>,
+        source: Option<&dyn Fn(&str, &str) -> String>,
     ) {
         for result in &mut self.cases {
             let (Verdict::Diverges(divergence) | Verdict::SideDifference(divergence)) =
@@ -31,7 +31,7 @@ impl Run<'_> {
             } else if let Some(source) = source
                 && !mismatches.iter().any(|mismatch| mismatch.place() == place)
             {
-                result.verdict = Verdict::Known(divergence.clone(), source.to_owned());
+                result.verdict = Verdict::Known(divergence.clone(), source(place.0, place.1));
             }
         }
     }

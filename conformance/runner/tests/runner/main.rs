@@ -1,5 +1,6 @@
 //! The suite on the model and on production, and generated programs.
 
+mod expectations;
 mod fuzz;
 mod machine_units;
 mod production;
