@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings
 use crate::Capabilities;
 use crate::accuracy::{Match, Quantity, Resolution, hidden};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
-use crate::{end_text, pin_values, pins, rounded, tolerance};
+use crate::{REFUSALS, end_text, pin_values, pins, rounded, tolerance};
 
 /// The result of an assertion.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) 
     match &assertion.claim {
         Claim::Accepted => ok(is_accepted(&run.end), || end_text(&run.end)),
         Claim::Refused(place) => judge.refused(place.as_ref()),
-        Claim::Kind(_) if judge.hides_refusal() => Finding::Masked("refusals".to_owned()),
+        Claim::Kind(_) if judge.hides_refusal() => Finding::Masked(REFUSALS.to_owned()),
         Claim::Kind(kind) => {
             let End::Fault(fault) = &run.end else { return Finding::Fails(end_text(&run.end)) };
             match fault.kind.filter(|_| observables.faults_have_kinds) {
@@ -73,7 +73,7 @@ impl Judge<'_> {
 
     fn refused(&self, place: Option<&Place>) -> Finding {
         if self.hides_refusal() {
-            return Finding::Masked("refusals".to_owned());
+            return Finding::Masked(REFUSALS.to_owned());
         }
         let End::Fault(fault) = &self.run.end else {
             return Finding::Fails(end_text(&self.run.end));

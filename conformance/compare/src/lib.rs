@@ -63,6 +63,17 @@ pub struct Comparison {
     pub compared: Tally,
 }
 
+/// What is masked where the documents refuse a block and a controller that never refuses has executed it.
+pub const REFUSALS: &str = "refusals";
+
+impl Comparison {
+    /// Whether the controller's outcome is the specified one, as far as it is observable. A refusal that the controller
+    /// declares never to make is not its outcome.
+    pub fn is_equal(&self) -> bool {
+        self.divergence.is_none() && !self.masked.contains(REFUSALS)
+    }
+}
+
 /// Compares the controller's outcome with the specified one, on what is observable.
 ///
 /// Linear in the length of both runs.
@@ -293,7 +304,7 @@ impl Walk<'_> {
 
     fn end(&mut self, expected: &Observed, found: &Observed) -> Option<Divergence> {
         if self.hides_refusal(expected, found) {
-            self.comparison.masked.insert("refusals".to_owned());
+            self.comparison.masked.insert(REFUSALS.to_owned());
             return None;
         }
         let (expected, found) = (&expected.end, &found.end);

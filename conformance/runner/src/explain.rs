@@ -66,7 +66,7 @@ impl<'a> DivergenceContext<'a> {
             let expected = gaugeblock_reference::run(&scenario).0;
             // Most options do not concern the program: the outcome is the one that differs already.
             expected != specified
-                && compare(&Observed::of(&expected), &found, &observables).divergence.is_none()
+                && compare(&Observed::of(&expected), &found, &observables).is_equal()
         };
         let all = self.candidates();
         if let Some(one) = all.iter().find(|one| explains(&[**one])) {
@@ -125,7 +125,7 @@ impl<'a> DivergenceContext<'a> {
         let scenario = scenario_of(self.case, &self.suite.options(observed), observed);
         let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
         let observables = self.controller.observables(self.scenario);
-        compare(&expected, &Observed::of(self.found), &observables).divergence.is_none()
+        compare(&expected, &Observed::of(self.found), &observables).is_equal()
     }
 }
 

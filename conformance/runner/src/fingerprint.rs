@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_adapter::Adapter;
-use gaugeblock_compare::compare;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
+use gaugeblock_compare::{REFUSALS, compare};
 use gaugeblock_suite::{Choice, Edition, Suite, options_of};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options, Scenario};
@@ -93,8 +93,9 @@ pub fn fingerprint_entries(
 ///
 /// No document decides an open choice, so that no option of it is a divergence: the comparison uses the observed option.
 /// An option counts only if the whole outcome of its program equals that of the model. Another difference, such as a
-/// refusal for another reason, could look like the option. The result is empty for a controller that an observed
-/// edition describes.
+/// refusal for another reason, could look like the option. A controller that never refuses and has no other option is
+/// compared under the option that [refuses](may_be_refused): then its cases are not judged. The result is empty for a
+/// controller that an observed edition describes.
 pub fn shown_open_options(
     suite: &Suite,
     edition: &Edition,
@@ -115,14 +116,38 @@ pub fn shown_open_options(
     for choice in asked {
         let environment = edition.environment.as_deref();
         let observed = observe_choice(choice, options, environment, controller, true);
-        if let ObservedOption::Option(option) = observed
+        let option = match observed {
+            ObservedOption::Option(option)
+                if does_as_the_model(choice, &option, options, environment, controller) =>
+            {
+                Some(option)
+            }
+            ObservedOption::Nothing(_) if !controller.capabilities().refuses => {
+                refusing_option(choice).map(str::to_owned)
+            }
+            _ => None,
+        };
+        if let Some(option) = option
             && !options.is(&choice.id, &option)
-            && does_as_the_model(choice, &option, options, environment, controller)
         {
             shown.0.insert(choice.id.clone(), option);
         }
     }
     shown
+}
+
+/// Whether a program may be refused under this option of a choice.
+pub fn may_be_refused(suite: &Suite, choice: &str, option: &str) -> bool {
+    let mut choices = suite.choices.iter().filter(|known| known.id == choice);
+    choices.any(|choice| refusing_option(choice) == Some(option))
+}
+
+/// The option of a choice under which its program is refused.
+fn refusing_option(choice: &Choice) -> Option<&str> {
+    let refuses = |assertion: &String| assertion.starts_with("refused");
+    let mut options = choice.options.iter();
+    let option = options.find(|option| option.assertions.iter().any(refuses))?;
+    Some(&option.name)
 }
 
 /// Whether the whole outcome of a choice's program is that of the model under an option.
@@ -140,7 +165,7 @@ fn does_as_the_model(
     let found = controller.run_fresh(&scenario).unwrap_or_else(|| controller.run(&scenario));
     found.is_ok_and(|found| {
         let observables = controller.observables(&scenario);
-        compare(&expected, &Observed::of(&found), &observables).divergence.is_none()
+        compare(&expected, &Observed::of(&found), &observables).is_equal()
     })
 }
 
@@ -229,6 +254,10 @@ pub fn observe_choice(
             match judge(assertion, &run, &observables) {
                 Finding::Fails(found) => {
                     Some(format!("{}: {} | found {found}", option.name, assertion.text))
+                }
+                // A controller that never refuses does not have an option that does.
+                Finding::Masked(what) if what == REFUSALS => {
+                    Some(format!("{}: {} | it never refuses", option.name, assertion.text))
                 }
                 Finding::Holds | Finding::Masked(_) => None,
             }

@@ -15,7 +15,7 @@ use gaugeblock_runner::certify::{
     CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, only_case, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
-use gaugeblock_runner::fingerprint::{fingerprint_entries, shown_open_options};
+use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Rule, Suite, options_of};
@@ -219,7 +219,13 @@ fn comparison_options(
         options::read_into(file, suite, &mut options)?;
     }
     let shown = shown_open_options(suite, edition, &options, controller);
+    let never_refuses = !controller.capabilities().refuses;
     let note = |(id, option): (&String, &String)| {
+        if never_refuses && may_be_refused(suite, id, option) {
+            return format!(
+                "has no option of `{id}` but to refuse, and never refuses: its cases are not judged"
+            );
+        }
         format!("looks like `{id} = {option}`, which the documents leave open: declare it")
     };
     let notes = shown.0.iter().map(note).collect();

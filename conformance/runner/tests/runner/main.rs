@@ -3,6 +3,7 @@
 mod expectations;
 mod fuzz;
 mod machine_units;
+mod never_refuses;
 mod production;
 mod suite;
 mod twins;
