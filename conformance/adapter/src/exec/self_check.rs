@@ -9,7 +9,8 @@ use crate::Adapter as _;
 use crate::protocol::{Extension, Operation, Reply, RunModes};
 
 impl Exec {
-    /// Requests an unknown operation, which has to be refused, and checks that the session goes on.
+    /// Requests an unknown operation, which has to be refused, and checks that the session goes on with a request that
+    /// has an unknown member.
     ///
     /// # Errors
     /// Another answer.
@@ -110,7 +111,7 @@ impl Exec {
 }
 
 impl Session {
-    /// Requests an unknown operation, then a reset.
+    /// Requests an unknown operation, then a reset with an unknown member.
     fn request_unknown_operation(&mut self) -> Result<(), HarnessError> {
         let line =
             format!("{{\"id\":{},\"op\":\"gaugeblock-unknown\",\"later\":[1]}}\n", self.last + 1);
@@ -119,6 +120,11 @@ impl Session {
             let what = format!("answered with `{}`", reply.name());
             return Err(HarnessError::Unreadable { what, line: String::new() });
         }
-        self.reset()
+        let line = format!("{{\"id\":{},\"op\":\"reset\",\"later\":[1]}}\n", self.last + 1);
+        let reply = self.request_line(line.as_bytes(), "reset")?;
+        if matches!(reply, Reply::Done {}) {
+            return Ok(());
+        }
+        Err(self.unexpected_reply("reset", &reply))
     }
 }

@@ -12,7 +12,7 @@ use gaugeblock_suite::Suite;
 use crate::command::gaugeblock;
 use crate::template::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
 
-const PAGE: &str = include_str!("../../../adapter/PROTOCOL.md");
+pub(crate) const PAGE: &str = include_str!("../../../adapter/PROTOCOL.md");
 const TEMPLATE_C: &str = include_str!("../../../adapter/templates/template.c");
 
 #[test]
@@ -303,6 +303,14 @@ fn adapter_check_reports_each_fault() {
             "unknown.py",
             vec![("{\"refused\": \"unknown operation\"}", "{\"done\": {}}")],
             "must be answered with `refused`",
+        ),
+        (
+            "strict.py",
+            vec![(
+                LOOP,
+                "for request in map(json.loads, sys.stdin):\n    request[\"op\"] == \"reset\" and len(request) > 2 and sys.exit(3)\n",
+            )],
+            "an unknown member be ignored",
         ),
         (
             "slip-in-effect.py",

@@ -53,8 +53,7 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     let plain = scenario(accepted);
     let first = adapter.run(&plain);
     add("accepts", accepts(&first, accepted));
-    let blocks = declared.observables.blocks;
-    add("refuses", refuses(&adapter.run(&scenario(refused)), refused, blocks));
+    add("refuses", refuses(adapter, &scenario(refused), refused));
     let Ok(first) = first else { return found };
     add("configuration", configuration(adapter, accepted, &scenario));
     add(
@@ -83,7 +82,7 @@ fn unknown_operation(adapter: &Exec) -> CheckResult {
     match adapter.check_unknown_operation() {
         Ok(()) => CheckResult::Passed("is refused, and the session goes on".to_owned()),
         Err(error) => CheckResult::Failed(format!(
-            "an operation that it does not know must be answered with `refused`: {error}"
+            "an unknown operation must be answered with `refused`, and an unknown member be ignored: {error}"
         )),
     }
 }
@@ -107,13 +106,19 @@ fn accepts(outcome: &Result<Outcome, HarnessError>, program: &str) -> CheckResul
     ))
 }
 
-fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool) -> CheckResult {
-    let Outcome { end, steps, .. } = match outcome {
+fn refuses(adapter: &Exec, scenario: &Scenario, program: &str) -> CheckResult {
+    let observables = &adapter.declaration().observables;
+    let Outcome { end, steps, .. } = match adapter.run(scenario) {
         Ok(outcome) => outcome,
         Err(error) => return CheckResult::Failed(format!("{program:?}: {error}")),
     };
     if let End::Fault(fault) = end {
-        if blocks
+        if !observables.refusals {
+            return CheckResult::Failed(format!(
+                "{program:?} is refused; expected no fault: `observables.refusals` is false"
+            ));
+        }
+        if observables.blocks
             && let Some(block) = &fault.block
             && steps.iter().any(|step| step.block == *block)
         {
@@ -126,6 +131,10 @@ fn refuses(outcome: &Result<Outcome, HarnessError>, program: &str, blocks: bool)
     }
     if let End::Unsupported { what, .. } = end {
         return CheckResult::Skipped(format!("{program:?} is not supported: {what}"));
+    }
+    if !observables.refusals {
+        let why = "it declares that it never refuses a block (`observables.refusals` is false)";
+        return CheckResult::Skipped(why.to_owned());
     }
     CheckResult::Failed(format!(
         "{program:?} ends as {}; expected a fault: an alarm is reported as a fault",
