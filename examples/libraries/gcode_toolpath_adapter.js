@@ -16,7 +16,7 @@ const DECLARATION = {
   observables: {
     fields: ['units', 'plane', 'distance', 'feed_mode', 'spindle', 'mist', 'flood', 'position'],
     fields_at_effects: ['units', 'plane', 'distance'], effects: ['straight_traverse', 'straight_feed', 'arc_feed'],
-    moves_in_place: false, fault_kinds: false, final_parameters: false, pins: [],
+    moves_in_place: false, fault_kinds: false, final_parameters: false, refusals: false, pins: [],
   },
   language: {
     g: ['0', '1', '2', '3', '17', '18', '19', '20', '21', '80', '90', '91', '92', '92.1', '93', '94', '95'],

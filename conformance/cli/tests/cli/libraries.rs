@@ -1,48 +1,25 @@
-//! Libraries that read G-code, with adapters of a hundred lines each. Each divergence of pygcode from the manual is an
-//! expectation with its reason. If pygcode is not installed, the test reports that it is left out.
+//! Libraries that read G-code, with adapters of at most 120 lines each. `.ci/run` installs them and runs the adapters
+//! with their expectations; here is what needs no library.
 
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::path::Path;
 
-use crate::command::gaugeblock;
-use crate::template::text;
+use gaugeblock_runner::expectations::Expectations;
 
-/// Adapters of libraries, in `examples/libraries`.
-const ADAPTERS: [&str; 2] = ["pygcode_adapter.py", "gcode_toolpath_adapter.js"];
+/// Adapters of libraries, in `examples/libraries`, and their known divergences, in `conformance/expectations`.
+const LIBRARIES: [(&str, &str); 2] = [
+    ("pygcode_adapter.py", "pygcode-0.2.1.toml"),
+    ("gcode_toolpath_adapter.js", "gcode-toolpath-3.0.0.toml"),
+];
 
-/// The known divergences of pygcode, in `conformance/expectations`.
-const PYGCODE: &str = "pygcode-0.2.1.toml";
-
-fn in_repository(folder: &str, file: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(folder).join(file)
-}
-
-#[test]
-fn pygcode_differs_from_the_manual_where_its_expectations_say() {
-    let mut probe = Command::new("python3");
-    let probe = probe.args(["-c", "import pygcode"]).stderr(Stdio::null()).status();
-    if !probe.is_ok_and(|status| status.success()) {
-        // Written past the test runner, which keeps what passing tests print to itself.
-        let notice = b"left out: pygcode (pip install pygcode==0.2.1)\n";
-        std::io::stderr().write_all(notice).expect("standard error can be written");
-        return;
-    }
-    let adapter = in_repository("examples/libraries", ADAPTERS[0]);
-    let controller = format!("exec:python3 {}", adapter.display());
-    let expectations = in_repository("conformance/expectations", PYGCODE);
-    let expectations = expectations.to_str().expect("a path in UTF-8");
-    let call = ["certify", "--controller", &controller, "--expectations", expectations];
-    let output = gaugeblock(&call);
-    let said = format!("{}{}", text(&output.stdout), text(&output.stderr));
-    assert_eq!(output.status.code(), Some(0), "{said}");
+fn in_repository(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 #[test]
 fn adapter_of_a_library_is_short_and_has_no_lexer() {
-    for adapter in ADAPTERS {
-        let source = in_repository("examples/libraries", adapter);
-        let source = std::fs::read_to_string(source).expect("the adapter");
+    for (adapter, _) in LIBRARIES {
+        let source = in_repository(&format!("examples/libraries/{adapter}"));
         assert!(source.lines().count() <= 120, "{adapter}");
         for lexer in ["import re\n", "RegExp", ".match(", ".test(", ".replace(", "isdigit"] {
             assert!(!source.contains(lexer), "{adapter}: {lexer:?}");
@@ -51,10 +28,27 @@ fn adapter_of_a_library_is_short_and_has_no_lexer() {
 }
 
 #[test]
-fn each_known_divergence_of_pygcode_has_a_reason() {
-    let file = in_repository("conformance/expectations", PYGCODE);
-    let text = std::fs::read_to_string(file).expect("the expectations");
-    // A reason is a comment before the first divergence that it explains.
-    let first = text.find("\n# ").expect("a reason");
-    assert!(first < text.find("[[known]]").expect("a divergence"));
+fn each_known_divergence_of_a_library_has_a_reason() {
+    for (_, file) in LIBRARIES {
+        let text = in_repository(&format!("conformance/expectations/{file}"));
+        let read = Expectations::read(&text).unwrap_or_else(|error| panic!("{file}: {error}"));
+        assert!(!read.known.is_empty(), "{file}");
+        for known in &read.known {
+            let reason = read.reason(&known.rule, &known.case);
+            assert!(reason.is_some(), "{file}: {} / {}", known.rule, known.case);
+        }
+        // A file is as `--write-expectations` writes it.
+        assert_eq!(read.to_text().expect("a text"), text, "{file}");
+    }
+}
+
+#[test]
+fn gate_runs_each_library_from_its_registry() {
+    let gate = in_repository(".ci/run");
+    for (adapter, file) in LIBRARIES {
+        let mut calls = gate.lines().filter(|line| line.contains(adapter));
+        let expectations = format!("--expectations conformance/expectations/{file}");
+        assert!(calls.any(|call| call.contains(&expectations)), "{adapter}");
+    }
+    assert!(gate.contains("pip install") && gate.contains("npm install"));
 }
