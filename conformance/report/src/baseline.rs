@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_runner::certify::{Run, Verdict};
+use gaugeblock_runner::certify::{BASELINE, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 
 use super::Header;
@@ -37,6 +37,14 @@ impl Stored {
             ));
         }
         Ok(notes)
+    }
+
+    /// What accepts that a case could not be judged, by the word of its verdict: it could not before.
+    pub fn accepts_unjudged(&self, rule: &str, case: &str, word: &str) -> Option<String> {
+        let before =
+            self.cases.iter().find(|it| (it.rule.as_str(), it.case.as_str()) == (rule, case));
+        let before = before?.verdict.not_judged()?;
+        (before == word).then(|| BASELINE.to_owned())
     }
 
     /// New and changed divergences, and cases that passed before and have no verdict now; and a note for each

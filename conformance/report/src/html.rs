@@ -155,6 +155,7 @@ struct Open<'a> {
     word: &'static str,
     class: String,
     why: &'a str,
+    accepted: Option<&'a str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -287,7 +288,15 @@ fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
     let why = |result: &'a CaseResult<'_>| {
         let why = result.verdict.undetermined_reason()?;
         let word = result.verdict.word();
-        Some(Open { rule: &result.rule.id, case: result.name, word, class: class(word), why })
+        let accepted = result.accepted.as_deref();
+        Some(Open {
+            rule: &result.rule.id,
+            case: result.name,
+            word,
+            class: class(word),
+            why,
+            accepted,
+        })
     };
     let leaked = report.leaks().into_iter().map(|(result, why)| Open {
         rule: &result.rule.id,
@@ -295,6 +304,7 @@ fn not_judged<'a>(report: &'a Report<'_>) -> Vec<Open<'a>> {
         word: "leaked state",
         class: class("nondeterministic"),
         why,
+        accepted: None,
     });
     report.run.cases.iter().filter_map(why).chain(leaked).collect()
 }

@@ -212,7 +212,9 @@ fn not_judged(report: &Report<'_>) -> String {
     let items = report.run.cases.iter().filter_map(|result| {
         let why = result.verdict.undetermined_reason()?;
         let place = code(&format!("{} / {}", result.rule.id, result.name));
-        Some(format!("{place}: {}, {}", result.verdict.word(), code(why)))
+        let accepted = result.accepted.as_ref().map(|source| format!(" ({})", plain(source)));
+        let accepted = accepted.unwrap_or_default();
+        Some(format!("{place}: {}, {}{accepted}", result.verdict.word(), code(why)))
     });
     let items: Vec<_> = items.collect();
     if items.is_empty() {

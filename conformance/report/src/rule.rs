@@ -83,6 +83,8 @@ pub struct Counts {
     pub harness_error: usize,
     /// Cases that nobody has run.
     pub not_run: usize,
+    /// Cases that could not be judged, as expectations, a baseline or a waiver accept.
+    pub not_judged_accepted: usize,
 }
 
 impl Counts {
@@ -90,6 +92,8 @@ impl Counts {
         let verdict = &result.verdict;
         self.cases += 1;
         self.broken += usize::from(verdict.own_divergence().is_some());
+        let is_open = verdict.undetermined_reason().is_some();
+        self.not_judged_accepted += usize::from(is_open && result.accepted.is_some());
         if *verdict == Verdict::Pass && result.compared.unjudged() > 0 {
             self.pass_in_part += 1;
         }
@@ -132,6 +136,11 @@ impl Counts {
     /// Cases that were to be judged and are not.
     pub fn not_judged(self) -> usize {
         self.not_judged_by_verdict().into_iter().map(|(_, count)| count).sum()
+    }
+
+    /// Cases that were to be judged and are not, and nothing accepts that.
+    pub fn open(self) -> usize {
+        self.not_judged() - self.not_judged_accepted
     }
 
     /// Cases of which something is known: they pass, or they differ, known or not.

@@ -31,6 +31,9 @@ pub struct StoredCase {
     /// How it failed where other programs had run before. It was judged alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<String>,
+    /// What accepts that it could not be judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accepted: Option<String>,
     /// A small picture of its samples.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sketch: Option<Sketch>,
@@ -161,7 +164,16 @@ impl StoredVerdict {
         matches!(self, Self::Pass | Self::SideDifference(_))
     }
 
-    /// What the controller does otherwise, whoever knows of it.
+    /// Why the case was not judged, in a word: that of its verdict.
+    pub fn not_judged(&self) -> Option<&'static str> {
+        match self.verdict() {
+            Verdict::NotJudged(reason) => Some(reason.cause.word()),
+            verdict @ Verdict::Inconclusive(_) => Some(verdict.word()),
+            _ => None,
+        }
+    }
+
+    /// What the controller does otherwise, known or not.
     pub fn divergence(&self) -> Option<&StoredDivergence> {
         match self {
             Self::Diverges(divergence) | Self::SideDifference(divergence) => Some(divergence),
@@ -220,6 +232,7 @@ impl StoredCase {
             masked: result.masked.clone(),
             repeated: result.rerun,
             before: result.leaked_failure.clone(),
+            accepted: result.accepted.clone(),
             sketch: result.sketch.clone(),
         }
     }
@@ -244,6 +257,7 @@ impl StoredCase {
             name,
             program,
             verdict: self.verdict.verdict(),
+            accepted: None,
             masked: self.masked.clone(),
             compared: self.compared.clone(),
             rerun: self.repeated,

@@ -260,7 +260,10 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
     for result in &report.run.cases {
         let Some(why) = result.verdict.undetermined_reason() else { continue };
         let word = styled(YELLOW, result.verdict.word());
-        line!(text, "{word} {} / {}: {}", result.rule.id, result.name, escape_text(why));
+        let accepted = result.accepted.as_ref().map(|source| format!(" ({source})"));
+        let accepted = accepted.unwrap_or_default();
+        let (rule, accepted) = (&result.rule.id, escape_text(&accepted));
+        line!(text, "{word} {rule} / {}: {}{accepted}", result.name, escape_text(why));
     }
     for (result, how) in report.leaks() {
         let (rule, how) = (&result.rule.id, escape_text(how));
@@ -382,7 +385,11 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     let open = counts.not_judged_by_verdict().into_iter().filter(|(_, count)| *count > 0);
     let open: Vec<_> = open.map(|(word, count)| format!("{count} {word}")).collect();
     if !open.is_empty() {
-        line!(text, "not judged: {}", styled(YELLOW, &open.join(", ")));
+        let accepted = match counts.not_judged_accepted {
+            0 => String::new(),
+            accepted => format!("; {accepted} of them as is known or waived"),
+        };
+        line!(text, "not judged: {}{accepted}", styled(YELLOW, &open.join(", ")));
     }
     let (style, words) = match (report.exit_status(), &report.mismatches) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
@@ -393,7 +400,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         }
         (1, _) => (RED, "does not pass what it claims"),
         _ if counts.judged() == 0 => (YELLOW, "nothing was judged: nothing is certified"),
-        _ if counts.not_judged() == 0 => {
+        _ if counts.open() == 0 => {
             (YELLOW, "not clean: programs leave something there that fails others")
         }
         _ => (YELLOW, "not finished: some cases were not judged"),

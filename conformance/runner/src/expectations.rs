@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::certify::{EXPECTATIONS, RuleDivergence, Run, Verdict};
+use crate::certify::{Cause, EXPECTATIONS, RuleDivergence, Run, Verdict};
 
 /// A known divergence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,6 +26,13 @@ pub struct KnownDivergence {
     /// Why it differs: a sentence, or a name in [`Expectations::reasons`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
+}
+
+impl KnownDivergence {
+    /// Whether it lists that the case could not be judged, and it could not.
+    fn is_unjudged(&self, verdict: &Verdict) -> bool {
+        matches!(verdict, Verdict::NotJudged(reason) if self.found == reason.cause.word())
+    }
 }
 
 /// The known divergences of a controller from an edition.
@@ -138,13 +145,23 @@ impl Expectations {
         }
     }
 
-    /// The divergences of a run, as expectations. A side difference is listed unless all that explains it explains a
+    /// The divergences of a run, as expectations, and its cases that could not be judged, each with the word of its
+    /// verdict. A side difference is listed unless all that explains it explains a
     /// listed divergence, too.
     pub fn of(run: &Run<'_>, controller: &str, version: &str) -> Self {
         let own = run.cases.iter().filter_map(|result| result.verdict.own_divergence());
         let explained: BTreeSet<&str> =
             own.flat_map(|divergence| &divergence.explanation).map(String::as_str).collect();
         let known = run.cases.iter().filter_map(|result| {
+            if let Verdict::NotJudged(reason) = &result.verdict {
+                return (reason.cause != Cause::NotRun).then(|| KnownDivergence {
+                    rule: result.rule.id.clone(),
+                    case: result.name.to_owned(),
+                    found: reason.cause.word().to_owned(),
+                    explanation: None,
+                    reason: None,
+                });
+            }
             let divergence = result.verdict.divergence()?;
             let is_own = result.verdict.own_divergence().is_some();
             if !is_own && is_explained(divergence, &explained) {
@@ -205,6 +222,14 @@ impl Expectations {
         }
     }
 
+    /// What accepts that a case could not be judged, by the word of its verdict: this list, with its reason.
+    pub fn accepts_unjudged(&self, rule: &str, case: &str, word: &str) -> Option<String> {
+        let is_listed =
+            |known: &&KnownDivergence| (known.rule.as_str(), known.case.as_str()) == (rule, case);
+        let known = self.known.iter().find(is_listed)?;
+        (known.found == word).then(|| self.source(rule, case))
+    }
+
     /// The text of a file of expectations.
     ///
     /// # Errors
@@ -256,6 +281,7 @@ impl Expectations {
                     let why = "the case passes: take the entry out".to_owned();
                     mismatches.push(ExpectationMismatch::Stale { rule, case, why });
                 }
+                (verdict, None, Some(known)) if known.is_unjudged(verdict) => {}
                 (verdict, None, Some(_)) => {
                     let why = verdict.reason().unwrap_or_default();
                     let why = format!("the case is not judged: {}: {why}", verdict.word());

@@ -159,8 +159,15 @@ impl Waivers {
         })
     }
 
+    /// What accepts that a case could not be judged: a waiver that is valid.
+    pub fn accepts_unjudged(&self, rule: &str, case: &str, today: Day) -> Option<String> {
+        let valid = |waiver: &&Waiver| waiver.covers(rule, case) && waiver.expires >= today;
+        let Waiver { owner, expires, reason, .. } = self.waiver.iter().find(valid)?;
+        Some(format!("waived by {owner} until {expires}: {reason}"))
+    }
+
     /// Splits mismatches into those that no valid waiver covers and those that are waived. `mismatches` defaults to all
-    /// divergences of the run. A waiver covers divergences, never cases without a verdict. Waivers of rules and cases
+    /// divergences of the run. A waiver of a case that could not be judged counts as used. Waivers of rules and cases
     /// that were not selected are ignored.
     pub fn apply(
         &self,
@@ -174,7 +181,11 @@ impl Waivers {
             of_place.any(|result| result.verdict.divergence().is_some())
         };
         let (mut left, mut held) = (Vec::new(), Vec::new());
-        let mut used = vec![false; self.waiver.len()];
+        let unjudged = |waiver: &Waiver| {
+            let mut open = run.cases.iter().filter(|it| it.verdict.undetermined_reason().is_some());
+            open.any(|result| waiver.covers(&result.rule.id, result.name))
+        };
+        let mut used: Vec<bool> = self.waiver.iter().map(unjudged).collect();
         for mismatch in mismatches {
             let (rule, case) = mismatch.place();
             let mut all = self.waiver.iter().zip(&mut used);

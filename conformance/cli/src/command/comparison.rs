@@ -98,6 +98,17 @@ impl ComparisonFiles {
         Ok(Vec::new())
     }
 
+    /// What accepts that a case could not be judged, by the word of its verdict.
+    fn accepts_unjudged(&self, rule: &str, case: &str, word: &str) -> Option<String> {
+        let waivers = self.waivers.as_ref();
+        let waived = waivers.and_then(|(all, today)| all.accepts_unjudged(rule, case, *today));
+        let expectations = self.expectations.as_ref();
+        let baseline = self.baseline.as_ref();
+        waived
+            .or_else(|| expectations?.accepts_unjudged(rule, case, word))
+            .or_else(|| baseline?.accepts_unjudged(rule, case, word))
+    }
+
     /// Mismatches with the expectations or the baseline, and a note for each divergence that is fixed. Marks known and
     /// waived divergences in the run. `whole` says that every case was selected.
     pub(crate) fn compare(
@@ -126,6 +137,7 @@ impl ComparisonFiles {
         let source: Option<&dyn Fn(&str, &str) -> String> =
             if has_list { Some(&listed) } else { None };
         run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, source);
+        run.mark_unjudged(&|rule, case, word| self.accepts_unjudged(rule, case, word));
         (mismatches, notes)
     }
 }

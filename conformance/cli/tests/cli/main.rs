@@ -31,3 +31,4 @@ mod scenario_encoding;
 mod shards;
 mod template;
 mod tutorial;
+mod unjudged;

@@ -1,6 +1,6 @@
 //! Divergences that expectations, a baseline or waivers accept.
 
-use super::verdict::{Run, Verdict};
+use super::verdict::{Cause, Run, Verdict};
 use crate::expectations::ExpectationMismatch;
 use crate::waivers::Waived;
 
@@ -9,7 +9,21 @@ pub const EXPECTATIONS: &str = "listed in the expectations";
 /// Marks a divergence that the baseline has.
 pub const BASELINE: &str = "as in the baseline";
 
+/// What accepts that a case could not be judged, by its rule, its name and the word of its verdict.
+pub type AcceptsUnjudged<'c> = dyn Fn(&str, &str, &str) -> Option<String> + 'c;
+
 impl Run<'_> {
+    /// Marks the cases that could not be judged where something accepts it. A case that was not run is never accepted.
+    pub fn mark_unjudged(&mut self, accepts: &AcceptsUnjudged<'_>) {
+        for result in &mut self.cases {
+            let is_open = result.verdict.undetermined_reason().is_some();
+            let word = result.verdict.word();
+            if is_open && word != Cause::NotRun.word() {
+                result.accepted = accepts(&result.rule.id, result.name, word);
+            }
+        }
+    }
+
     /// Marks divergences as waived or known; those in `mismatches` are neither. `source` says what lists the one of a
     /// rule and case. A side difference is known where it is listed itself, or where a listed divergence has its cause.
     pub fn mark_accepted(

@@ -245,6 +245,8 @@ pub struct CaseResult<'a> {
     pub program: &'a str,
     /// The verdict.
     pub verdict: Verdict,
+    /// What accepts that the case could not be judged: expectations, a baseline or a waiver.
+    pub accepted: Option<String>,
     /// Fields, effects and assertions that are not observable on the controller.
     pub masked: BTreeSet<String>,
     /// What was compared.
@@ -279,6 +281,7 @@ impl<'a> CaseResult<'a> {
             name,
             program,
             verdict: Verdict::Pass,
+            accepted: None,
             masked: BTreeSet::new(),
             compared: Tally::default(),
             rerun: false,
