@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{OutputTiming, WaitMode};
 
-use super::{HasQuirk, LinuxCnc};
+use super::{HasQuirk, LinuxCnc, Quirk};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::environment::{Awaited, Input};
@@ -12,6 +12,9 @@ use crate::rs274::execute::outputs::OutputRules;
 use crate::rs274::execute::{whole, word};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
+
+/// The largest number of an input that M66 accepts by quirk linuxcnc.input-number.
+const INPUT_NUMBER_MAX: i32 = 63;
 
 impl InputRules for LinuxCnc {
     /// Quirk linuxcnc.wait-mode-times-out. With L above 4, M66 always ends with its time-out, whatever the input does.
@@ -31,14 +34,19 @@ impl InputRules for LinuxCnc {
     }
 
     /// Quirk rs274.io-number-rounded. A fractional input number is rounded.
+    /// Quirk linuxcnc.input-number. Above 63 it is refused.
     fn input_number(&self, value: f64, state: &State) -> Option<i32> {
-        if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
-            return rounded(value);
-        }
-        Documented.input_number(value, state)
+        let number = if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
+            rounded(value)
+        } else {
+            Documented.input_number(value, state)
+        };
+        let is_limited = state.has_quirk(quirk::linuxcnc::INPUT_NUMBER);
+        number.filter(|number| !is_limited || *number <= INPUT_NUMBER_MAX)
     }
 
-    /// Quirk linuxcnc.input-number. Any input number is accepted; M66 reads zero from an input that does not exist.
+    /// Quirk linuxcnc.input-number. Any input number up to 63 is accepted; M66 reads zero from an input that does not
+    /// exist.
     fn has_every_input(&self, state: &State) -> bool {
         state.has_quirk(quirk::linuxcnc::INPUT_NUMBER) || Documented.has_every_input(state)
     }
@@ -66,21 +74,30 @@ impl OutputRules for LinuxCnc {
     }
 
     /// Quirk rs274.io-number-rounded. A fractional output number is rounded.
-    fn output_number(&self, value: f64, state: &State) -> Option<i32> {
-        if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
-            return rounded(value);
-        }
-        Documented.output_number(value, state)
+    /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. Eight bits of a larger number are
+    /// kept.
+    fn output_number(&self, value: f64, timing: OutputTiming, state: &State) -> Option<i32> {
+        let number = if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
+            rounded(value)
+        } else {
+            Documented.output_number(value, timing, state)
+        };
+        let is_narrow = state.has_quirk(output_number_quirk(timing));
+        number.map(|number| if is_narrow && number > 0xff { number & 0xff } else { number })
     }
 
     /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. The number of an output
     /// that does not exist is accepted.
     fn has_every_output(&self, timing: OutputTiming, state: &State) -> bool {
-        let quirk = match timing {
-            OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
-            OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
-        };
-        state.has_quirk(quirk) || Documented.has_every_output(timing, state)
+        state.has_quirk(output_number_quirk(timing)) || Documented.has_every_output(timing, state)
+    }
+}
+
+/// The quirk of the numbers of outputs that a code has.
+fn output_number_quirk(timing: OutputTiming) -> Quirk {
+    match timing {
+        OutputTiming::WithMotion => quirk::linuxcnc::OUTPUT_NUMBER_WITH_MOTION,
+        OutputTiming::AtOnce => quirk::linuxcnc::OUTPUT_NUMBER_AT_ONCE,
     }
 }
 

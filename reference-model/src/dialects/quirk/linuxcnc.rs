@@ -11,7 +11,7 @@ quirks! {
     CYCLE_START_WHILE_PAUSED = "linuxcnc.cycle-start-while-paused",
     /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
-    /// M66 with the number of no input is accepted and reads zero.
+    /// M66 with the number of no input is accepted up to 63 and reads zero.
     INPUT_NUMBER = "linuxcnc.input-number",
     /// An abort brings back the modes that were in force at the last motion of the main program.
     MODES_OF_LAST_MOTION = "linuxcnc.modes-of-last-motion",
@@ -19,9 +19,10 @@ quirks! {
     /// there.
     ORIENT_WHILE_LOCKED = "linuxcnc.orient-while-locked",
     /// M64, M65 and M68 with the number of no output show an error and change nothing, and the program goes
-    /// on.
+    /// on. Of a larger number than 255 eight bits count.
     OUTPUT_NUMBER_AT_ONCE = "linuxcnc.output-number-at-once",
-    /// M62, M63 and M67 with the number of no output are accepted, and nothing changes.
+    /// M62, M63 and M67 with the number of no output are accepted, and nothing changes. Of a larger number
+    /// than 255 eight bits count.
     OUTPUT_NUMBER_WITH_MOTION = "linuxcnc.output-number-with-motion",
     /// When a program starts `_value` still has what the last sub of the program before it has returned.
     RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
