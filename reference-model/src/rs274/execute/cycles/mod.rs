@@ -177,9 +177,6 @@ fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
         refuse(rule, FaultKind::WordOutOfRange, format!("{number} repeats of a cycle"))
     })?;
     state.coverage.accepted(rule);
-    if count > 1 {
-        state.coverage.accepted(rule::cycles::REPEAT);
-    }
     Ok(count)
 }
 
@@ -249,8 +246,14 @@ fn accepted(words: &Words, rule: Rule, state: &mut State) {
     if words.g_tenths.iter().all(|code| motion_mode(*code).is_none()) {
         state.coverage.accepted(rule::cycles::REPEATS_ITSELF);
     }
-    for rule in [rule, rule::cycles::PLANE, rule::cycles::RETURN_LEVEL, rule::cycles::INITIAL_LEVEL]
-    {
+    let of_all = [
+        rule::cycles::PLANE,
+        rule::cycles::RETURN_LEVEL,
+        rule::cycles::INITIAL_LEVEL,
+        rule::cycles::REPEAT,
+    ];
+    state.coverage.accepted(rule);
+    for rule in of_all {
         state.coverage.accepted(rule);
     }
 }
