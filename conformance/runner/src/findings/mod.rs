@@ -5,11 +5,12 @@
 //!
 //! 1. Divergences with the same explanation, by quirks or other options, are one finding. It belongs to the rule that
 //!    depends on that option and of which most cases fail.
-//! 2. The others are attributed to the [rule that the failing programs use and the passing ones do
-//!    not](self::spectrum).
+//! 2. The others are attributed to the [rule that the failing programs use, with the same outcome, and the passing
+//!    ones do not](self::spectrum).
 //! 3. Side differences follow the finding whose rule their program uses. What is left has no known cause; it is a
 //!    finding without a rule, by what differs.
 
+mod coverage;
 mod severity;
 mod spectrum;
 
@@ -19,9 +20,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use gaugeblock_suite::{Rule, Suite};
 
 use crate::certify::{CaseResult, RuleDivergence, Run};
-use crate::model_run::model_run;
+pub use coverage::Coverage;
 pub use severity::Severity;
-use spectrum::{Spectrum, SpectrumCase};
+use spectrum::Spectrum;
 
 /// A divergent case.
 pub type Divergent<'a, 'r> = (&'r CaseResult<'a>, &'r RuleDivergence);
@@ -79,6 +80,17 @@ pub fn findings<'a, 'r>(
     explains: &dyn Fn(&RuleDivergence) -> bool,
     words: &dyn Fn(&RuleDivergence) -> String,
 ) -> Vec<Finding<'a, 'r>> {
+    findings_by(&mut Coverage::new(suite, run.edition), suite, run, explains, words)
+}
+
+/// The [findings](findings()) of one of several runs of an edition, of which the coverage is kept.
+pub fn findings_by<'a, 'r>(
+    coverage: &mut Coverage<'a>,
+    suite: &'a Suite,
+    run: &'r Run<'a>,
+    explains: &dyn Fn(&RuleDivergence) -> bool,
+    words: &dyn Fn(&RuleDivergence) -> String,
+) -> Vec<Finding<'a, 'r>> {
     let divergent =
         run.cases.iter().filter_map(|result| Some((result, result.verdict.divergence()?)));
     let (known, new): (Vec<Divergent<'a, 'r>>, Vec<_>) =
@@ -88,7 +100,7 @@ pub fn findings<'a, 'r>(
         let (explained, others): (Vec<_>, Vec<_>) =
             divergent.into_iter().partition(|(_, divergence)| explains(divergence));
         let both = by_options(suite, explained).into_iter();
-        let both = both.chain(by_rules(suite, run, others, words));
+        let both = both.chain(by_rules(coverage, suite, run, others, words));
         findings.extend(both.map(|finding| Finding { is_known, ..finding }));
     }
     for finding in &mut findings {
@@ -159,6 +171,7 @@ fn owner<'a>(suite: &'a Suite, parts: &[String], cases: &[Divergent<'a, '_>]) ->
 
 /// Findings of divergences that no option explains.
 fn by_rules<'a, 'r>(
+    coverage: &mut Coverage<'a>,
     suite: &'a Suite,
     run: &'r Run<'a>,
     divergent: Vec<Divergent<'a, 'r>>,
@@ -175,8 +188,8 @@ fn by_rules<'a, 'r>(
     let passing = run.cases.iter().filter(|result| result.verdict.divergence().is_none());
     let passing = passing.filter(|result| result.verdict.reason().is_none());
     let spectrum = Spectrum {
-        failing: failing.iter().map(|(result, _)| spectrum_case(suite, run, result)).collect(),
-        passing: passing.map(|result| spectrum_case(suite, run, result)).collect(),
+        failing: failing.iter().map(|(result, _)| coverage.case(result)).collect(),
+        passing: passing.map(|result| coverage.case(result)).collect(),
     };
     let mut by_rule: Vec<(&'a Rule, Vec<Divergent<'a, 'r>>)> = Vec::new();
     for (rule, places) in spectrum.attribute() {
@@ -188,8 +201,8 @@ fn by_rules<'a, 'r>(
         if divergence.assertion.is_some() {
             continue;
         }
-        let reached = spectrum_case(suite, run, result).reached;
-        match by_rule.iter_mut().find(|(rule, _)| reached.contains(rule.id.as_str())) {
+        let case = coverage.case(result);
+        match by_rule.iter_mut().find(|(rule, _)| case.uses(&rule.id)) {
             Some((_, cases)) => cases.push((result, divergence)),
             None => unknown.entry(words(divergence)).or_default().push((result, divergence)),
         }
@@ -199,18 +212,6 @@ fn by_rules<'a, 'r>(
     let unknown =
         unknown.into_iter().map(|(what, cases)| finding(FindingCause::Unknown(what), None, cases));
     known.chain(unknown).collect()
-}
-
-/// The rules that the program of a case uses, by the model.
-fn spectrum_case<'a>(suite: &'a Suite, run: &Run<'a>, result: &CaseResult<'a>) -> SpectrumCase<'a> {
-    let rule = result.rule.id.as_str();
-    let mut reached = BTreeSet::from([rule]);
-    if let Some(case) = result.rule.cases.iter().find(|case| case.name == result.name) {
-        let (_, coverage) = model_run(suite, case, run.edition);
-        let known = coverage.iter().filter_map(|(id, _)| suite.rule(id));
-        reached.extend(known.map(|rule| rule.id.as_str()));
-    }
-    SpectrumCase { rule, reached }
 }
 
 /// A finding with its cases in their places.
