@@ -53,6 +53,14 @@ faults! {
     "arcs.any-end" AnyEnd,
     /// P of an arc is not looked at.
     "arcs.one-turn" OneTurn,
+    /// An arc with R between equal points has a centre that is not a number.
+    "arcs.equal-points" EqualPoints,
+    /// An offset along the normal of the plane is ignored.
+    "arcs.foreign-offset" ForeignOffset,
+    /// A radius that does not reach the end makes half a circle.
+    "arcs.short-radius" ShortRadius,
+    /// P of an arc is truncated to an integer.
+    "arcs.turns-cut" TurnsCut,
     /// An else branch is never taken.
     "control.else-skipped" ElseSkipped,
     /// A negative condition is false.
@@ -77,6 +85,18 @@ faults! {
     "cycles.no-pecks" NoPecks,
     /// G86 leaves the spindle stopped.
     "cycles.spindle-stays" SpindleStays,
+    /// G85, G86 and G89 change the position and make no move.
+    "cycles.bore-moves-nothing" BoreMovesNothing,
+    /// A canned cycle is accepted under inverse time.
+    "cycles.inverse-time" CycleInverseTime,
+    /// Under G91 an axis without a word adds its own coordinate.
+    "cycles.omitted-axis-adds" OmittedAxisAdds,
+    /// G83 feeds from R again after each peck.
+    "cycles.peck-from-r" PeckFromR,
+    /// L of a canned cycle is kept in eight bits.
+    "cycles.repeat-wraps" RepeatWraps,
+    /// A later block of a canned cycle may have rotary words.
+    "cycles.rotary-later" RotaryLater,
     /// A negative dwell is left out.
     "dwell.negative" NegativeDwell,
     /// Numbers are equal only when all their digits are.
@@ -93,18 +113,26 @@ faults! {
     "expressions.xor-as-or" XorAsOr,
     /// AND comes before the comparisons.
     "expressions.and-first" AndFirst,
+    /// A modulus of zero gives the dividend.
+    "expressions.modulus-by-zero" ModulusByZero,
+    /// A negative power of zero is zero.
+    "expressions.power-of-zero" PowerOfZero,
     /// L of M98 is not looked at.
     "fanuc-subs.no-repeat" NoRepeat,
     /// M98 works where numbered subprograms are disabled.
     "fanuc-subs.disabled" DisabledFanuc,
     /// M98 counts its turns from zero.
     "fanuc-subs.one-more" OneTurnMore,
+    /// P of M98 is kept in sixteen bits.
+    "fanuc-subs.number-wraps" SubprogramWraps,
     /// A switch of the feed mode keeps the feed rate.
     "feed.kept-over-mode" FeedKeptOverMode,
     /// A negative feed is taken.
     "feed.negative" NegativeFeed,
     /// A move under inverse time does without F.
     "feed.inverse-time-old" InverseTimeOld,
+    /// The first feed rate of a program stays.
+    "feed.never-changes" FeedNeverChanges,
     /// A printed member of a modal array stays on.
     "gpp.member-stays" MemberStays,
     /// Identical variables share nothing.
@@ -147,6 +175,14 @@ faults! {
     "modal-groups.unused-word" UnusedWord,
     /// M codes of one group are accepted in one block.
     "modal-groups.m-codes-together" MCodesTogether,
+    /// A program begins with another motion mode.
+    "modal-groups.begins-with-traverse" BeginsWithTraverse,
+    /// G and M numbers are truncated.
+    "modal-groups.code-cut" GcodeCut,
+    /// G numbers are kept in sixteen bits.
+    "modal-groups.g-code-wraps" GcodeWraps,
+    /// M numbers are kept in sixteen bits.
+    "modal-groups.m-code-wraps" McodeWraps,
     /// Axis words after G80 move as the mode before.
     "motion.after-cancel" AfterCancel,
     /// A rapid move needs a feed rate.
@@ -185,6 +221,8 @@ faults! {
     "nct.block-executed-too" BlockExecutedToo,
     /// A point without a digit is zero.
     "numbers.point-alone" PointAlone,
+    /// A number may have two signs.
+    "numbers.two-signs" TwoSigns,
     /// G53 adds its words where the distance is incremental.
     "offsets.machine-incremental" MachineIncremental,
     /// A work coordinate system is turned the wrong way.
@@ -193,10 +231,22 @@ faults! {
     "offsets.active-waits" ActiveWaits,
     /// G59.3 selects G59.2.
     "offsets.last-system" LastSystem,
+    /// L of G10 is kept in eight bits.
+    "offsets.kind-wraps" OffsetKindWraps,
+    /// G53 is accepted without axis words.
+    "offsets.machine-without-axes" MachineWithoutAxes,
+    /// A coordinate system can be selected while the cutter is compensated.
+    "offsets.select-compensated" SelectCompensated,
+    /// G10 L2 without P sets the active coordinate system.
+    "offsets.set-without-system" SetWithoutSystem,
+    /// P of G10 is kept in eight bits.
+    "offsets.system-wraps" OffsetSystemWraps,
     /// M codes of a block are executed by number.
     "order.by-number" ByNumber,
     /// A dwell comes after the other G codes of its block.
     "order.dwell-late" DwellLate,
+    /// F is read after the length unit of its block has been set.
+    "order.feed-after-units" FeedAfterUnits,
     /// The angle of M19 has no offset.
     "orient.no-offset" NoOrientOffset,
     /// R360 is refused.
@@ -213,6 +263,8 @@ faults! {
     "outputs.analog-waits" AnalogWaits,
     /// Of several settings that wait for a motion the first one counts.
     "outputs.first-counts" FirstWaitingCounts,
+    /// The number of an input or output is kept in eight bits.
+    "outputs.number-wraps" OutputWraps,
     /// M49 leaves the speed override alone.
     "overrides.speed-untouched" SpeedUntouched,
     /// M50 without P disables.
@@ -233,6 +285,14 @@ faults! {
     "parameters.absent-is-zero" AbsentIsZero,
     /// M66 brings no HAL item up to date.
     "parameters.items-old" ItemsNeverNew,
+    /// `_spindle_cw` reports the other direction.
+    "parameters.clockwise-inverted" ClockwiseInverted,
+    /// The number of a parameter is truncated.
+    "parameters.index-cut" ParameterCut,
+    /// The number of a parameter is kept in sixteen bits.
+    "parameters.number-wraps" ParameterWraps,
+    /// A setting of a predefined parameter is accepted, and lost.
+    "parameters.read-only-assigned" ReadOnlyAssigned,
     /// G64 without P keeps the tolerance.
     "path-control.tolerance-kept" ToleranceKept,
     /// G64 P without Q has no naive CAM tolerance.
@@ -263,6 +323,8 @@ faults! {
     "program-end.system-stays" SystemStays,
     /// Cycle start leaves the controller in MDI mode.
     "program-end.starts-in-mode" StartsInMode,
+    /// M2 leaves the motion mode.
+    "program-end.motion-stays" MotionStays,
     /// M71 does nothing.
     "saved-state.not-invalidated" NotInvalidated,
     /// M73 saves and does not restore.
@@ -273,6 +335,10 @@ faults! {
     "saved-state.one-level" OneLevel,
     /// Modes are restored before the units are.
     "saved-state.units-forgotten" UnitsForgotten,
+    /// M72 leaves the override switches.
+    "saved-state.overrides-not-restored" OverridesNotRestored,
+    /// M72 without a saved state is accepted.
+    "saved-state.restores-nothing" RestoresNothing,
     /// M4 is M3.
     "spindle.one-direction" OneDirection,
     /// S without $ is for every spindle.
@@ -297,6 +363,8 @@ faults! {
     "subroutines.arguments-kept" ArgumentsKept,
     /// Arguments begin at #2.
     "subroutines.arguments-shifted" ArgumentsShifted,
+    /// The number of a sub is kept in sixteen bits.
+    "subroutines.number-wraps" LabelWraps,
     /// A block by hand is executed in auto mode.
     "task.entered-in-auto" EnteredInAuto,
     /// A slash deletes no block.
@@ -305,6 +373,8 @@ faults! {
     "text.any-length" AnyLength,
     /// The second percent line does not end a program.
     "text.percent-goes-on" PercentGoesOn,
+    /// A semicolon in parentheses is refused.
+    "text.semicolon-in-comment" SemicolonInComment,
     /// A synchronised move is accepted while the spindle is stopped.
     "threading.standing-spindle" StandingSpindle,
     /// G76 makes no spring passes.
@@ -319,12 +389,18 @@ faults! {
     "tool.offset-unit" OffsetUnit,
     /// M61 takes any number.
     "tool.set-unknown" SetUnknown,
+    /// H and D are kept in eight bits.
+    "tool.length-wraps" LengthWraps,
+    /// T is kept in eight bits.
+    "tool.number-wraps" ToolWraps,
     /// A change of unit leaves the number of the feed.
     "units-planes.feed-number" FeedNumber,
     /// An X word under G7 is a radius.
     "units-planes.diameter-as-radius" DiameterAsRadius,
     /// G19 selects the plane of G18.
     "units-planes.wrong-plane" WrongPlane,
+    /// A change of unit leaves the numbers of the position.
+    "units-planes.position-kept" PositionKept,
     /// P and Q of a user-defined code change places.
     "user-codes.swapped" SwappedArguments,
 }
@@ -354,6 +430,12 @@ mod planting {
 pub use planting::plant;
 #[cfg(feature = "faults")]
 pub(crate) use planting::planted;
+
+/// What is left of a number in an integer that has so many values, if that fault is planted.
+#[inline]
+pub(crate) fn narrowed(fault: PlantedFault, number: f64, values: f64) -> f64 {
+    if planted(fault) && number >= values { crate::math::remainder(number, values) } else { number }
+}
 
 /// Whether this fault is planted: no.
 #[cfg(not(feature = "faults"))]

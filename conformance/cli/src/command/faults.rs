@@ -2,12 +2,18 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::num::NonZero;
 
+use gaugeblock_adapter::Adapter as _;
 use gaugeblock_controllers::faulty::Faulty;
 use gaugeblock_interpreter::faults::PlantedFault;
-use gaugeblock_runner::certify::{Plan, certify};
-use gaugeblock_runner::findings::findings;
+use gaugeblock_report::grouping::explain;
+use gaugeblock_runner::certify::{Plan, RepeatSampling, RuleDivergence, RunOptions, run_plan};
+use gaugeblock_runner::findings::{Coverage, findings_by};
+use gaugeblock_runner::fingerprint::shown_open_options;
+use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Suite};
+use serde::Deserialize;
 use serde_json::json;
 
 use super::certify::progress;
@@ -15,46 +21,72 @@ use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::write_out;
 
-/// The rules that each fault breaks, by their sentences.
-const BROKEN_RULES: &str = include_str!("../../planted-faults.toml");
+/// What each fault breaks.
+const PLANTED_FAULTS: &str = include_str!("../../planted-faults.toml");
 
 /// The editions of post-processors and of custom macros, by the begin of a fault's name.
 const EDITIONS_BY_PREFIX: [(&str, &str); 2] = [("gpp.", "gpp2"), ("nct.", "nct-99m")];
 
+/// What the faults break, by their names.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlantedFaults {
+    /// The rules that each fault breaks, by their sentences, or the open option that it looks like.
+    breaks: BTreeMap<String, Vec<String>>,
+    /// Why the first finding of a fault names another rule, where it cannot name its own.
+    exceptions: BTreeMap<String, String>,
+}
+
 /// What the suite finds of a planted fault.
 struct FaultResult<'a> {
     fault: PlantedFault,
-    /// The rules that the fault breaks.
+    /// The rules that the fault breaks, or the option that it looks like.
     broken: &'a [String],
     /// How many cases differ.
     cases: usize,
     /// Rules with a failing assertion.
     failing: BTreeSet<&'a str>,
+    /// Options of open choices that the fault looks like, `choice = option`.
+    looks_like: Vec<String>,
     /// The rule of each finding, the worst first.
     charged: Vec<&'a str>,
 }
 
 impl FaultResult<'_> {
-    /// Whether the first finding names a rule that the fault breaks.
+    /// Whether the suite notices the fault.
+    fn is_caught(&self) -> bool {
+        self.cases > 0 || !self.looks_like.is_empty()
+    }
+
+    /// What `certify` reports first: the rule of the first finding, or an open option that the fault looks like.
+    fn first(&self) -> Option<&str> {
+        self.charged.first().copied().or_else(|| self.looks_like.first().map(String::as_str))
+    }
+
+    /// Whether the first finding names a rule that the fault breaks, or the option that it looks like.
     fn is_named_first(&self) -> bool {
-        self.charged.first().is_some_and(|rule| self.broken.iter().any(|broken| broken == rule))
+        self.first().is_some_and(|first| self.broken.iter().any(|broken| broken == first))
     }
 }
 
-/// Certifies production once with each fault. Fails if one is not noticed.
+/// Certifies production once with each fault. Fails if one is not noticed, or if its first finding names another rule
+/// than its own and no exception says why.
 pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, edition)?;
-    let broken = broken_rules(suite)?;
+    let PlantedFaults { breaks, exceptions } = planted_faults(suite)?;
     let bar = progress(PlantedFault::ALL.len());
     let mut results = Vec::new();
+    let mut coverages = BTreeMap::new();
     for fault in PlantedFault::ALL {
         let own = EDITIONS_BY_PREFIX.iter().find(|(prefix, _)| fault.name().starts_with(prefix));
         let edition = match own {
             Some((_, own)) => crate::documents::edition(suite, own)?,
             None => edition,
         };
-        let broken = broken.get(fault.name()).map_or(&[][..], Vec::as_slice);
-        results.extend(result_of(suite, edition, *fault, broken));
+        let broken = breaks.get(fault.name()).map_or(&[][..], Vec::as_slice);
+        let coverage =
+            coverages.entry(edition.id.as_str()).or_insert_with(|| Coverage::new(suite, edition));
+        results.extend(result_of((suite, edition, coverage), *fault, broken));
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -62,47 +94,77 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
         Format::Json => format!("{:#}\n", document(&results)),
         Format::Text => text(&results),
     });
-    Ok(u8::from(results.iter().any(|result| result.cases == 0)))
+    let is_wrong = |result: &FaultResult<'_>| {
+        let is_excepted = exceptions.contains_key(result.fault.name());
+        !result.is_caught() || result.is_named_first() == is_excepted
+    };
+    Ok(u8::from(results.iter().any(is_wrong)))
 }
 
-/// The rules that each fault breaks.
-fn broken_rules(suite: &Suite) -> Result<BTreeMap<String, Vec<String>>, CliError> {
+/// Reads what each fault breaks; every fault has an entry, and every rule and option exists.
+fn planted_faults(suite: &Suite) -> Result<PlantedFaults, CliError> {
     let hint = "correct conformance/cli/planted-faults.toml";
-    let broken: BTreeMap<String, Vec<String>> =
-        toml::from_str(BROKEN_RULES).map_err(|error| CliError::failure(error.to_string(), hint))?;
-    let rules = broken.values().flatten();
-    let unknown = rules.into_iter().find(|rule| suite.rule(rule).is_none());
-    let missing = PlantedFault::ALL.iter().find(|fault| !broken.contains_key(fault.name()));
-    match (unknown, missing) {
-        (Some(rule), _) => Err(CliError::failure(format!("unknown rule {rule}"), hint)),
-        (None, Some(fault)) => {
+    let planted: PlantedFaults = toml::from_str(PLANTED_FAULTS)
+        .map_err(|error| CliError::failure(error.to_string(), hint))?;
+    let is_known = |name: &str| match name.split_once(" = ") {
+        Some((choice, option)) => suite
+            .choices
+            .iter()
+            .any(|known| known.id == choice && known.options.iter().any(|one| one.name == option)),
+        None => suite.rule(name).is_some(),
+    };
+    let unknown_rule = planted.breaks.values().flatten().find(|name| !is_known(name));
+    let is_fault = |name: &str| PlantedFault::ALL.iter().any(|fault| fault.name() == name);
+    let mut named = planted.breaks.keys().chain(planted.exceptions.keys());
+    let unknown_fault = named.find(|name| !is_fault(name));
+    let missing = PlantedFault::ALL.iter().find(|fault| !planted.breaks.contains_key(fault.name()));
+    match (unknown_rule, unknown_fault, missing) {
+        (Some(rule), _, _) => Err(CliError::failure(format!("unknown rule {rule}"), hint)),
+        (None, Some(fault), _) => Err(CliError::failure(format!("unknown fault {fault}"), hint)),
+        (None, None, Some(fault)) => {
             Err(CliError::failure(format!("{} has no entry", fault.name()), hint))
         }
-        (None, None) => Ok(broken),
+        (None, None, None) => Ok(planted),
     }
 }
 
-/// Certifies production with a fault; nothing while another one is planted.
+/// Certifies production with a fault, as `certify` does; nothing while another one is planted.
 fn result_of<'a>(
-    suite: &'a Suite,
-    edition: &'a Edition,
+    (suite, edition, coverage): (&'a Suite, &'a Edition, &mut Coverage<'a>),
     fault: PlantedFault,
     broken: &'a [String],
 ) -> Option<FaultResult<'a>> {
-    let jobs = std::thread::available_parallelism().unwrap_or(std::num::NonZero::<usize>::MIN);
+    let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let plan = Plan { suite, edition, only: &[], jobs };
-    let run = certify(plan, &Faulty::new(fault)?, &|| {});
+    let controller = Faulty::new(fault)?;
+    let options = shown_open_options(suite, edition, &controller.options(), &controller);
+    let run_options = RunOptions {
+        shard: Shard::WHOLE,
+        options: options.clone(),
+        finished: Vec::new(),
+        repeat: RepeatSampling::default(),
+        shrink_attempts: 0,
+        on_result: &mut |_| {},
+    };
+    let run = run_plan(plan, &controller, run_options);
     let own = run.cases.iter().filter(|case| case.verdict.own_divergence().is_some());
     let failing = own.map(|case| case.rule.id.as_str()).collect();
-    let findings = findings(suite, &run, &|_| false, &|divergence| divergence.summary());
-    let charged = findings.iter().filter_map(|finding| finding.rule);
+    let explains = |divergence: &RuleDivergence| {
+        explain(&controller.capabilities().name, divergence)
+            .is_some_and(|explanation| explanation.applies_to_controller)
+    };
+    let findings =
+        findings_by(coverage, suite, &run, &explains, &|divergence| divergence.summary());
+    let named = findings.iter().filter_map(|finding| finding.rule);
+    let charged = named.map(|rule| rule.id.as_str()).collect();
     let cases = run.cases.iter().filter(|case| case.verdict.divergence().is_some()).count();
     Some(FaultResult {
         fault,
         broken,
         cases,
         failing,
-        charged: charged.map(|rule| rule.id.as_str()).collect(),
+        looks_like: options.0.iter().map(|(id, option)| format!("{id} = {option}")).collect(),
+        charged,
     })
 }
 
@@ -112,8 +174,8 @@ fn document(results: &[FaultResult<'_>]) -> serde_json::Value {
         .map(|result| {
             json!({
                 "fault": result.fault.name(), "about": result.fault.about(), "cases": result.cases,
-                "broken": result.broken, "failing": result.failing, "charged": result.charged,
-                "named_first": result.is_named_first(),
+                "broken": result.broken, "failing": result.failing, "looks_like": result.looks_like,
+                "charged": result.charged, "named_first": result.is_named_first(),
             })
         })
         .collect();
@@ -123,21 +185,22 @@ fn document(results: &[FaultResult<'_>]) -> serde_json::Value {
 fn text(results: &[FaultResult<'_>]) -> String {
     let mut text = String::new();
     for result in results {
-        let by = match result.charged.as_slice() {
-            _ if result.cases == 0 => "NOT CAUGHT".to_owned(),
-            [] => format!("{} cases, no rule", result.cases),
-            [first, others @ ..] => {
+        let by = match result.first() {
+            _ if !result.is_caught() => "NOT CAUGHT".to_owned(),
+            None => format!("{} cases, no rule", result.cases),
+            Some(first) => {
                 let mark = if result.is_named_first() { "" } else { " (another rule)" };
-                match others.len() {
-                    0 => format!("{first}{mark}"),
-                    more => format!("{first}{mark} and {more} more"),
+                let looks_like = if result.charged.is_empty() { "looks like " } else { "" };
+                match result.charged.len() {
+                    0 | 1 => format!("{looks_like}{first}{mark}"),
+                    all => format!("{first}{mark} and {} more", all - 1),
                 }
             }
         };
         let (name, about) = (result.fault.name(), result.fault.about());
         let _infallible = writeln!(text, "{name:<36} {by:<60} {about}");
     }
-    let missed = results.iter().filter(|result| result.cases == 0).count();
+    let missed = results.iter().filter(|result| !result.is_caught()).count();
     let named = results.iter().filter(|result| result.is_named_first()).count();
     let mut charged: Vec<_> = results.iter().map(|result| result.charged.len()).collect();
     charged.sort_unstable();

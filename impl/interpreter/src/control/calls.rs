@@ -7,7 +7,7 @@ use crate::canon::Sink;
 use crate::control::o_words::{ControlError, refuse};
 use crate::control::{Cursor, Frame, FrameKind, PROGRAMS, STREAM};
 use crate::error::Error;
-use crate::faults::{PlantedFault, planted};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::interpret::{Interpreter, Progress, segment};
 use crate::math;
 use crate::modal::Refusal;
@@ -287,7 +287,7 @@ impl Interpreter {
         let Some(number) = self.words.get(b'P') else {
             return refuse(FaultKind::MissingWord, "M98 needs P");
         };
-        let number = count(number)?;
+        let number = narrowed(PlantedFault::SubprogramWraps, count(number)?, 65_536.0);
         let turns = math::to_count(count(self.words.get(b'L').unwrap_or(1.0))?);
         if turns == 0 && self.compiler.choices.uncalled_free {
             return Ok(Progress::More);

@@ -10,7 +10,7 @@ use crate::parameters::{NameId, Parameters, Slot};
 use crate::quirks;
 use crate::syntax::bytecode::Op;
 use crate::syntax::{
-    LineCompiler, arithmetic, code_number, is_machine_state, is_position, parameter_number,
+    LineCompiler, arithmetic, g_number, is_machine_state, is_position, m_number, parameter_number,
 };
 use crate::words::Words;
 
@@ -263,11 +263,11 @@ impl Evaluator {
                 self.push_truth(quirks::is_parameter(number));
             }
             Op::Absent => return Err(no_such("of this INI entry or pin")),
-            Op::G => match code_number(self.pop() * 10.0, 999) {
+            Op::G => match g_number(self.pop()) {
                 Some(code) => push_g(words, code)?,
                 None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such G code")),
             },
-            Op::M => match code_number(self.pop(), u16::MAX) {
+            Op::M => match m_number(self.pop()) {
                 Some(code) => push_m(words, code)?,
                 None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such M code")),
             },

@@ -155,6 +155,7 @@ impl Modal {
         let turns = words
             .get(b'P')
             .filter(|_| !planted(PlantedFault::OneTurn))
+            .map(|p| if planted(PlantedFault::TurnsCut) { math::floor(p) } else { p })
             .map_or(Ok(1), |p| integer_in(p, least, i32::MAX, "P of an arc"))?
             .max(1);
         Ok(Effect::ArcFeed {
@@ -198,7 +199,7 @@ impl Modal {
         tolerances: &Tolerances,
     ) -> Result<InPlane, Refusal> {
         let given = words.present & (I | J | K);
-        if given & !plane.offset_words != 0 {
+        if given & !plane.offset_words != 0 && !planted(PlantedFault::ForeignOffset) {
             return refuse(FaultKind::UnusedWord, "an offset along the normal of the plane");
         }
         if given == 0 {
@@ -276,12 +277,16 @@ impl RadiusFormat {
     fn centre(&self, start: InPlane, end: InPlane) -> Result<InPlane, Refusal> {
         let chord = end.minus(start);
         let length = chord.length();
+        if length == 0.0 && planted(PlantedFault::EqualPoints) {
+            return Ok(InPlane { first: f64::NAN, second: f64::NAN });
+        }
         if length == 0.0 {
             return refuse(FaultKind::BadArc, "an arc with R that ends where it begins");
         }
         let half = length / 2.0;
         // Not a number is no radius either.
-        if !(half <= self.radius + self.slack && self.radius > 0.0) {
+        let reaches = half <= self.radius + self.slack || planted(PlantedFault::ShortRadius);
+        if !(reaches && self.radius > 0.0) {
             return self.out_of_reach(start, end, length);
         }
         let height = math::sqrt(((self.radius - half) * (self.radius + half)).max(0.0));

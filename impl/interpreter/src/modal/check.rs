@@ -166,7 +166,9 @@ impl Modal {
             if moves && used.axis_codes > by_length {
                 return refuse(FaultKind::AxisWords, "two codes that use axis words");
             }
-            if used.needs_axes || machine_coordinates {
+            let needs_axes = used.needs_axes
+                && !(machine_coordinates && planted(PlantedFault::MachineWithoutAxes));
+            if needs_axes || machine_coordinates && !planted(PlantedFault::MachineWithoutAxes) {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
             }
             block.motion = explicit.or(implied);

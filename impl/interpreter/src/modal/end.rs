@@ -61,7 +61,9 @@ impl Modal {
             self.active.set_feed_rate(feed);
         }
         self.compensation_radius = 0.0;
-        self.motion = Motion::Feed;
+        if !planted(PlantedFault::MotionStays) {
+            self.motion = Motion::Feed;
+        }
         let modes = self.active.set();
         modes.plane = Plane::Xy;
         if !planted(PlantedFault::IncrementalStays) {

@@ -179,6 +179,11 @@ impl Modal {
 
     /// Set feed rate mode, then the feed rate: the first phases.
     fn feed(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
+        if planted(PlantedFault::FeedAfterUnits)
+            && let Some(code) = block.g(UNITS)
+        {
+            self.select_units(code);
+        }
         if let Some(code) = block.g(FEED_MODE) {
             if code == 950 {
                 let which = self.selected(block, super::modes::FIRST)?;

@@ -58,6 +58,7 @@ impl Modal {
             && now.feed_mode != FeedMode::InverseTime
             && !self.surface_speed
             && self.motion != Motion::Nurbs
+            && !planted(PlantedFault::FeedNeverChanges)
     }
 
     /// Fast path of [`Self::whole_block`]: a straight move and nothing else, in one pass.

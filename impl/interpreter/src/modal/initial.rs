@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{Axis, ControllerMode, LengthUnit, Machine, Motion, ReturnMode, Tool};
 
 use crate::error::Error;
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::{Numbered, is_stored};
 
 use super::Modal;
@@ -36,6 +37,7 @@ impl Modal {
         let mut modal = Self {
             active: ActiveSettings::new(initial_modes(machine, &choices, numbered), spindles),
             motion: match choices.initial_motion {
+                _ if planted(PlantedFault::BeginsWithTraverse) => Motion::Traverse,
                 InitialMotion::None => Motion::None,
                 InitialMotion::Feed => Motion::Feed,
                 InitialMotion::Traverse => Motion::Traverse,

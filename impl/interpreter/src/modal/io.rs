@@ -7,7 +7,7 @@ use alloc::string::{String, ToString};
 use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, WaitMode};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{PlantedFault, planted};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -134,7 +134,8 @@ impl Modal {
 
 /// The number of an input or output, of which the machine has `count`.
 fn number(value: Option<f64>, count: i32) -> Result<i32, Refusal> {
-    let number = integer(value.unwrap_or(0.0), "the number of an input or output")?;
+    let number = narrowed(PlantedFault::OutputWraps, value.unwrap_or(0.0), 256.0);
+    let number = integer(number, "the number of an input or output")?;
     let more = i32::from(planted(PlantedFault::OneOutputMore));
     if (0..count.saturating_add(more)).contains(&number) {
         Ok(number)

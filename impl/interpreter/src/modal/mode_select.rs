@@ -16,7 +16,11 @@ impl Modal {
     /// F.
     #[inline]
     pub(super) fn set_feed(&mut self, feed: f64) -> Result<(), Refusal> {
-        self.active.set_feed_rate(checked_feed(feed)?);
+        let feed = checked_feed(feed)?;
+        if planted(PlantedFault::FeedNeverChanges) && self.active.now().feed_rate > 0.0 {
+            return Ok(());
+        }
+        self.active.set_feed_rate(feed);
         Ok(())
     }
 
@@ -68,7 +72,9 @@ impl Modal {
         if self.active.now().units == units {
             return;
         }
-        self.position = self.position.converted(conversion);
+        if !planted(PlantedFault::PositionKept) {
+            self.position = self.position.converted(conversion);
+        }
         self.series.convert(conversion);
         self.compensation_radius = conversion.of(self.compensation_radius);
         let keep_feed = self.choices.feed_number_kept || planted(PlantedFault::FeedNumber);

@@ -48,6 +48,9 @@ impl Modal {
             Predefined::SpindleOn => {
                 flag(spindle.turns() && (spindle.speed > 0.0 || !self.choices.spindle_on_turning))
             }
+            Predefined::SpindleClockwise if planted(PlantedFault::ClockwiseInverted) => {
+                flag(spindle.turn == SpindleTurn::Counterclockwise)
+            }
             Predefined::SpindleClockwise => flag(spindle.turn == SpindleTurn::Clockwise),
             Predefined::Mist => flag(now.mist == Switch::On),
             Predefined::Flood => flag(now.flood == Switch::On),

@@ -69,6 +69,9 @@ impl Modal {
                 Ok(())
             }
             71 => self.invalidate(),
+            _ if planted(PlantedFault::RestoresNothing) && self.saved.here().next().is_none() => {
+                Ok(())
+            }
             _ => {
                 let needs_m70 = self.choices.restore_needs_m70;
                 let saved = self.saved.here().find(|place| place.by_m70 || !needs_m70);
@@ -100,7 +103,13 @@ impl Modal {
     /// Restores the units first, so that the saved feed and lengths are in their own unit, then everything else
     /// (11.6.21).
     fn restore(&mut self, saved: &Saved, numbered: &mut Numbered) {
-        let modes = &saved.modes;
+        let kept;
+        let modes = if planted(PlantedFault::OverridesNotRestored) {
+            kept = with_overrides(&saved.modes, self.active.now());
+            &kept
+        } else {
+            &saved.modes
+        };
         if !planted(PlantedFault::UnitsForgotten) {
             self.change_units(modes.units);
         }
@@ -141,6 +150,21 @@ impl Modal {
             self.series = self.series.changed(self.motion, saved.motion);
             self.motion = saved.motion;
         }
+    }
+}
+
+/// Saved modes with the override switches that are in force.
+fn with_overrides(saved: &Modes, now: &Modes) -> Modes {
+    let mut spindles = saved.spindles;
+    for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
+        saved.speed_override = now.speed_override;
+    }
+    Modes {
+        spindles,
+        feed_override: now.feed_override,
+        adaptive_feed: now.adaptive_feed,
+        feed_stop: now.feed_stop,
+        ..*saved
     }
 }
 

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, SpindleTurn, Switch, Tool};
 
 use crate::canon::{Reply, Sink};
-use crate::faults::{PlantedFault, planted};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -44,6 +44,7 @@ impl Modal {
         line: u32,
         sink: &mut K,
     ) -> Result<(), Refusal> {
+        let word = narrowed(PlantedFault::ToolWraps, word, 256.0);
         let number = integer_in(word, 0, i32::MAX, "T")?;
         let found = if self.choices.tool_by_slot {
             self.tools.iter().find(|tool| pocket_of(tool) == number)
@@ -206,7 +207,7 @@ impl Modal {
         letter: &str,
     ) -> Result<Option<&Tool>, Refusal> {
         let number = match word {
-            Some(word) => integer(word, letter)?,
+            Some(word) => integer(narrowed(PlantedFault::LengthWraps, word, 256.0), letter)?,
             None => self.tool,
         };
         if number < 0 {

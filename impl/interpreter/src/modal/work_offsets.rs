@@ -6,7 +6,7 @@ use alloc::format;
 use gaugeblock_vocabulary::{FaultKind, Lathe};
 
 use crate::canon::Sink;
-use crate::faults::{PlantedFault, planted};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -45,7 +45,9 @@ impl Modal {
         code: u16,
         numbered: &mut Numbered,
     ) -> Result<(), Refusal> {
-        self.refuse_under_compensation("selecting a coordinate system")?;
+        if !planted(PlantedFault::SelectCompensated) {
+            self.refuse_under_compensation("selecting a coordinate system")?;
+        }
         let system = match code {
             540 => 1,
             550 => 2,
@@ -137,7 +139,9 @@ impl Modal {
         numbered: &mut Numbered,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        let kind = integer_in(words.get(b'L').unwrap_or(0.0), 0, 20, "L of G10")?;
+        let kind = words.get(b'L').unwrap_or(0.0);
+        let kind = narrowed(PlantedFault::OffsetKindWraps, kind, 256.0);
+        let kind = integer_in(kind, 0, 20, "L of G10")?;
         match kind {
             0 => self.reload_tools(numbered),
             1 | 10 | 11 => self.set_tool_entry(words, kind, numbered, sink),
@@ -154,7 +158,9 @@ impl Modal {
         numbered: &mut Numbered,
     ) -> Result<(), Refusal> {
         let active = self.active.now().work_offset;
-        let system = match integer_in(words.get(b'P').unwrap_or(0.0), 0, 9, "P of G10")? {
+        let system = words.get(b'P').unwrap_or(0.0);
+        let system = narrowed(PlantedFault::OffsetSystemWraps, system, 256.0);
+        let system = match integer_in(system, 0, 9, "P of G10")? {
             0 => active,
             system => u32::try_from(system).unwrap_or(active),
         };

@@ -99,6 +99,9 @@ pub(crate) fn binary_inline(
 
 /// MOD, on any real numbers.
 fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, ArithmeticError> {
+    if !holds(right) && planted(PlantedFault::ModulusByZero) {
+        return Ok(left);
+    }
     if !holds(right) {
         return Err(&(FaultKind::DivideByZero, "modulus by zero"));
     }
@@ -109,6 +112,9 @@ fn modulus(left: f64, right: f64, choices: &Choices) -> Result<f64, ArithmeticEr
 
 /// `**`.
 fn power(base: f64, exponent: f64) -> Result<f64, ArithmeticError> {
+    if !holds(base) && exponent < 0.0 && planted(PlantedFault::PowerOfZero) {
+        return Ok(0.0);
+    }
     if !holds(base) && exponent < 0.0 {
         return Err(&(FaultKind::DivideByZero, "a negative power of zero"));
     }

@@ -5,7 +5,7 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{PlantedFault, planted};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::math;
 use crate::syntax::bytecode::{Block, CodeSegment, Kind, NONE, Op, ParameterRef};
 use crate::syntax::compiler::LineCompiler;
@@ -280,6 +280,10 @@ impl LineCompiler {
             ParameterRef::Indirect => Op::SetIndirect,
             ParameterRef::Local(id) => Op::SetLocal(id),
             ParameterRef::Global(id) => Op::SetGlobal(id),
+            ParameterRef::Mode(_) if planted(PlantedFault::ReadOnlyAssigned) => {
+                let ParameterRef::Global(id) = self.resolve(b"_lost") else { return Ok(()) };
+                Op::SetGlobal(id)
+            }
             ParameterRef::Mode(_)
             | ParameterRef::Internal(_)
             | ParameterRef::Entry(_)
@@ -310,6 +314,9 @@ impl LineCompiler {
         let text = text.get(..length).unwrap_or(&[]);
         if !self.choices.comment_nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
+        }
+        if planted(PlantedFault::SemicolonInComment) && text.contains(&b';') {
+            return cursor.refuse(FaultKind::BadComment, "a semicolon in a comment");
         }
         if items.comment.is_none() || !planted(PlantedFault::FirstComment) {
             items.comment = Some(text);
@@ -359,17 +366,31 @@ fn line_number(cursor: &mut Cursor<'_>) -> Parsed<()> {
 #[inline]
 fn code(into: &mut CodeSegment, is_g: bool, known: Option<f64>) -> Result<(), &'static str> {
     into.ops.push(match (known, is_g) {
-        (Some(value), true) => Op::GCode(code_number(value * 10.0, 999).ok_or("no such G code")?),
-        (Some(value), false) => Op::MCode(code_number(value, u16::MAX).ok_or("no such M code")?),
+        (Some(value), true) => Op::GCode(g_number(value).ok_or("no such G code")?),
+        (Some(value), false) => Op::MCode(m_number(value).ok_or("no such M code")?),
         (None, true) => Op::G,
         (None, false) => Op::M,
     });
     Ok(())
 }
 
+/// A G code in tenths, where a number is one.
+#[inline]
+pub(crate) fn g_number(value: f64) -> Option<u16> {
+    code_number(narrowed(PlantedFault::GcodeWraps, value, 65_536.0) * 10.0, 999)
+}
+
+/// An M code, where a number is one.
+#[inline]
+pub(crate) fn m_number(value: f64) -> Option<u16> {
+    code_number(narrowed(PlantedFault::McodeWraps, value, 65_536.0), u16::MAX)
+}
+
 /// The integer that a code is, where it is one in the range.
 #[inline]
-pub(crate) fn code_number(value: f64, most: u16) -> Option<u16> {
+fn code_number(value: f64, most: u16) -> Option<u16> {
+    let cut = planted(PlantedFault::GcodeCut);
+    let value = if cut { math::floor(value + math::CLOSE) } else { value };
     math::near_integer(value)
         .and_then(|number| u16::try_from(number).ok())
         .filter(|number| *number <= most)

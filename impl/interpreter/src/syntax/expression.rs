@@ -86,6 +86,12 @@ impl LineCompiler {
             return self.unsigned_value(cursor, into, depth);
         }
         cursor.step();
+        let again = cursor.peek();
+        let twice = planted(PlantedFault::TwoSigns) && matches!(again, b'-' | b'+');
+        if twice {
+            cursor.step();
+        }
+        let sign = if twice { again } else { sign };
         if number::begins(cursor) {
             let number = number::read_unsigned(cursor)?;
             into.ops.push(Op::Number(if sign == b'-' { -number } else { number }));

@@ -16,7 +16,7 @@ use alloc::boxed::Box;
 
 use gaugeblock_vocabulary::FaultKind;
 
-pub(crate) use block::{LineKind, LinePlace, code_number, is_o_word, is_percent};
+pub(crate) use block::{LineKind, LinePlace, g_number, is_o_word, is_percent, m_number};
 pub(crate) use bytecode::{CodeSegment, ParameterRef};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
 pub(crate) use compiler::LineCompiler;

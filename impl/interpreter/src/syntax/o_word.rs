@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::parameters::NameId;
 use crate::syntax::bytecode::{Block, CodeSegment, Keyword, Kind, NONE, OWord, Op};
@@ -127,6 +128,10 @@ impl LineCompiler {
 
     /// The label that is written as digits; leading zeros mean nothing.
     pub(crate) fn number_label(&mut self, digits: &str) -> NameId {
+        if planted(PlantedFault::LabelWraps) {
+            let number = digits.parse::<u64>().unwrap_or(0) & 0xffff;
+            return self.labels.intern(alloc::format!("{number}").as_bytes());
+        }
         let digits = digits.trim_start_matches('0');
         self.labels.intern(if digits.is_empty() { b"0" } else { digits.as_bytes() })
     }

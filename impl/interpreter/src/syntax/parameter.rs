@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::limits::Limit;
 use crate::math;
 use crate::parameters::{Internal, LAST, NameId, Predefined};
@@ -237,6 +238,8 @@ pub(crate) fn is_machine_state(number: u16) -> bool {
 /// The number of a parameter from a value that should be one.
 #[inline]
 pub(crate) fn parameter_number(value: f64) -> Result<u16, arithmetic::ArithmeticError> {
+    let value = narrowed(PlantedFault::ParameterWraps, value, 65_536.0);
+    let value = if planted(PlantedFault::ParameterCut) { math::floor(value) } else { value };
     let Some(number) = math::near_integer(value) else {
         return Err(&(FaultKind::ParameterNotInteger, "a parameter number is not an integer"));
     };

@@ -190,7 +190,8 @@ impl Drilling {
                 (depth, true, done)
             }
             Peck::Out => {
-                self.peck = Peck::Back;
+                let again = planted(PlantedFault::PeckFromR);
+                self.peck = if again { Peck::Down } else { Peck::Back };
                 (self.cycle.levels.retract, false, false)
             }
             Peck::Back => {

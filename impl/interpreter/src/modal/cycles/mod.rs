@@ -68,7 +68,7 @@ impl Modal {
             // 11.5.51, 11.5.52.
             return Err(Refusal::Unspecified("G87 and G88 are accepted, and undefined".into()));
         }
-        self.check_cycle_modes(block.words)?;
+        self.check_cycle_modes(block.words, code)?;
         let radius;
         let words = if self.active.now().lathe == Lathe::Diameter {
             radius = with_radius(block.words);
@@ -103,6 +103,12 @@ impl Modal {
         if numbers::dwells(code) {
             self.cycle_dwell = numbers.dwell;
         }
+        if matches!(code, 850 | 860 | 890) && planted(PlantedFault::BoreMovesNothing) {
+            let [first, second] = hole;
+            let across = self.position.with_axis(axes.first, first).with_axis(axes.second, second);
+            self.position = across.with_axis(axes.normal, levels.clear);
+            return Ok(());
+        }
         let cycle = Cycle {
             axes,
             hole,
@@ -125,18 +131,20 @@ impl Modal {
     }
 
     /// Modes and axis words that no cycle takes (11.5.43, 11.5.43.5).
-    fn check_cycle_modes(&self, words: &Words) -> Result<(), Refusal> {
+    fn check_cycle_modes(&self, words: &Words, code: u16) -> Result<(), Refusal> {
         let now = self.active.now();
         if now.compensation != Compensation::Off {
             return refuse(FaultKind::CompensationActive, "a canned cycle under compensation");
         }
-        if now.feed_mode == FeedMode::InverseTime {
+        if now.feed_mode == FeedMode::InverseTime && !planted(PlantedFault::CycleInverseTime) {
             return refuse(FaultKind::ModalConflict, "a canned cycle under inverse time");
         }
-        if words.present & (A | B | C) != 0 {
+        let later = planted(PlantedFault::RotaryLater) && self.motion == mode_of(code);
+        if words.present & (A | B | C) != 0 && !later {
             return refuse(FaultKind::AxisWords, "a rotary axis word in a canned cycle");
         }
-        if words.present & AXES & !PlaneAxes::letters(now.plane) != 0 {
+        let allowed = PlaneAxes::letters(now.plane) | if later { A | B | C } else { 0 };
+        if words.present & AXES & !allowed != 0 {
             return refuse(FaultKind::AxisWords, "an axis word that is not of the plane's family");
         }
         Ok(())
@@ -185,7 +193,9 @@ impl Modal {
         if !self.is_incremental() {
             return Ok(([first.unwrap_or(at_first), second.unwrap_or(at_second)], [0.0, 0.0]));
         }
-        let step = [first.unwrap_or(0.0), second.unwrap_or(0.0)];
+        let omitted = if planted(PlantedFault::OmittedAxisAdds) { here } else { [0.0, 0.0] };
+        let [omitted_first, omitted_second] = omitted;
+        let step = [first.unwrap_or(omitted_first), second.unwrap_or(omitted_second)];
         let [by_first, by_second] = step;
         Ok(([at_first + by_first, at_second + by_second], step))
     }

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
+use crate::faults::{PlantedFault, narrowed};
 use crate::math;
 use crate::words::Words;
 
@@ -102,6 +103,7 @@ const fn pecks(code: u16) -> bool {
 
 /// L: a positive integer (11.5.43.5).
 fn repeats(value: f64) -> Result<u64, Refusal> {
+    let value = narrowed(PlantedFault::RepeatWraps, value, 256.0);
     let Some(number) = math::near_integer(value) else {
         return refuse(FaultKind::NotAnInteger, "L is not an integer");
     };
