@@ -107,17 +107,16 @@ fn counts<'a: 'c, 'c>(
     counts
 }
 
-/// How suspicious a rule is, from the failing and the passing cases that use it: the share of the failing cases, and
-/// the share of its own cases that fail. Two more passing cases are assumed, so that a rule with one case is not
-/// certain. Its share of the failing cases as their own rule, and the share of its users that fail, decide what is
-/// nearly equal.
+/// How suspicious a rule is, from the failing and the passing cases that use it: the share of the failing cases, the
+/// share of its own cases that fail, and the share of its users that fail. One more passing case is assumed, so that a
+/// rule with one case is not certain. Its share of the failing cases as their own rule decides what is nearly equal.
 #[expect(clippy::cast_precision_loss, reason = "cases are thousands")]
 fn suspicion(failed: Count, passed: Count, failing: usize) -> f64 {
     let of_failing = failed.all as f64 / failing as f64;
-    let of_own = failed.own as f64 / (failed.own + passed.own + 2) as f64;
+    let of_own = failed.own as f64 / (failed.own + passed.own + 1) as f64;
     let own_of_failing = failed.own as f64 / failing as f64;
     let of_users = failed.all as f64 / (failed.all + passed.all) as f64;
-    of_failing + of_own + 0.3 * own_of_failing + 0.2 * of_users
+    of_failing + of_own + 0.3 * own_of_failing + 0.5 * of_users
 }
 
 #[cfg(test)]
