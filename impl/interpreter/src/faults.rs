@@ -373,8 +373,6 @@ faults! {
     "text.any-length" AnyLength,
     /// The second percent line does not end a program.
     "text.percent-goes-on" PercentGoesOn,
-    /// A semicolon in parentheses is refused.
-    "text.semicolon-in-comment" SemicolonInComment,
     /// A synchronised move is accepted while the spindle is stopped.
     "threading.standing-spindle" StandingSpindle,
     /// G76 makes no spring passes.

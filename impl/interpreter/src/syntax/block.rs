@@ -315,9 +315,6 @@ impl LineCompiler {
         if !self.choices.comment_nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
         }
-        if planted(PlantedFault::SemicolonInComment) && text.contains(&b';') {
-            return cursor.refuse(FaultKind::BadComment, "a semicolon in a comment");
-        }
         if items.comment.is_none() || !planted(PlantedFault::FirstComment) {
             items.comment = Some(text);
         }
