@@ -125,7 +125,10 @@ pub fn shown_open_options(
             ObservedOption::Nothing(_) if !controller.capabilities().refuses => {
                 refusing_option(choice).map(str::to_owned)
             }
-            _ => None,
+            ObservedOption::Option(_)
+            | ObservedOption::Nothing(_)
+            | ObservedOption::Several(_)
+            | ObservedOption::NotRun(_) => None,
         };
         if let Some(option) = option
             && !options.is(&choice.id, &option)

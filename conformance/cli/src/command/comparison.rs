@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use gaugeblock_report::Header;
 use gaugeblock_report::merge::Stored;
-use gaugeblock_runner::certify::{BASELINE, Run};
+use gaugeblock_runner::certify::{BASELINE, ListName, Run};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
@@ -134,8 +134,7 @@ impl ComparisonFiles {
             None => BASELINE.to_owned(),
         };
         let has_list = self.expectations.is_some() || self.baseline.is_some();
-        let source: Option<&dyn Fn(&str, &str) -> String> =
-            if has_list { Some(&listed) } else { None };
+        let source: Option<ListName<'_>> = if has_list { Some(&listed) } else { None };
         run.mark_accepted(mismatches.as_deref().unwrap_or_default(), &waived, source);
         run.mark_unjudged(&|rule, case, word| self.accepts_unjudged(rule, case, word));
         (mismatches, notes)

@@ -12,6 +12,9 @@ pub const BASELINE: &str = "as in the baseline";
 /// What accepts that a case could not be judged, by its rule, its name and the word of its verdict.
 pub type AcceptsUnjudged<'c> = dyn Fn(&str, &str, &str) -> Option<String> + 'c;
 
+/// Names what lists the divergence of a rule and case.
+pub type ListName<'a> = &'a dyn Fn(&str, &str) -> String;
+
 impl Run<'_> {
     /// Marks the cases that could not be judged where something accepts it. A case that was not run is never accepted.
     pub fn mark_unjudged(&mut self, accepts: &AcceptsUnjudged<'_>) {
@@ -30,7 +33,7 @@ impl Run<'_> {
         &mut self,
         mismatches: &[ExpectationMismatch],
         waived: &[Waived],
-        source: Option<&dyn Fn(&str, &str) -> String>,
+        source: Option<ListName<'_>>,
     ) {
         for result in &mut self.cases {
             let (Verdict::Diverges(divergence) | Verdict::SideDifference(divergence)) =

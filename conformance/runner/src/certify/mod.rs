@@ -28,7 +28,7 @@ use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::explain::{AlternativeOption, DivergenceContext};
 use crate::shard::Shard;
-pub use accepted::{AcceptsUnjudged, BASELINE, EXPECTATIONS};
+pub use accepted::{AcceptsUnjudged, BASELINE, EXPECTATIONS, ListName};
 pub use plan::Plan;
 pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
