@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint as take, nearest};
+use gaugeblock_runner::fingerprint::{
+    Agreement, ObservedOption, fingerprint as take, nearest, undecided,
+};
 use gaugeblock_suite::Suite;
 use serde_json::json;
 
@@ -43,6 +45,7 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
     controller::check_language(controller.as_ref(), edition)?;
     let observed = take(suite, &options, edition.environment.as_deref(), controller.as_ref());
     let nearest = nearest(suite, &observed);
+    let undecided = undecided(suite, &observed, &nearest);
     let known = observed
         .iter()
         .filter(|(_, observed)| matches!(observed, ObservedOption::Option(_)))
@@ -55,11 +58,14 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
                 .collect();
             let editions: Vec<_> = nearest
                 .iter()
-                .map(|(id, agree)| json!({ "edition": id, "agree": agree }))
+                .map(|Agreement { edition, agree, rank }| {
+                    json!({ "edition": edition, "agree": agree, "rank": rank })
+                })
                 .collect();
             let document = json!({
                 "gaugeblock": "fingerprint", "controller": controller.capabilities().name,
                 "version": controller.capabilities().version, "options": options, "shown": known, "nearest": editions,
+                "undecided": undecided,
             });
             write_out(&format!("{document:#}\n"));
         }
@@ -68,14 +74,27 @@ pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
             for (choice, observed) in &observed {
                 let _infallible = writeln!(text, "{:<40} {observed}", choice.id);
             }
-            if let Some((id, agree)) = nearest.first() {
-                let _infallible =
-                    writeln!(text, "\nnearest edition: {id} ({agree} of {known} detected options)");
-            }
+            let _infallible = writeln!(text, "\n{}", nearest_in_words(&nearest, known, &undecided));
             write_out(&text);
         }
     }
     let unknown =
         observed.iter().any(|(_, observed)| matches!(observed, ObservedOption::Nothing(_)));
     Ok(if unknown { 3 } else { 0 })
+}
+
+/// The nearest edition, or those that agree equally.
+fn nearest_in_words(nearest: &[Agreement], known: usize, undecided: &[&str]) -> String {
+    let first: Vec<_> = nearest.iter().filter(|agreement| agreement.rank == 1).collect();
+    let editions: Vec<_> = first.iter().map(|agreement| agreement.edition.as_str()).collect();
+    let agree = first.first().map_or(0, |agreement| agreement.agree);
+    match editions.as_slice() {
+        _ if agree == 0 => "nearest edition: none; no option of an edition was detected".to_owned(),
+        [edition] => format!("nearest edition: {edition} ({agree} of {known} detected options)"),
+        _ => format!(
+            "nearest editions: {} agree equally ({agree} of {known} detected options)\nundecided: {}",
+            editions.join(" and "),
+            undecided.join(", ")
+        ),
+    }
 }

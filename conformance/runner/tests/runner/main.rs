@@ -1,6 +1,7 @@
 //! The suite on the model and on production, and generated programs.
 
 mod expectations;
+mod fingerprint;
 mod fuzz;
 mod machine_units;
 mod never_refuses;

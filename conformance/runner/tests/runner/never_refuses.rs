@@ -55,7 +55,9 @@ fn never_refusing_controller_has_no_option_that_refuses() {
         let has_it = match &observed {
             ObservedOption::Option(shown) => *shown == option.name,
             ObservedOption::Several(shown) => shown.contains(&option.name),
-            ObservedOption::Nothing(_) | ObservedOption::NotRun(_) => false,
+            ObservedOption::Nothing(_) | ObservedOption::Refused(_) | ObservedOption::NotRun(_) => {
+                false
+            }
         };
         assert!(!has_it, "{}: {observed}", choice.id);
     }

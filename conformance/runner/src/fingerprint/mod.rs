@@ -1,6 +1,9 @@
 //! Fingerprints: which option of each choice, and which quirk, a controller has.
 
-use std::collections::BTreeMap;
+mod refusal;
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::judge::{Finding, judge};
@@ -9,10 +12,11 @@ use gaugeblock_compare::{REFUSALS, compare};
 use gaugeblock_suite::{Choice, Edition, Suite, options_of};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Options, Scenario};
+use refusal::RefusalReason;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a controller shows of a choice.
+/// The option of a choice that is observed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ObservedOption {
@@ -21,9 +25,12 @@ pub enum ObservedOption {
     /// None of the options: it does something else.
     #[serde(rename = "none")]
     Nothing(Vec<String>),
-    /// More than one: what tells them apart is not shown.
+    /// One of several: the controller does not report what separates them.
     #[serde(rename = "any_of")]
     Several(Vec<String>),
+    /// Refused, and not for the reason of an option.
+    #[serde(rename = "refused")]
+    Refused(String),
     /// The program could not be run.
     NotRun(String),
 }
@@ -34,22 +41,23 @@ impl std::fmt::Display for ObservedOption {
             Self::Option(option) => write!(f, "{option}"),
             Self::Nothing(why) => write!(f, "none of the options: {}", why.join("; ")),
             Self::Several(options) => write!(f, "undecided: {}", options.join(" or ")),
+            Self::Refused(why) => write!(f, "undecided: {why}"),
             Self::NotRun(why) => write!(f, "not run: {why}"),
         }
     }
 }
 
-/// A choice or quirk: what a controller is held to, and what it shows.
+/// A choice or quirk: the expected and the observed option.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct FingerprintEntry {
     /// The choice or quirk.
     pub choice: String,
-    /// The option that it is held to.
+    /// The expected option.
     #[serde(rename = "held_to")]
     pub expected: String,
     /// Whether that is its own declaration, and not the edition's.
     pub declared: bool,
-    /// What it shows.
+    /// What is observed.
     #[serde(rename = "shown")]
     pub observed: ObservedOption,
 }
@@ -66,7 +74,7 @@ impl FingerprintEntry {
             ObservedOption::Option(option) => *option != self.expected,
             ObservedOption::Several(options) => !options.contains(&self.expected),
             ObservedOption::Nothing(_) => true,
-            ObservedOption::NotRun(_) => false,
+            ObservedOption::Refused(_) | ObservedOption::NotRun(_) => false,
         }
     }
 }
@@ -89,7 +97,7 @@ pub fn fingerprint_entries(
     beside.collect()
 }
 
-/// The options of open choices that a controller shows, where they are not those of the comparison and not `declared`.
+/// The observed options of open choices, where they are not those of the comparison and not `declared`.
 ///
 /// No document decides an open choice, so that no option of it is a divergence: the comparison uses the observed option.
 /// An option counts only if the whole outcome of its program equals that of the model. Another difference, such as a
@@ -128,6 +136,7 @@ pub fn shown_open_options(
             ObservedOption::Option(_)
             | ObservedOption::Nothing(_)
             | ObservedOption::Several(_)
+            | ObservedOption::Refused(_)
             | ObservedOption::NotRun(_) => None,
         };
         if let Some(option) = option
@@ -161,9 +170,7 @@ fn does_as_the_model(
     environment: Option<&str>,
     controller: &dyn Adapter,
 ) -> bool {
-    let mut options = options.clone();
-    options.0.insert(choice.id.clone(), option.to_owned());
-    let scenario = scenario_of_choice(choice, &options, environment);
+    let scenario = scenario_of_choice(choice, &with(options, choice, option), environment);
     let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
     let found = controller.run_fresh(&scenario).unwrap_or_else(|| controller.run(&scenario));
     found.is_ok_and(|found| {
@@ -270,6 +277,22 @@ pub fn observe_choice(
             Some(reason) => reasons.push(reason),
         }
     }
+    if let End::Fault(fault) = &outcome.end {
+        let mut other_reasons = Vec::new();
+        holding.retain(|option| {
+            let scenario = scenario_of_choice(choice, &with(options, choice, option), environment);
+            match refusal::reason(controller, &scenario, fault) {
+                RefusalReason::Option => true,
+                RefusalReason::Other(why) => {
+                    other_reasons.push(why);
+                    false
+                }
+            }
+        });
+        if let (true, Some(why)) = (holding.is_empty(), other_reasons.pop()) {
+            return ObservedOption::Refused(why);
+        }
+    }
     match holding.len() {
         0 => ObservedOption::Nothing(reasons),
         1 => ObservedOption::Option(holding.remove(0)),
@@ -277,26 +300,59 @@ pub fn observe_choice(
     }
 }
 
-/// The editions by how many of the observed options they have, the nearest first.
-pub fn nearest(suite: &Suite, observed: &[(&Choice, ObservedOption)]) -> Vec<(String, usize)> {
-    let observed: BTreeMap<&str, &str> = observed
-        .iter()
-        .filter_map(|(choice, observed)| match observed {
-            ObservedOption::Option(option) => Some((choice.id.as_str(), option.as_str())),
-            ObservedOption::Nothing(_) | ObservedOption::Several(_) | ObservedOption::NotRun(_) => {
-                None
-            }
-        })
-        .collect();
+/// These options, with another option of one choice.
+fn with(options: &Options, choice: &Choice, option: &str) -> Options {
+    let mut options = options.clone();
+    options.0.insert(choice.id.clone(), option.to_owned());
+    options
+}
+
+/// How many of the observed options an edition has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Agreement {
+    /// The edition.
+    pub edition: String,
+    /// The number of observed options that are those of the edition.
+    pub agree: usize,
+    /// Its place, from 1; editions that agree equally have the same.
+    pub rank: usize,
+}
+
+/// The editions by how many of the observed options they have, the nearest first. Editions that agree equally are in
+/// the order of the suite.
+pub fn nearest(suite: &Suite, observed: &[(&Choice, ObservedOption)]) -> Vec<Agreement> {
+    let agree = |edition: &Edition| {
+        let options = suite.options(edition);
+        let agrees = |(choice, observed): &&(&Choice, ObservedOption)| matches!(observed, ObservedOption::Option(option) if options.is(&choice.id, option));
+        observed.iter().filter(agrees).count()
+    };
     let mut ranked: Vec<_> = suite
         .editions
         .iter()
-        .map(|edition| {
-            let options = suite.options(edition);
-            let agree = observed.iter().filter(|(id, option)| options.is(id, option)).count();
-            (edition.id.clone(), agree)
-        })
+        .map(|edition| Agreement { edition: edition.id.clone(), agree: agree(edition), rank: 0 })
         .collect();
-    ranked.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    ranked.sort_by_key(|agreement| Reverse(agreement.agree));
+    let counts: Vec<_> = ranked.iter().map(|agreement| agreement.agree).collect();
+    for agreement in &mut ranked {
+        agreement.rank = 1 + counts.iter().filter(|count| **count > agreement.agree).count();
+    }
     ranked
+}
+
+/// The choices that would separate the nearest editions if their options were observed.
+pub fn undecided<'a>(
+    suite: &Suite,
+    observed: &[(&'a Choice, ObservedOption)],
+    nearest: &[Agreement],
+) -> Vec<&'a str> {
+    let first = nearest.iter().filter(|agreement| agreement.rank == 1);
+    let editions = first.filter_map(|agreement| suite.edition(&agreement.edition));
+    let options: Vec<_> = editions.map(|edition| suite.options(edition)).collect();
+    let separates = |choice: &Choice| {
+        let of_each: BTreeSet<_> = options.iter().map(|options| options.get(&choice.id)).collect();
+        of_each.len() > 1
+    };
+    let is_open = |observed: &ObservedOption| !matches!(observed, ObservedOption::Option(_));
+    let open = observed.iter().filter(|(choice, observed)| is_open(observed) && separates(choice));
+    open.map(|(choice, _)| choice.id.as_str()).collect()
 }
