@@ -104,13 +104,14 @@ fn verdict_of<'a>(judgement: &'a Judgement, id: &str) -> Result<&'a Verdict, Str
     law_by_id(id).and_then(|law| judgement.of(law)).ok_or_else(|| format!("there is no law {id}"))
 }
 
-fn describe(verdict: &Verdict) -> String {
+/// A verdict in words, with the law.
+fn describe(id: &str, verdict: &Verdict) -> String {
     match verdict {
-        Verdict::Satisfied { .. } => "it holds".to_owned(),
-        Verdict::NotApplicable => "it does not apply".to_owned(),
-        Verdict::NotJudged(why) => format!("it is not judged: {why}"),
+        Verdict::Satisfied { .. } => format!("{id} holds"),
+        Verdict::NotApplicable => format!("{id} does not apply"),
+        Verdict::NotJudged(why) => format!("{id} is not judged: {why}"),
         Verdict::Violated(violations) => {
-            violations.first().map_or_else(|| "it is broken".to_owned(), ToString::to_string)
+            violations.first().map_or_else(|| format!("{id} is broken"), ToString::to_string)
         }
     }
 }
@@ -121,7 +122,7 @@ fn check_verdict(
     fits: impl Fn(&Verdict) -> bool,
 ) -> Result<(), String> {
     let verdict = verdict_of(judgement, id)?;
-    if fits(verdict) { Ok(()) } else { Err(describe(verdict)) }
+    if fits(verdict) { Ok(()) } else { Err(describe(id, verdict)) }
 }
 
 /// Checks that the law of the page holds, if the page is that of a law.
@@ -139,7 +140,7 @@ fn check_violation(
     found: Option<(usize, String)>,
 ) -> Result<(), String> {
     match found {
-        None => Err(describe(verdict_of(judgement, id)?)),
+        None => Err(describe(id, verdict_of(judgement, id)?)),
         Some((cycle, words)) if at.is_some_and(|at| at != cycle) => Err(words),
         Some(_) => Ok(()),
     }

@@ -1,11 +1,11 @@
 //! Cases of motion: the laws of motion judge servo samples.
 
 use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
-use gaugeblock_compare::ComparedKind;
+use gaugeblock_compare::{ComparedKind, end_text};
 use gaugeblock_motion::Sketch;
 use gaugeblock_suite::{MotionCase, Rule};
-use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{ProgrammedPath, Samples};
+use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 use super::CaseRunner;
 use super::verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Verdict};
@@ -46,7 +46,10 @@ impl MotionRun<'_> {
         for feed_interval in feeds {
             let samples = match samples_of(runner.controller, scenario, case, *feed_interval) {
                 Ok(samples) => samples,
-                Err(no_samples) => return verdict_without_samples(no_samples),
+                Err(no_samples) => {
+                    let refusal = self.refusal().map(|found| self.diverges(found));
+                    return refusal.unwrap_or_else(|| verdict_without_samples(no_samples));
+                }
             };
             if std::mem::take(&mut repeat)
                 && let Err(not_judged) = self.check_repeatable(&samples, *feed_interval)
@@ -61,17 +64,46 @@ impl MotionRun<'_> {
             match judged {
                 Ok(()) => result.compared.add(ComparedKind::Laws, case.assertions.len()),
                 Err((text, found)) => {
+                    if let Some(refusal) = self.refusal() {
+                        return self.diverges(refusal);
+                    }
                     let fed = feed_interval
                         .map_or(String::new(), |n| format!("with a segment in {n} cycles: "));
-                    let assertion = Some((text, format!("{fed}{found}")));
-                    return Verdict::Diverges(RuleDivergence {
-                        assertion,
-                        ..RuleDivergence::default()
-                    });
+                    return diverges(self.asserted(&text), format!("{fed}{found}"));
                 }
             }
         }
         Verdict::Pass
+    }
+
+    /// The refusal of the program, if the controller refuses it and the model does not.
+    ///
+    /// Samples of a refused program end early or are missing. Their laws would hide the cause.
+    fn refusal(self) -> Option<String> {
+        if self.case.is_recorded() {
+            return None;
+        }
+        let refuses = |outcome: &Outcome| matches!(outcome.end, End::Fault(_));
+        if refuses(&gaugeblock_reference::run(self.scenario).0) {
+            return None;
+        }
+        let controller = self.runner.controller;
+        let outcome = controller.run_fresh(self.scenario);
+        let outcome = outcome.unwrap_or_else(|| controller.run(self.scenario)).ok()?;
+        let End::Fault(fault) = &outcome.end else { return None };
+        let message = &fault.message;
+        let said = if message.is_empty() { String::new() } else { format!(": {message}") };
+        Some(format!("the program is {}{said}", end_text(&outcome.end)))
+    }
+
+    /// No law is judged, since the program is refused.
+    fn diverges(self, refusal: String) -> Verdict {
+        diverges(self.asserted(&self.case.assertions.join(", ")), refusal)
+    }
+
+    /// An assertion with its law.
+    fn asserted(self, text: &str) -> String {
+        if text == "holds" { format!("{} holds", self.rule.id) } else { text.to_owned() }
     }
 
     fn check_repeatable(
@@ -89,6 +121,11 @@ impl MotionRun<'_> {
         };
         Err(NotJudgedReason::new(Cause::Nondeterministic, format!("run twice: {why}")))
     }
+}
+
+fn diverges(asserted: String, found: String) -> Verdict {
+    let assertion = Some((asserted, found));
+    Verdict::Diverges(RuleDivergence { assertion, ..RuleDivergence::default() })
 }
 
 fn verdict_without_samples(no_samples: NoSamples) -> Verdict {

@@ -74,6 +74,9 @@ impl Severity {
         }
         match (&divergence.difference, &divergence.assertion) {
             (Some(difference), _) => Self::of_difference(difference),
+            (None, Some((_, found))) if found.starts_with("the program is refused") => {
+                Self::Refused
+            }
             (None, Some((assertion, _))) => Self::of_text(assertion),
             (None, None) => Self::State,
         }

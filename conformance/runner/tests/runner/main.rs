@@ -6,5 +6,6 @@ mod fuzz;
 mod machine_units;
 mod never_refuses;
 mod production;
+mod refused_motion;
 mod suite;
 mod twins;
