@@ -1,7 +1,9 @@
 //! Two outcomes side by side: the first divergence, and what could not be compared.
 
 pub mod accuracy;
+pub mod alignment;
 mod capabilities;
+pub mod differences;
 pub mod judge;
 pub mod observe;
 pub mod pins;

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Report;
 use super::grouping::{explain, size, title, without_guard};
-use super::side_by_side::{Side, side_by_side};
+use super::side_by_side::{Row, side_by_side};
 
 /// Bytes of programs and traces of all cards together; the rest is only in the JSON report.
 const TRACE_BYTES_MAX: usize = 1 << 20;
@@ -30,7 +30,8 @@ pub(super) struct Card<'a> {
     program: &'a str,
     shrunk: Option<&'a str>,
     state: Option<&'a StateDifference>,
-    sides: Vec<Side<'a>>,
+    /// Both traces, aligned.
+    rows: Vec<Row<'a>>,
     /// Whether the traces are left out, because the page would be too large.
     short: bool,
     /// A picture of the motion, made of numbers only.
@@ -68,7 +69,7 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
         match left.checked_sub(size + result.program.len()) {
             Some(rest) => {
                 left = rest;
-                card.sides =
+                card.rows =
                     traces.map(|traces| side_by_side(traces, &result.masked)).unwrap_or_default();
             }
             None => card.short = true,
@@ -114,7 +115,7 @@ fn card<'a>(
         program: result.program,
         shrunk: divergence.shrunk.as_deref(),
         state: divergence.state.as_ref(),
-        sides: Vec::new(),
+        rows: Vec::new(),
         short: false,
         picture: result.sketch.as_ref().map(gaugeblock_motion::Sketch::svg),
     }

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use gaugeblock_compare::alignment::changed_lines;
 use gaugeblock_suite::{
     Case, Edition, MotionCase, MotionChoice, MotionChoiceOption, Rule, RuleOutcome, Setup, Suite,
 };
@@ -148,7 +149,14 @@ fn golden_fault(suite: &Suite, rule: &Rule, case: &Case) -> Option<String> {
     let golden_text = case.golden.as_ref()?;
     let expected = golden(suite, rule, case)?;
     (expected != *golden_text).then(|| {
-        format!("{} / {}: the model no longer does what its golden says", rule.id, case.name)
+        let changed = changed_lines(golden_text, &expected);
+        let changed = changed.lines().map(|line| format!("\n    {line}"));
+        format!(
+            "{} / {}: its golden is not current; - golden, + model:{}",
+            rule.id,
+            case.name,
+            changed.collect::<String>()
+        )
     })
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_adapter::Adapter;
+use gaugeblock_compare::differences::differences;
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, Comparison, Divergence, compare as compare_runs};
 use gaugeblock_reference::motion::path::{differ, programmed};
@@ -16,7 +17,6 @@ use super::{controller, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::program::causes::{Cause, Search};
-use crate::program::differences::differences;
 use crate::program::own_name;
 use crate::program::run_setup::RunSetup;
 use crate::streams::write_out;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use gaugeblock_compare::alignment::changed_lines;
 use gaugeblock_runner::suite_check;
 use gaugeblock_suite::ledger::{self, Ledger};
 use gaugeblock_suite::{Rule, Suite, files};
@@ -202,6 +203,7 @@ fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, CliErr
 
 fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, CliError> {
     let mut changed = 0;
+    let mut changes = String::new();
     let rules = selected(suite, prefixes);
     // A model that does not know the suite's options has no outcome to bless.
     for rule in &rules {
@@ -223,9 +225,11 @@ fn bless(suite: &Suite, folder: &Path, prefixes: &[String]) -> Result<u8, CliErr
         if blessed != text {
             user_files::write_whole(&path, &blessed)?;
             changed += 1;
+            let lines = changed_lines(&text, &blessed);
+            let _infallible = writeln!(changes, "{}\n{lines}", path.display());
         }
     }
-    write_out(&format!("{changed} pages changed: read them before you commit them\n"));
+    write_out(&format!("{changes}{changed} pages changed: read them before you commit them\n"));
     Ok(0)
 }
 

@@ -2,7 +2,6 @@
 
 pub(crate) mod called_files;
 pub(crate) mod causes;
-pub(crate) mod differences;
 pub(crate) mod machine_files;
 pub(crate) mod own_name;
 pub(crate) mod remarks;

@@ -4,14 +4,12 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use gaugeblock_compare::accuracy::Quantity;
-use gaugeblock_compare::observe::{Observed, ObservedEffect, ObservedStep};
-use gaugeblock_compare::{Capabilities, Divergence, NEXT_BLOCK, end_text, rounded, tolerance};
-use gaugeblock_vocabulary::{End, Entry, Settings, State, Value};
-use similar::{Algorithm, DiffOp, capture_diff_slices};
+use gaugeblock_vocabulary::{BlockLocation, End, Entry, Settings, State, Value};
 
-/// Most blocks that are aligned after the first one that only one side executes, and most effects of a block.
-const ALIGNED_MAX: usize = 5_000;
+use crate::accuracy::Quantity;
+use crate::alignment::{ALIGNED_MAX, Segment, pairs, segments};
+use crate::observe::{Observed, ObservedEffect, ObservedStep};
+use crate::{Capabilities, Divergence, NEXT_BLOCK, end_text, rounded, tolerance};
 
 /// What a side has where it has no such effect.
 const NO_EFFECT: &str = "no such effect";
@@ -19,7 +17,7 @@ const NO_EFFECT: &str = "no such effect";
 /// The differences in the order of the blocks. A setting or a field of the state that stays different is listed where
 /// it begins to be, and again where it changes. After a block that only one side executes, a bounded number of blocks
 /// is aligned: the rest follows from it.
-pub(crate) fn differences(
+pub fn differences(
     expected: &Observed,
     found: &Observed,
     observables: &Capabilities,
@@ -58,38 +56,38 @@ impl Walk<'_> {
         let keys = |steps: &[&ObservedStep]| -> Vec<(String, u32)> {
             steps.iter().map(|step| (step.block.file.to_string(), step.block.line)).collect()
         };
-        for op in capture_diff_slices(Algorithm::Myers, &keys(&left), &keys(&right)) {
-            let is_after_end =
-                op.old_range().start == left.len() || op.new_range().start == right.len();
-            match op {
-                DiffOp::Equal { old_index, new_index, len } => {
-                    for place in 0..len {
-                        self.block(left[old_index + place], right[new_index + place]);
+        for segment in segments(&keys(&left), &keys(&right)) {
+            match segment {
+                Segment::Equal(old, new) => {
+                    for (expected, found) in old.zip(new) {
+                        self.block(left[expected], right[found]);
                     }
                 }
-                DiffOp::Delete { .. } | DiffOp::Insert { .. } | DiffOp::Replace { .. } => {
-                    let first = |steps: &[&ObservedStep], range: Range<usize>| {
-                        range.clone().next().map(|at| steps[at].block.clone())
-                    };
-                    let blocks = (first(&left, op.old_range()), first(&right, op.new_range()));
+                Segment::Different(old, new) => {
+                    let is_after_end = old.start == left.len() || new.start == right.len();
                     if is_after_end && !self.same_end() {
                         continue;
                     }
-                    let name = |block: &Option<_>| match block {
-                        Some(block) => format!("{block}"),
-                        None => "not executed".to_owned(),
+                    let first = |steps: &[&ObservedStep], range: Range<usize>| {
+                        range.clone().next().map(|at| steps[at].block.clone())
                     };
-                    let (expected, found) = (name(&blocks.0), name(&blocks.1));
-                    let block = blocks.0.or(blocks.1);
-                    self.list.push(Divergence {
-                        block,
-                        field: NEXT_BLOCK.to_owned(),
-                        expected,
-                        found,
-                    });
+                    self.other_blocks(first(&left, old), first(&right, new));
                 }
             }
         }
+    }
+
+    /// Lists the first blocks that only one side executes.
+    fn other_blocks(&mut self, expected: Option<BlockLocation>, found: Option<BlockLocation>) {
+        let name = |block: &Option<BlockLocation>| {
+            block.as_ref().map_or_else(|| "not executed".to_owned(), ToString::to_string)
+        };
+        self.list.push(Divergence {
+            field: NEXT_BLOCK.to_owned(),
+            expected: name(&expected),
+            found: name(&found),
+            block: expected.or(found),
+        });
     }
 
     fn block(&mut self, expected: &ObservedStep, found: &ObservedStep) {
@@ -105,23 +103,11 @@ impl Walk<'_> {
     /// Aligns effects, and compares the settings at those that both sides have.
     fn effects(&mut self, expected: Range<usize>, found: Range<usize>) {
         let (left, right) = (self.shown(self.expected, expected), self.shown(self.found, found));
-        let longest = left.len().max(right.len());
-        if longest > ALIGNED_MAX {
-            for place in 0..longest {
-                self.effect(left.get(place).copied(), right.get(place).copied());
-            }
-            return;
-        }
         let keys = |effects: &[&ObservedEffect]| -> Vec<String> {
             effects.iter().map(|effect| coarse(effect)).collect()
         };
-        for op in capture_diff_slices(Algorithm::Myers, &keys(&left), &keys(&right)) {
-            let (old, new) = (op.old_range(), op.new_range());
-            for place in 0..old.len().max(new.len()) {
-                let expected = old.clone().nth(place).map(|at| left[at]);
-                let found = new.clone().nth(place).map(|at| right[at]);
-                self.effect(expected, found);
-            }
+        for (expected, found) in pairs(&keys(&left), &keys(&right)) {
+            self.effect(expected.map(|at| left[at]), found.map(|at| right[at]));
         }
     }
 
