@@ -68,13 +68,13 @@ fn faulty(fault: fn(Outcome) -> Result<Outcome, HarnessError>) -> Faulty {
     Faulty { model: Reference::default(), fault }
 }
 
-/// It tells nothing of what it does.
+/// It reports no effects.
 fn silent(mut outcome: Outcome) -> Result<Outcome, HarnessError> {
     outcome.steps.iter_mut().for_each(|step| step.events.clear());
     Ok(outcome)
 }
 
-/// It does not have what the program asks for.
+/// It does not have what the program requires.
 fn without(outcome: Outcome) -> Result<Outcome, HarnessError> {
     let (block, what) = (BlockLocation::new(Program::MAIN, 1), "it has none".to_owned());
     Ok(Outcome { end: End::Unsupported { block, what }, ..outcome })
@@ -148,7 +148,7 @@ fn an_unsupported_rule_fails_a_profile_that_is_claimed() {
     let modest = faulty(without_faults);
     assert_eq!(status(&modest, &[]), (vec![], 0));
     assert_eq!(status(&modest, std::slice::from_ref(&modal_save)), (vec![], 1));
-    // Where nothing is judged nobody has to claim anything.
+    // Where nothing is judged, a profile need not be claimed.
     let mute = faulty(without);
     assert_eq!(status(&mute, &[]), (vec![], 3));
     assert_eq!(status(&mute, std::slice::from_ref(&modal_save)), (vec![], 1));
@@ -428,8 +428,8 @@ fn waiver_needs_owner_reason_and_day() {
     let only = ["saved-state".to_owned()];
     let (before, after) =
         (run(&suite, &Reference::default(), &only, 2), run(&suite, &faulty(silent), &only, 2));
-    let departs = |result: &&CaseResult<'_>| matches!(result.verdict, Verdict::Diverges(_));
-    let rule = after.cases.iter().find(departs).expect("it departs").rule.id.clone();
+    let diverges = |result: &&CaseResult<'_>| matches!(result.verdict, Verdict::Diverges(_));
+    let rule = after.cases.iter().find(diverges).expect("a divergence").rule.id.clone();
     let today = "2026-11-23".parse().expect("a day");
     let waiver = |rule: &str, expires: &str| {
         let text = format!(
