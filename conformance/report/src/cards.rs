@@ -6,6 +6,7 @@ use gaugeblock_suite::sections;
 use serde::Serialize;
 
 use super::Report;
+use super::abridge::abridged;
 use super::grouping::{explain, size, title, without_guard};
 use super::side_by_side::{Row, side_by_side};
 
@@ -23,7 +24,7 @@ pub(super) struct Card<'a> {
     excuse: Option<&'a str>,
     sentence: &'a str,
     sources: String,
-    assertion: Option<(&'a str, &'a str)>,
+    assertion: Option<(String, String)>,
     divergence: Option<&'a str>,
     explanation: Option<String>,
     repeated: bool,
@@ -108,7 +109,7 @@ fn card<'a>(
         excuse: result.verdict.accepted_by(),
         sentence: &result.rule.sentence,
         sources: sections(&result.rule.sources).join("; "),
-        assertion: assertion.map(|(said, found)| (without_guard(said), found.as_str())),
+        assertion: assertion.map(|(said, found)| abridged(without_guard(said), found)),
         divergence: divergence.difference.as_deref(),
         explanation: explain(controller, divergence).map(|explanation| explanation.text),
         repeated: result.rerun,

@@ -18,7 +18,7 @@ pub fn size(finding: &Finding<'_, '_>) -> String {
     let mut parts = vec![counted(finding.cases.len(), "case")];
     if !finding.touched.is_empty() {
         let rules = counted(finding.touched_rules().len(), "other rule");
-        parts.push(format!("{} of {rules}", finding.touched.len()));
+        parts.push(format!("{} of {rules}", counted(finding.touched.len(), "case")));
     }
     if !finding.side_differences.is_empty() {
         parts.push(counted(finding.side_differences.len(), "side difference"));
@@ -113,7 +113,7 @@ fn refusal_difference(traces: &Traces) -> Option<String> {
 }
 
 /// A text without the numbers of lines and blocks. All other numbers stay: `error:20` and `error:33` are two causes.
-fn without_lines(text: &str) -> String {
+pub(super) fn without_lines(text: &str) -> String {
     let ends = |c: char| c == ' ' || c == '"' || c == '(' || c == '[';
     let mut is_place = false;
     let mut kept = String::new();
@@ -232,7 +232,7 @@ mod tests {
             ("error:33", "error:33"),
             ("ALARM:2 in block 14", "ALARM:2 in block "),
             ("Line 7: unknown G99", "Line : unknown G99"),
-            ("main.ngc:12: tool 5", "main.ngc: tool 5"),
+            ("main.ngc:12: tool 5", "main.ngc tool 5"),
             ("(line 3)", "(line )"),
             ("line:3 bad", "line bad"),
             ("radius 1.5 to end 12.25", "radius 1.5 to end 12.25"),

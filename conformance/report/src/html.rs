@@ -200,15 +200,13 @@ struct Slow<'a> {
 /// The result in a sentence, and the verdict whose style it has.
 pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
     match report.exit_status() {
-        0 if report.mismatches.is_some() => {
-            ("pass", "It does what is known of it, and nothing else.")
-        }
-        0 => ("pass", "It does what the documents say, in everything that was judged."),
+        0 if report.mismatches.is_some() => ("pass", "All differences are known."),
+        0 => ("pass", "It does what the documents say in every judged case."),
         1 => ("diverges", "It diverges from its documents."),
         _ if report.counts().judged() == 0 => {
             ("inconclusive", "Nothing was judged: nothing is certified.")
         }
-        _ => ("inconclusive", "Something could not be judged: this is not a certificate."),
+        _ => ("inconclusive", "Some cases could not be judged. This is not a certificate."),
     }
 }
 
@@ -356,7 +354,7 @@ fn basis(report: &Report<'_>) -> String {
     let mut all = gaugeblock_compare::Tally::default();
     report.run.cases.iter().for_each(|result| all.extend(&result.compared));
     format!(
-        "{} values were compared: written assertions, and everything else that happens.",
+        "{} values were compared: assertions, and everything else that the controller reports.",
         all.total()
     )
 }

@@ -1,5 +1,6 @@
 //! The results of a run of the suite: counts, a verdict per rule, an exit status.
 
+mod abridge;
 pub mod baseline;
 mod cards;
 pub mod cost;

@@ -9,6 +9,7 @@ use gaugeblock_runner::findings::Finding;
 use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
+use super::abridge::abridged;
 use super::grouping::{explain, size, title, without_guard};
 use super::terminal::shortened;
 use super::{Report, RuleResult, html};
@@ -130,7 +131,7 @@ fn rules(report: &Report<'_>) -> String {
     let rows: String = rules.iter().take(ITEMS).map(row).collect();
     let more = more(count);
     format!(
-        "\n### Rules that it breaks: {count}\n\n| cases | rule | what it demands |\n| ---: | --- | --- |\n{rows}{more}"
+        "\n### Broken rules: {count}\n\n| cases | rule | requirement |\n| ---: | --- | --- |\n{rows}{more}"
     )
 }
 
@@ -176,8 +177,8 @@ fn card(report: &Report<'_>, finding: &Finding<'_, '_>) -> String {
     text.push_str(&program(divergence.program(result), result.rule.language));
     text.push('\n');
     if let Some((said, found)) = &divergence.assertion {
-        let said = without_guard(said);
-        text.push_str(&format!("- expected {}\n- found {}\n", code(said), code(found)));
+        let (said, found) = abridged(without_guard(said), found);
+        text.push_str(&format!("- expected {}\n- found {}\n", code(&said), code(&found)));
     }
     if let Some(divergence) = &divergence.difference {
         text.push_str(&format!("- first difference {}\n", code(divergence)));
@@ -189,7 +190,7 @@ fn card(report: &Report<'_>, finding: &Finding<'_, '_>) -> String {
     }
     let touched: Vec<_> = finding.touched_rules().into_iter().take(ITEMS).map(code).collect();
     if !touched.is_empty() {
-        text.push_str(&format!("- cases of these rules fail by it, too: {}\n", touched.join(", ")));
+        text.push_str(&format!("- other rules with failing cases: {}\n", touched.join(", ")));
     }
     text.push_str("\n</details>\n");
     text

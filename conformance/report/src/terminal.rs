@@ -1,14 +1,16 @@
 //! The report as a person reads it on a terminal. Text of a controller is [escaped](escape_text).
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use gaugeblock_runner::certify::{CaseResult, Verdict};
+use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Verdict};
 use gaugeblock_runner::findings::{Finding, FindingCause};
 use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
-use super::grouping::{explain, size, title, without_guard};
+use super::abridge::{abridged, wrapped};
+use super::grouping::{explain, size, title, without_guard, without_lines};
 use super::{Report, RuleVerdict, escape_line, escape_text};
 
 const BOLD: Style = Style::new().bold();
@@ -115,10 +117,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
         line!(text, "  {}", styled(DIM, &section));
     }
     program(text, result.program, result.rule.language);
-    if let Some((assertion, found)) = &divergence.assertion {
-        line!(text, "  expected  {}", styled(GREEN, without_guard(assertion)));
-        line!(text, "  found     {}", styled(RED, &escape_text(found)));
-    }
+    assertion(text, "  ", divergence);
     if let Some(divergence) = &divergence.difference {
         line!(text, "  first difference  {}", escape_text(divergence));
     }
@@ -138,6 +137,16 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
         line!(text, "  accepted  {}", escape_text(source));
     }
     line!(text);
+}
+
+/// The failed assertion, and what was found.
+fn assertion(text: &mut String, margin: &str, divergence: &RuleDivergence) {
+    let Some((said, found)) = &divergence.assertion else { return };
+    let (said, found) = abridged(without_guard(said), found);
+    let indentation = margin.len() + "expected  ".len();
+    line!(text, "{margin}expected  {}", styled(GREEN, &wrapped(&said, indentation)));
+    let found = escape_text(&found);
+    line!(text, "{margin}found     {}", styled(RED, &wrapped(&found, indentation)));
 }
 
 /// Explains the notation of assertions, once, if a printed divergence has one that needs it.
@@ -203,10 +212,7 @@ fn finding(text: &mut String, report: &Report<'_>, number: usize, finding: &Find
     if let Some((result, divergence)) = finding.divergent().next() {
         line!(text, "   smallest: {} / {}", result.rule.id, result.name);
         program(text, divergence.program(result), result.rule.language);
-        if let Some((assertion, found)) = &divergence.assertion {
-            line!(text, "   expected  {}", styled(GREEN, without_guard(assertion)));
-            line!(text, "   found     {}", styled(RED, &escape_text(found)));
-        }
+        assertion(text, "   ", divergence);
         if let Some(difference) = &divergence.difference {
             line!(text, "   first difference  {}", escape_text(difference));
         }
@@ -219,7 +225,8 @@ fn finding(text: &mut String, report: &Report<'_>, number: usize, finding: &Find
     }
     let touched: Vec<_> = finding.touched_rules().into_iter().collect();
     if !touched.is_empty() {
-        line!(text, "   cases of these rules fail by it, too: {}", listed(&touched));
+        let touched = format!("   other rules with failing cases: {}", listed(&touched));
+        line!(text, "{}", wrapped(&touched, 6));
     }
 }
 
@@ -327,8 +334,12 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let unsupported = report.unsupported();
     if !unsupported.is_empty() {
         line!(text, "unsupported, by reason:");
+        let mut folded: BTreeMap<String, usize> = BTreeMap::new();
         for (reason, cases) in unsupported {
-            line!(text, "  {cases:>5}  {}", escape_text(reason));
+            *folded.entry(without_lines(reason)).or_default() += cases;
+        }
+        for (reason, cases) in folded {
+            line!(text, "  {cases:>5}  {}", escape_text(&reason));
         }
     }
     let masked = report.masked();
@@ -340,11 +351,11 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
             }
         } else {
             let names: Vec<_> = masked.keys().copied().collect();
-            line!(
-                text,
-                "not reported by this controller, or not everywhere: {} (-v counts them)",
-                names.join(", ")
+            let names = names.join(", ");
+            let names = format!(
+                "not reported by this controller, or not everywhere: {names} (-v counts them)"
             );
+            line!(text, "{}", wrapped(&names, 2));
         }
     }
     let repeated = report.run.cases.iter().filter(|result| result.rerun);
@@ -401,7 +412,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
         (1, _) => (RED, "does not pass what it claims"),
         _ if counts.judged() == 0 => (YELLOW, "nothing was judged: nothing is certified"),
         _ if counts.open() == 0 => {
-            (YELLOW, "not clean: programs leave something there that fails others")
+            (YELLOW, "not clean: programs leave state that changes the verdict of others")
         }
         _ => (YELLOW, "not finished: some cases were not judged"),
     };

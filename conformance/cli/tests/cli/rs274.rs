@@ -131,7 +131,7 @@ fn each_finding_has_the_one_option_that_breaks_its_assertion() {
         // Each of these cases differs in the path mode and in the feed at the program end, too.
         for finding in [
             "explained by rs274.cycle-exact-path (0 cases, ",
-            "explained by rs274.peck-rounding (2 cases, 2 of 1 other rule)",
+            "explained by rs274.peck-rounding (2 cases, 2 cases of 1 other rule)",
             "explained by rs274.unused-q-minus-one (1 case)",
         ] {
             assert!(text.contains(finding), "{finding} is not in: {text}");
