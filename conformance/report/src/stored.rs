@@ -169,7 +169,12 @@ impl StoredVerdict {
         match self.verdict() {
             Verdict::NotJudged(reason) => Some(reason.cause.word()),
             verdict @ Verdict::Inconclusive(_) => Some(verdict.word()),
-            _ => None,
+            Verdict::Pass
+            | Verdict::Diverges(_)
+            | Verdict::SideDifference(_)
+            | Verdict::Known(..)
+            | Verdict::Waived(..)
+            | Verdict::Unsupported(_) => None,
         }
     }
 

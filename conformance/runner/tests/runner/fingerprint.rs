@@ -94,9 +94,11 @@ fn control_programs_confirm_most_refusals_of_a_controller_without_kinds() {
             let mut options = suite.options(edition);
             options.0.insert(choice.id.clone(), option.name.clone());
             options.0.extend(choice.under.clone());
-            match observe_choice(choice, &options, None, &controller, false) {
-                ObservedOption::Option(shown) if shown == option.name => confirmed += 1,
-                found => others.push(format!("{} = {}: {found}", choice.id, option.name)),
+            let found = observe_choice(choice, &options, None, &controller, false);
+            if found == ObservedOption::Option(option.name.clone()) {
+                confirmed += 1;
+            } else {
+                others.push(format!("{} = {}: {found}", choice.id, option.name));
             }
         }
     }
