@@ -13,6 +13,9 @@ use super::side_by_side::{Row, side_by_side};
 /// Bytes of programs and traces of all cards together; the rest is only in the JSON report.
 const TRACE_BYTES_MAX: usize = 1 << 20;
 
+/// What the page adds to each line of a trace.
+const LINE_MARKUP_BYTES: usize = 16;
+
 /// A divergence on the page.
 #[derive(Debug, Serialize)]
 pub(super) struct Card<'a> {
@@ -66,7 +69,9 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut card = |(result, divergence): (&'a CaseResult<'_>, &'a RuleDivergence)| {
         let mut card = card(&report.header.controller, result, divergence);
         let traces = divergence.traces.as_ref();
-        let size = traces.map_or(0, |traces| traces.expected.len() + traces.found.len());
+        let texts = traces.map_or(["", ""], |traces| [traces.expected.as_str(), &traces.found]);
+        let size: usize =
+            texts.iter().map(|text| text.len() + LINE_MARKUP_BYTES * text.lines().count()).sum();
         match left.checked_sub(size + result.program.len()) {
             Some(rest) => {
                 left = rest;

@@ -12,52 +12,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
-use crate::page::{Case, Setup};
-
-/// An item of a list: its texts. Each has the text `name`.
-pub type GridItem = BTreeMap<String, String>;
-
-/// The lists that grids of all pages can name, by their names.
-pub type GridLists = BTreeMap<String, Vec<GridItem>>;
-
-/// A template of cases.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Grid {
-    /// The name of each case.
-    pub name: String,
-    /// Why they are there.
-    #[serde(default)]
-    pub why: String,
-    /// The lists whose combinations are the cases.
-    pub each: BTreeMap<String, GridList>,
-    /// Combinations that are left out: the names of the items of some of the lists.
-    #[serde(default)]
-    pub except: Vec<BTreeMap<String, String>>,
-    /// The main program.
-    pub program: String,
-    /// What must be observed.
-    #[serde(rename = "assert")]
-    pub assertions: Vec<String>,
-    /// Only in these editions; all when empty.
-    #[serde(default)]
-    pub editions: Vec<String>,
-    /// What else the runs depend on.
-    #[serde(flatten)]
-    pub setup: Setup,
-}
-
-/// A list of a grid.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
-pub enum GridList {
-    /// A list of the suite's file `lists.toml`.
-    Named(String),
-    /// Its own items.
-    Items(Vec<GridItem>),
-}
+use crate::page::{Case, Grid, GridItem, GridList, GridLists};
 
 impl Grid {
     /// The cases, in the order of the lists' names and of their items.

@@ -2,7 +2,7 @@
 
 pub mod assertion;
 pub mod files;
-pub mod grid;
+mod grid;
 pub mod ids;
 pub mod ledger;
 mod motion;
@@ -15,11 +15,10 @@ use gaugeblock_vocabulary::Options;
 
 pub use assertion::Assertion;
 pub use files::Files;
-pub use grid::{Grid, GridLists};
 pub use motion::{MotionAssertion, MotionCase, Piece, SampleDefect};
 pub use page::{
-    Case, Choice, ChoiceKind, ChoiceOption, Edition, MotionChoice, MotionChoiceOption, Profile,
-    Rule, RuleOutcome, Setup, Source, sections,
+    Case, Choice, ChoiceKind, ChoiceOption, Edition, Grid, GridItem, GridList, GridLists,
+    MotionChoice, MotionChoiceOption, Profile, Rule, RuleOutcome, Setup, Source, sections,
 };
 pub use scenario::{applies, options_of, scenario_of};
 

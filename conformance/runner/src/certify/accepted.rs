@@ -4,11 +4,6 @@ use super::verdict::{Cause, Run, Verdict};
 use crate::expectations::ExpectationMismatch;
 use crate::waivers::Waived;
 
-/// Marks a divergence that the expectations list.
-pub const EXPECTATIONS: &str = "listed in the expectations";
-/// Marks a divergence that the baseline has.
-pub const BASELINE: &str = "as in the baseline";
-
 /// What accepts that a case could not be judged, by its rule, its name and the word of its verdict.
 pub type AcceptsUnjudged<'c> = dyn Fn(&str, &str, &str) -> Option<String> + 'c;
 

@@ -21,20 +21,23 @@ use gaugeblock_adapter::clock::now;
 use gaugeblock_compare::accuracy::is_hidden;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_compare::{ComparedKind, compare, state};
+use gaugeblock_compare::{Capabilities, ComparedKind, compare, state};
 use gaugeblock_suite::assertion::Claim;
-use gaugeblock_suite::{Case, Rule, Suite, applies, options_of, scenario_of};
+use gaugeblock_suite::{Assertion, Case, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::explain::{AlternativeOption, DivergenceContext};
 use crate::shard::Shard;
-pub use accepted::{AcceptsUnjudged, BASELINE, EXPECTATIONS, ListName};
+pub use accepted::{AcceptsUnjudged, ListName};
 pub use plan::Plan;
 pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
 pub use select::{cases, not_applicable, only_case};
-pub use verdict::{CaseResult, Cause, NotJudgedReason, RuleDivergence, Run, Traces, Verdict};
+pub use verdict::{
+    BASELINE, CaseResult, Cause, EXPECTATIONS, NotJudgedReason, RuleDivergence, Run, Traces,
+    Verdict,
+};
 
 /// How a plan is run.
 pub struct RunOptions<'a, 'c> {
@@ -284,6 +287,20 @@ impl CaseJudge<'_> {
         Verdict::of_divergence(RuleDivergence { explanation, ..divergence })
     }
 
+    /// Whether an assertion is for another option of a choice than the one in force: the options are not those of the
+    /// edition, and it does not hold on the model either. The whole outcome is compared all the same.
+    fn is_for_another_option(
+        &self,
+        claim: &Assertion,
+        expected: &Observed,
+        observables: &Capabilities,
+    ) -> bool {
+        let edition = self.suite.edition(self.edition);
+        let is_other =
+            edition.is_some_and(|edition| self.scenario.options != self.suite.options(edition));
+        is_other && matches!(judge(claim, expected, observables), Finding::Fails(_))
+    }
+
     /// Whether an assertion does not hold on the model under one other option.
     fn breaks(&self, option: &AlternativeOption<'_>, case: &Case, assertion: &str) -> bool {
         let found = Observed::of(&gaugeblock_reference::run(&option.applied_to(self.scenario)).0);
@@ -351,6 +368,10 @@ impl CaseJudge<'_> {
                 Finding::Masked(what) => {
                     result.compared.add(ComparedKind::UnjudgedAssertions, 1);
                     result.masked.insert(what);
+                }
+                Finding::Fails(_) if self.is_for_another_option(claim, &expected, &observables) => {
+                    result.compared.add(ComparedKind::UnjudgedAssertions, 1);
+                    result.masked.insert("an assertion for another option".to_owned());
                 }
                 Finding::Fails(what) => {
                     assertion.get_or_insert((claim.text.clone(), what));

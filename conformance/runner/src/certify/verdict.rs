@@ -114,6 +114,11 @@ impl fmt::Display for Verdict {
     }
 }
 
+/// Marks a divergence that the expectations list.
+pub const EXPECTATIONS: &str = "listed in the expectations";
+/// Marks a divergence that the baseline has.
+pub const BASELINE: &str = "as in the baseline";
+
 /// Why a selected case has no verdict.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotJudgedReason {

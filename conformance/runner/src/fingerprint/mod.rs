@@ -123,6 +123,18 @@ pub fn shown_open_options(
     });
     for choice in asked {
         let environment = edition.environment.as_deref();
+        let used = observe_choice(choice, options, environment, controller, false);
+        let is_settled = match &used {
+            ObservedOption::Option(option) => options.is(&choice.id, option),
+            ObservedOption::NotRun(_) => true,
+            ObservedOption::Nothing(_)
+            | ObservedOption::Several(_)
+            | ObservedOption::Refused(_) => false,
+        };
+        if is_settled {
+            continue;
+        }
+        // Another option has to be confirmed in a fresh session, as an earlier program may have left something.
         let observed = observe_choice(choice, options, environment, controller, true);
         let option = match observed {
             ObservedOption::Option(option)
@@ -323,8 +335,14 @@ pub struct Agreement {
 pub fn nearest(suite: &Suite, observed: &[(&Choice, ObservedOption)]) -> Vec<Agreement> {
     let agree = |edition: &Edition| {
         let options = suite.options(edition);
-        let agrees = |(choice, observed): &&(&Choice, ObservedOption)| matches!(observed, ObservedOption::Option(option) if options.is(&choice.id, option));
-        observed.iter().filter(agrees).count()
+        let agrees = |choice: &Choice, observed: &ObservedOption| match observed {
+            ObservedOption::Option(option) => options.is(&choice.id, option),
+            ObservedOption::Nothing(_)
+            | ObservedOption::Several(_)
+            | ObservedOption::Refused(_)
+            | ObservedOption::NotRun(_) => false,
+        };
+        observed.iter().filter(|(choice, observed)| agrees(choice, observed)).count()
     };
     let mut ranked: Vec<_> = suite
         .editions

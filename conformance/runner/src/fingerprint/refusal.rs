@@ -199,7 +199,13 @@ fn other_numbers(word: &str) -> Vec<String> {
     let near = number.map(|number| [-number, number + 1.0, number - 1.0]);
     let all = [1.0, 0.0, 2.0, 5.0].into_iter().chain(near.into_iter().flatten());
     let others = all.filter(|other| number.is_none_or(|number| (number - other).abs() > 1e-9));
-    others.map(|other| format!("{letter}{}", other + 0.0)).collect()
+    let mut words: Vec<String> = Vec::new();
+    for word in others.map(|other| format!("{letter}{}", other + 0.0)) {
+        if !words.contains(&word) {
+            words.push(word);
+        }
+    }
+    words
 }
 
 #[cfg(test)]

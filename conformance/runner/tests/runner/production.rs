@@ -69,6 +69,9 @@ fn it_passes_what_it_claims() {
 /// Pages of choices that can be told only where a quirk of another controller is shown.
 const UNDER_QUIRKS: &[&str] = &["threading.slide-end"];
 
+/// Options whose refusal has another kind on production. No document names it, and the block has no lawful neighbours.
+const REFUSED_IN_OTHER_WORDS: &[&str] = &["control.comment-after-o-word = refused"];
+
 #[test]
 fn it_does_what_each_option_says() {
     let suite = suite();
@@ -93,7 +96,12 @@ fn it_does_what_each_option_says() {
             if under.contains(&ObservedOption::Option(option.name.clone())) {
                 continue;
             }
-            wrong.push(format!("{} = {}: {under:?}", choice.id, option.name));
+            let name = format!("{} = {}", choice.id, option.name);
+            let is_refused = |shown: &ObservedOption| matches!(shown, ObservedOption::Refused(_));
+            if REFUSED_IN_OTHER_WORDS.contains(&name.as_str()) && under.iter().all(is_refused) {
+                continue;
+            }
+            wrong.push(format!("{name}: {under:?}"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -1,11 +1,15 @@
 //! The suite as it is built in: in its form, complete, and in agreement with the model.
 
 use std::collections::BTreeSet;
+use std::num::NonZero;
 
 use gaugeblock_controllers::Reference;
+use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, run_plan};
 use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
+use gaugeblock_runner::shard::Shard;
 use gaugeblock_runner::suite_check;
 use gaugeblock_suite::Suite;
+use gaugeblock_vocabulary::Options;
 
 fn suite() -> Suite {
     Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
@@ -56,4 +60,37 @@ fn at_least_as_many_cases_assert_a_refusal_as_do_not() {
         .partition(|case| case.assertions.iter().any(|text| text.contains("refused")));
     let (refused, accepted) = (refused.len(), accepted.len());
     assert!(refused >= accepted, "{refused} cases are refused, {accepted} are accepted");
+}
+
+/// Cases are written for the options of the documents' editions. Under another option of a choice that no document
+/// decides, they charge no rule.
+#[test]
+fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
+    let suite = suite();
+    for (edition, choice, option) in [
+        ("linuxcnc-2.9", "pause.pallet-codes", "table"),
+        ("linuxcnc-2.9", "units-planes.feed-over-unit-change", "kept"),
+        ("nct-99m", "nct.loops", "refused"),
+    ] {
+        let edition = suite.edition(edition).expect("the edition");
+        let choices = suite.choices.iter().find(|it| it.id == choice).expect(choice);
+        assert!(suite.is_open(choices) && !suite.options(edition).is(choice, option), "{choice}");
+        let options = Options([(choice.to_owned(), option.to_owned())].into());
+        let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+        let run_options = RunOptions {
+            shard: Shard::WHOLE,
+            options,
+            finished: Vec::new(),
+            repeat: RepeatSampling(0),
+            shrink_attempts: 0,
+            on_result: &mut |_| {},
+        };
+        let run = run_plan(plan, &Reference::default(), run_options);
+        let broken = run.cases.iter().filter(|case| case.verdict.own_divergence().is_some());
+        let broken: Vec<_> = broken.map(|case| (&case.rule.id, case.name)).collect();
+        assert!(broken.is_empty(), "{choice} = {option}: {broken:?}");
+        let spared =
+            |case: &&CaseResult<'_>| case.masked.contains("an assertion for another option");
+        assert!(run.cases.iter().filter(spared).count() > 0, "{choice} = {option}");
+    }
 }

@@ -29,7 +29,7 @@ fn a_hold_stops_within_what_braking_takes() {
     lawful(&judged_hold(&stopping(2000.0), 198, 300));
     broken(&judged_hold(&stopping(2000.0), 190, 300), Law::Hold);
     let message = broken(&judged_hold(&stopping(1700.0), 200, 300), Law::Hold);
-    assert!(message.contains("where 2.49999"), "{message}");
+    assert!(message.contains("where 2.5 mm suffice"), "{message}");
     broken(&judged_hold(&stopping(2000.0), 200, 400), Law::Hold);
 }
 
