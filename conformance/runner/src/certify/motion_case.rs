@@ -46,7 +46,8 @@ impl MotionRun<'_> {
         for feed_interval in feeds {
             let samples = match samples_of(runner.controller, scenario, case, *feed_interval) {
                 Ok(samples) => samples,
-                Err(no_samples) => {
+                Err(NoSamples::Unsupported(why)) => return Verdict::Unsupported(why),
+                Err(no_samples @ NoSamples::Failed(_)) => {
                     let refusal = self.refusal().map(|found| self.diverges(found));
                     return refusal.unwrap_or_else(|| verdict_without_samples(no_samples));
                 }
