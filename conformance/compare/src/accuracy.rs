@@ -1,8 +1,8 @@
 //! How exactly a controller reports numbers, and the largest error that it may declare.
 //!
 //! A declared error makes a comparison less strict. It is bounded, so that no declaration can buy a verdict, and the
-//! differences that it hides are masked: a value that differs by more than the table of tolerances, and by no more than the declared error,
-//! is neither a divergence nor a match.
+//! differences that it hides are masked: a value that differs by more than the table of tolerances, and by no more than
+//! the declared error, is neither a divergence nor a match.
 
 use std::fmt;
 

@@ -135,7 +135,7 @@ fn without_digits(word: &str) -> String {
     word.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
-/// `main.ngc:4` is `main.ngc`, and `line:4` is `line`. A name without a dot is no file.
+/// `main.ngc:4` is `main.ngc`, and `line:4` is `line`. A name without a dot is not a file.
 fn without_line_of_file(word: &str) -> String {
     match word.split_once(':') {
         Some((name, rest)) if name.contains('.') || name.eq_ignore_ascii_case("line") => {

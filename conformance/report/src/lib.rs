@@ -125,8 +125,8 @@ impl<'a> Report<'a> {
         reasons
     }
 
-    /// The exit status: 0 all that was judged is as documented or known, and what was not is accepted, 1 a divergence, a wrong expectation or a
-    /// claimed profile that it does not pass, 3 not finished, or nothing was judged at all.
+    /// The exit status: 0 all that was judged is as documented or known, and the rest is accepted; 1 a divergence, a
+    /// wrong expectation or a claimed profile that it does not pass; 3 not finished, or nothing was judged at all.
     pub fn exit_status(&self) -> u8 {
         let counts = self.counts();
         let wrong = match &self.mismatches {

@@ -143,7 +143,7 @@ impl Counts {
         self.not_judged() - self.not_judged_accepted
     }
 
-    /// Cases of which something is known: they pass, or they differ, known or not.
+    /// Judged cases: those that pass and those that differ, accepted or not.
     pub fn judged(self) -> usize {
         self.pass + self.side_difference + self.diverges + self.known + self.waived
     }

@@ -178,7 +178,7 @@ impl StoredVerdict {
         }
     }
 
-    /// What the controller does otherwise, known or not.
+    /// How the controller differs, accepted or not.
     pub fn divergence(&self) -> Option<&StoredDivergence> {
         match self {
             Self::Diverges(divergence) | Self::SideDifference(divergence) => Some(divergence),

@@ -56,6 +56,6 @@ mod tests {
         assert_eq!(comment(b"(a) g0 ; (b)"), Some(&b"a"[..]));
         assert!(acts(b" M S G, hi"));
         assert!(!acts(b"message"));
-        assert!(!acts(b"m\x0csg, a form feed is no blank"));
+        assert!(!acts(b"m\x0csg, a form feed is not a blank"));
     }
 }

@@ -185,11 +185,11 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
             Some(fingerprint_entries(suite, &options, environment, controller.as_ref()));
     }
     let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
-    let (mismatches, mended) = known.compare(&mut run, whole);
+    let (mismatches, fixed) = known.compare(&mut run, whole);
     let mut notes = controller.notes();
     notes.extend(undeclared);
     notes.extend(newer);
-    notes.extend(mended);
+    notes.extend(fixed);
     // Only a whole run can pass a profile.
     let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
     let profiles = profiles::profiles(suite, &run, claimed);

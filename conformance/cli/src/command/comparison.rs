@@ -121,8 +121,8 @@ impl ComparisonFiles {
             mismatches = Some(expectations.compare(run, whole));
         }
         if let Some(baseline) = &self.baseline {
-            let (new, mended) = baseline.compare(run);
-            (mismatches, notes) = (Some(new), mended);
+            let (new, fixed) = baseline.compare(run);
+            (mismatches, notes) = (Some(new), fixed);
         }
         let mut waived = Vec::new();
         if let Some((waivers, today)) = &self.waivers {
@@ -155,7 +155,7 @@ fn today() -> Day {
     Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }
 
-/// The expectations that a file has before it is written anew; none if there is no such file, or it is empty.
+/// The expectations in a file before it is overwritten; none if the file does not exist or is empty.
 pub(crate) fn earlier_expectations(path: Option<&Path>) -> Result<Option<Expectations>, CliError> {
     let has_text =
         |path: &&Path| path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0);

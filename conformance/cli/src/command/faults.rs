@@ -49,7 +49,7 @@ struct FaultResult<'a> {
     /// Options of open choices that the fault looks like, `choice = option`.
     looks_like: Vec<String>,
     /// The rule of each finding, the worst first.
-    charged: Vec<&'a str>,
+    attributed: Vec<&'a str>,
 }
 
 impl FaultResult<'_> {
@@ -60,7 +60,7 @@ impl FaultResult<'_> {
 
     /// What `certify` reports first: the rule of the first finding, or an open option that the fault looks like.
     fn first(&self) -> Option<&str> {
-        self.charged.first().copied().or_else(|| self.looks_like.first().map(String::as_str))
+        self.attributed.first().copied().or_else(|| self.looks_like.first().map(String::as_str))
     }
 
     /// Whether the first finding names a rule that the fault breaks, or the option that it looks like.
@@ -156,7 +156,7 @@ fn result_of<'a>(
     let findings =
         findings_by(coverage, suite, &run, &explains, &|divergence| divergence.summary());
     let named = findings.iter().filter_map(|finding| finding.rule);
-    let charged = named.map(|rule| rule.id.as_str()).collect();
+    let attributed = named.map(|rule| rule.id.as_str()).collect();
     let cases = run.cases.iter().filter(|case| case.verdict.divergence().is_some()).count();
     Some(FaultResult {
         fault,
@@ -164,7 +164,7 @@ fn result_of<'a>(
         cases,
         failing,
         looks_like: options.0.iter().map(|(id, option)| format!("{id} = {option}")).collect(),
-        charged,
+        attributed,
     })
 }
 
@@ -175,7 +175,7 @@ fn document(results: &[FaultResult<'_>]) -> serde_json::Value {
             json!({
                 "fault": result.fault.name(), "about": result.fault.about(), "cases": result.cases,
                 "broken": result.broken, "failing": result.failing, "looks_like": result.looks_like,
-                "charged": result.charged, "named_first": result.is_named_first(),
+                "attributed": result.attributed, "named_first": result.is_named_first(),
             })
         })
         .collect();
@@ -190,8 +190,8 @@ fn text(results: &[FaultResult<'_>]) -> String {
             None => format!("{} cases, no rule", result.cases),
             Some(first) => {
                 let mark = if result.is_named_first() { "" } else { " (another rule)" };
-                let looks_like = if result.charged.is_empty() { "looks like " } else { "" };
-                match result.charged.len() {
+                let looks_like = if result.attributed.is_empty() { "looks like " } else { "" };
+                match result.attributed.len() {
                     0 | 1 => format!("{looks_like}{first}{mark}"),
                     all => format!("{first}{mark} and {} more", all - 1),
                 }
@@ -202,9 +202,10 @@ fn text(results: &[FaultResult<'_>]) -> String {
     }
     let missed = results.iter().filter(|result| !result.is_caught()).count();
     let named = results.iter().filter(|result| result.is_named_first()).count();
-    let mut charged: Vec<_> = results.iter().map(|result| result.charged.len()).collect();
-    charged.sort_unstable();
-    let at = |percent: usize| charged.get(charged.len() * percent / 100).copied().unwrap_or(0);
+    let mut attributed: Vec<_> = results.iter().map(|result| result.attributed.len()).collect();
+    attributed.sort_unstable();
+    let at =
+        |percent: usize| attributed.get(attributed.len() * percent / 100).copied().unwrap_or(0);
     let _infallible = writeln!(
         text,
         "\n{} planted faults, {} caught, {missed} not; the first finding names a rule of the fault for {named}; \

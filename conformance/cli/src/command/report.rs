@@ -76,10 +76,10 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     cost_of(&arguments.reports)?.apply_to(&mut cases);
     let fingerprint = whole.fingerprint.clone();
     let mut run = Run { edition, cases, not_applicable: not_applicable(plan), fingerprint };
-    let (mismatches, mended) = known.compare(&mut run, header.only.is_empty());
+    let (mismatches, fixed) = known.compare(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {
-        notes: [whole.notes.clone(), newer, mended].concat(),
+        notes: [whole.notes.clone(), newer, fixed].concat(),
         profiles,
         mismatches,
         ..Report::of(suite, &run, header.clone())

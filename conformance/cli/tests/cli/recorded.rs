@@ -53,7 +53,7 @@ fn linuxcnc_rounds_corners_more_slowly_than_it_stops_at_them() {
     assert!(time("teeth-within") > time("teeth-stops"));
 }
 
-/// The status, what is printed and what is told on stderr of a call in the folder of the recordings.
+/// Runs a call in the folder of the recordings. Returns the exit status, standard output and standard error.
 fn called(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
         .current_dir(folder())
@@ -100,10 +100,10 @@ fn samples_of_another_period_are_of_another_machine() {
     let file = program("line.ngc", "g21 f600\ng1 x1\nm2\n");
     let samples =
         program("line.csv", "# gaugeblock samples 0 period=0.002 resolution=0\nx\n0\n1\n");
-    let (status, _, told) =
+    let (status, _, errors) =
         called(&["motion", "check", &samples, "--program", &file, "--machine", "mill.toml"]);
     assert_eq!(status, Some(2));
-    assert!(told.contains("a period of 0.002 s, the machine has one of 0.001 s"), "{told}");
+    assert!(errors.contains("a period of 0.002 s, the machine has one of 0.001 s"), "{errors}");
 }
 
 #[test]
@@ -114,8 +114,8 @@ fn device_without_an_end_is_refused() {
         &["plan", &file, "--machine", "/dev/zero"],
         &["motion", "check", "/dev/zero", "--program", &file, "--machine", "mill.toml"],
     ] {
-        let (status, _, told) = called(arguments);
+        let (status, _, errors) = called(arguments);
         assert_eq!(status, Some(2), "{arguments:?}");
-        assert!(told.contains("/dev/zero: no end after 67108864 bytes"), "{told}");
+        assert!(errors.contains("/dev/zero: no end after 67108864 bytes"), "{errors}");
     }
 }

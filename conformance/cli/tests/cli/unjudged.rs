@@ -68,7 +68,7 @@ fn case_that_could_not_be_judged_can_be_accepted() {
         assert_eq!(
             accepted["counts"]["crash"].as_u64(),
             count,
-            "{name}: an accepted crash is no pass"
+            "{name}: an accepted crash is not a pass"
         );
         assert_eq!(accepted["counts"]["not_judged_accepted"].as_u64(), count, "{name}");
         assert!(said.contains(source), "{name}: {said}");

@@ -1,4 +1,4 @@
-//! Whether a refusal shows the option of a choice, or has another reason.
+//! Whether a refusal is evidence of an option of a choice, or has another reason.
 //!
 //! A controller that does not have a word refuses each program with it. Such a refusal says nothing about a choice.
 //! It counts only with evidence:

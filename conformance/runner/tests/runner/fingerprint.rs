@@ -1,4 +1,4 @@
-//! Fingerprints: which refusals show an option, and which edition is the nearest.
+//! Fingerprints: which refusals are evidence of an option, and which edition is the nearest.
 
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;

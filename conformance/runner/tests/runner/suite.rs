@@ -63,7 +63,7 @@ fn at_least_as_many_cases_assert_a_refusal_as_do_not() {
 }
 
 /// Cases are written for the options of the documents' editions. Under another option of a choice that no document
-/// decides, they charge no rule.
+/// decides, no rule diverges by them.
 #[test]
 fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
     let suite = suite();
