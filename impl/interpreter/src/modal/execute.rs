@@ -138,6 +138,7 @@ impl Modal {
         }
         if let Some(code) = block.g(UNITS) {
             self.select_units(code);
+            self.read_feed_again(block);
         }
         if let Some(code) = block.g(LATHE) {
             self.select_lathe_mode(code);
@@ -179,11 +180,6 @@ impl Modal {
 
     /// Set feed rate mode, then the feed rate: the first phases.
     fn feed(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
-        if planted(PlantedFault::FeedAfterUnits)
-            && let Some(code) = block.g(UNITS)
-        {
-            self.select_units(code);
-        }
         if let Some(code) = block.g(FEED_MODE) {
             if code == 950 {
                 let which = self.selected(block, super::modes::FIRST)?;
@@ -200,6 +196,15 @@ impl Modal {
             return feed.map_or(Ok(()), |feed| checked_feed(feed).map(drop));
         }
         feed.map_or(Ok(()), |feed| self.set_feed(feed))
+    }
+
+    /// Reads F in the new unit of its block: a planted fault.
+    fn read_feed_again(&mut self, block: &Block<'_>) {
+        let reads_late = planted(PlantedFault::FeedAfterUnits)
+            && self.active.now().feed_mode != FeedMode::InverseTime;
+        if let Some(feed) = block.words.get(b'F').filter(|_| reads_late) {
+            self.active.set_feed_rate(feed);
+        }
     }
 
     /// A move under inverse time has its F in its block (11.5.59). Which mode is in force M72 of the same block may
