@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{Channel, Effect, End, Entry, Pin, Position, Settings
 use crate::Capabilities;
 use crate::accuracy::{Match, Quantity, Resolution, hidden};
 use crate::observe::{Observed, ObservedEffect, ObservedStep, end_of, is_in_place, value_of};
-use crate::{REFUSALS, end_text, pin_values, pins, rounded, tolerance};
+use crate::{REFUSALS, end_text, frame, pin_values, pins, rounded, tolerance};
 
 /// The result of an assertion.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +43,15 @@ pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) 
                 let begin = judge.begin(step);
                 judge.effects(effects, &run.effects[step.effects.clone()], begin, true)
             }
+            None => Finding::Fails(format!("block {place} was not executed")),
+        },
+        Claim::Unchanged(_, _) if !observables.blocks => Finding::Masked("blocks".to_owned()),
+        Claim::Unchanged(place, changed) => match judge.step(place) {
+            Some(step) => match frame::unchanged(run, step, changed, observables) {
+                Ok(None) => Finding::Holds,
+                Ok(Some(masked)) => Finding::Masked(masked),
+                Err(found) => Finding::Fails(found),
+            },
             None => Finding::Fails(format!("block {place} was not executed")),
         },
         Claim::Effects(effects) => {

@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod alignment;
 mod capabilities;
 pub mod differences;
+mod frame;
 pub mod judge;
 pub mod observe;
 pub mod pins;

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{
     Effect, End, Event, LengthUnit, Outcome, Position, Rs274State, Scenario, Settings, State,
 };
 
+use crate::judge::{Finding, judge};
 use crate::observe::Observed;
 use crate::{Capabilities, Comparison, compare};
 
@@ -156,4 +157,34 @@ fn refusal_is_masked_for_a_controller_that_never_refuses() {
     assert!(compared("g0 x1\ng999\nm2\n", &everything(), goes_on).divergence.is_some());
     let refuses = |found: &mut Outcome| found.end = run(&Scenario::of("g999\n")).0.end;
     assert!(compared("g0 x1\nm2\n", &never, refuses).divergence.is_some());
+}
+
+#[test]
+fn frame_fails_by_a_field_that_changes_and_is_not_named() {
+    let scenario = Scenario::of("g21 m8\n#31=1\ng20 g91 #31=2\nm2\n");
+    let run = Observed::of(&run(&scenario).0);
+    let judged = |text: &str, observables: &Capabilities| {
+        judge(&text.parse().expect("an assertion"), &run, observables)
+    };
+    let fails = |text: &str| match judged(text, &everything()) {
+        Finding::Fails(found) => found,
+        other => panic!("{text}: {other:?}"),
+    };
+    assert_eq!(judged("unchanged at 3 but units, distance, #31", &everything()), Finding::Holds);
+    assert_eq!(
+        fails("unchanged at 3 but units, #31"),
+        "distance = incremental; before the block it was absolute"
+    );
+    assert_eq!(
+        fails("unchanged at 3 but units, distance"),
+        "parameter[31] = 2; before the block it was 1"
+    );
+    // A parameter that no block has set before was zero.
+    assert_eq!(fails("unchanged at 2"), "parameter[31] = 1");
+    assert_eq!(fails("unchanged at 9"), "block 9 was not executed");
+
+    let mut partial = everything();
+    partial.fields.remove("flood");
+    let hidden = judged("unchanged at 3 but units, distance, #31", &partial);
+    assert_eq!(hidden, Finding::Masked("flood".to_owned()));
 }

@@ -41,6 +41,22 @@ pub struct Expected {
     pub value: String,
 }
 
+/// A field that a block may change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Field name.
+    pub name: String,
+    /// Index; all of them when not written.
+    pub index: Option<String>,
+}
+
+impl Field {
+    /// Whether it is this field.
+    pub fn covers(&self, name: &str, index: Option<&str>) -> bool {
+        self.name == name && (self.index.is_none() || self.index.as_deref() == index)
+    }
+}
+
 /// What must be observed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Claim {
@@ -60,6 +76,8 @@ pub enum Claim {
     AtEffect(String, u32, Vec<Expected>),
     /// The effects of a block.
     EffectsAt(Place, Vec<Effect>),
+    /// A block changes no other fields than these.
+    Unchanged(Place, Vec<Field>),
     /// The effects of the whole run, without messages and the program's end.
     Effects(Vec<Effect>),
     /// How many effects of a name.
@@ -130,6 +148,15 @@ fn claim(text: &str) -> Result<Claim, String> {
             let (name, count) = what.split_once('@').unwrap_or((what, "1"));
             let count = count.parse().map_err(|_| format!("not a count: {count}"))?;
             Ok(Claim::AtEffect(effect_name(name)?, count, fields_of(fields)?))
+        }
+        "unchanged" => {
+            let rest = rest.strip_prefix("at ").ok_or("`unchanged at LINE but FIELD, FIELD`")?;
+            let (place, fields) = match rest.split_once(" but ") {
+                Some((place, fields)) => (place, split(fields, ',')),
+                None => (rest, Vec::new()),
+            };
+            let fields = fields.into_iter().map(changed_field).collect::<Result<_, _>>()?;
+            Ok(Claim::Unchanged(place_of(place)?, fields))
         }
         "effects:" => Ok(Claim::Effects(effects(rest)?)),
         "effects" => {
@@ -222,17 +249,32 @@ fn fields_of(text: &str) -> Result<Vec<Expected>, String> {
     split(text, ',').into_iter().map(field_of).collect()
 }
 
-fn field_of(text: &str) -> Result<Expected, String> {
-    let (name, value) = text.split_once('=').ok_or(format!("`field = value`, not `{text}`"))?;
-    let (name, value) = (name.trim(), value.trim());
-    let (field, index) = if let Some(parameter) = name.strip_prefix('#') {
+fn changed_field(text: &str) -> Result<Field, String> {
+    let (name, index) = name_and_index(text);
+    let of_state = [Rs274State::FIELDS, GppState::FIELDS, NctState::FIELDS].concat();
+    if Settings::FIELDS.contains(&name.as_str()) || of_state.contains(&name.as_str()) {
+        Ok(Field { name, index })
+    } else {
+        Err(format!("there is no field named {name}"))
+    }
+}
+
+/// The parts of a name such as `spindle[0]` or `#31`.
+fn name_and_index(name: &str) -> (String, Option<String>) {
+    if let Some(parameter) = name.strip_prefix('#') {
         let inner = parameter.strip_prefix('<').and_then(|rest| rest.strip_suffix('>'));
         ("parameter".to_owned(), Some(inner.unwrap_or(parameter).to_owned()))
     } else if let Some((field, index)) = name.split_once('[') {
         (field.to_owned(), Some(index.trim_end_matches(']').to_owned()))
     } else {
         (name.to_owned(), None)
-    };
+    }
+}
+
+fn field_of(text: &str) -> Result<Expected, String> {
+    let (name, value) = text.split_once('=').ok_or(format!("`field = value`, not `{text}`"))?;
+    let (name, value) = (name.trim(), value.trim());
+    let (field, index) = name_and_index(name);
     let expected = Expected { field, index, value: value.to_owned() };
     expected.check().map_err(|error| format!("{name}: {}", error.message))?;
     Ok(expected)
@@ -328,6 +370,8 @@ mod tests {
             "at straight_feed@2 feed_rate = 100",
             "effects at 4: straight_feed end=(x1 y2); dwell seconds=2",
             "effects: none",
+            "unchanged at 4",
+            "unchanged at cave.ngc:4@2 but feed_rate, spindle[0], position, #31",
             "count straight_feed = 3",
             "messages: a=1 | b=2",
             "output: \"N10 X1\\n\"",
@@ -360,6 +404,9 @@ mod tests {
             "after 3 feed_rate = NaN",
             "at end position = (x1 yinf)",
             "effects: dwell seconds=inf",
+            "unchanged",
+            "unchanged at x",
+            "unchanged at 4 but feed",
             "pin analog_out[0]: 1, NaN",
             "kind odd",
             "pin digital_out[0]",
