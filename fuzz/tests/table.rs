@@ -1,6 +1,6 @@
 //! The generator does not idle: most programs are accepted, every statement can be, and every kind is common.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_fuzz::generate::{
     Entropy, GeneratorConfig, StatementKind, TABLE, from_seed, scenario_and_kinds,
@@ -16,6 +16,18 @@ const KIND_PROGRAMS: u32 = 4_000;
 
 /// Percentage of programs in which each kind of statement is at least.
 const LEAST_KIND_PERCENT: u32 = 10;
+
+/// Percentage of the programs of its kind that have a code at least.
+const LEAST_CODE_PERCENT: f64 = 5.0;
+
+/// Every code that the documents describe, but those that no document describes far enough (G87, G88), the turning
+/// cycles, which are unsupported, and user-defined codes, whose files are drawn.
+const DOCUMENTED: &str = "
+g0 g1 g2 g3 g4 g5 g5.1 g5.2 g5.3 g7 g8 g10 g17 g17.1 g18 g18.1 g19 g19.1 g20 g21 g28 g28.1 g30 g30.1 g33 g33.1 g38.2
+g38.3 g38.4 g38.5 g40 g41 g41.1 g42 g42.1 g43 g43.1 g43.2 g49 g52 g53 g54 g55 g56 g57 g58 g59 g59.1 g59.2 g59.3 g61
+g61.1 g64 g73 g74 g76 g80 g81 g82 g83 g84 g85 g86 g89 g90 g90.1 g91 g91.1 g92 g92.1 g92.2 g92.3 g93 g94 g95 g96 g97
+g98 g99 m0 m1 m2 m3 m4 m5 m6 m7 m8 m9 m19 m30 m48 m49 m50 m51 m52 m53 m60 m61 m62 m63 m64 m65 m66 m67 m68 m70 m71
+m72 m73 m98 m99";
 
 /// The same for kinds that end a run as unsupported.
 const LEAST_UNSUPPORTED_PERCENT: u32 = 1;
@@ -115,5 +127,52 @@ fn every_kind_is_in_a_share_of_programs() {
             programs * 100 >= least * KIND_PROGRAMS,
             "{kind:?}: {programs} of {KIND_PROGRAMS} programs"
         );
+    }
+}
+
+/// Codes that a program has, such as `g38.2`, by what is written.
+fn codes(program: &str) -> BTreeSet<String> {
+    let mut codes = BTreeSet::new();
+    for line in program.lines() {
+        let line = line.to_ascii_lowercase();
+        let bytes = line.as_bytes();
+        for (start, letter) in line.char_indices().filter(|(_, letter)| matches!(letter, 'g' | 'm'))
+        {
+            let is_word = start == 0 || !bytes[start - 1].is_ascii_alphanumeric();
+            let number: String =
+                line[start + 1..].chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect();
+            if is_word && !number.is_empty() {
+                codes.insert(format!("{letter}{number}"));
+            }
+        }
+    }
+    codes
+}
+
+/// A code that few programs of its kind have is hardly tested. Its kind is the one in whose programs it is most common.
+#[test]
+fn every_code_is_in_a_share_of_the_programs_of_its_kind() {
+    let config = GeneratorConfig::default();
+    let mut programs_with: BTreeMap<StatementKind, u32> = BTreeMap::new();
+    let mut with_code: BTreeMap<(String, StatementKind), u32> = BTreeMap::new();
+    for number in 0..KIND_PROGRAMS {
+        let mut entropy = Entropy::from_seed(1, u64::from(number));
+        let (scenario, kinds) = scenario_and_kinds(&mut entropy, &config);
+        let codes = codes(&scenario.program.main);
+        for kind in kinds {
+            *programs_with.entry(kind).or_default() += 1;
+            for code in &codes {
+                *with_code.entry((code.clone(), kind)).or_default() += 1;
+            }
+        }
+    }
+    let share = |code: &str, kind: StatementKind| {
+        let found = with_code.get(&(code.to_owned(), kind)).copied().unwrap_or_default();
+        f64::from(found) * 100.0 / f64::from(programs_with.get(&kind).copied().unwrap_or(1))
+    };
+    for code in DOCUMENTED.split_whitespace() {
+        let best = StatementKind::ALL.iter().map(|kind| (share(code, *kind), *kind));
+        let (most, kind) = best.max_by(|one, other| one.0.total_cmp(&other.0)).expect("a kind");
+        assert!(most >= LEAST_CODE_PERCENT, "{code}: {most:.1} % of the programs of {kind:?}");
     }
 }

@@ -51,7 +51,7 @@ const EXAMPLES: &str = "Examples:
       compare under the controller's options, so that known differences do not hide new ones
 
 Exit status: 0 no divergence; 1 divergences; 2 wrong call or input;
-3 a program could not be judged, or none was.";
+3 a program could not be judged, or too little was compared.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -106,6 +106,9 @@ pub(crate) struct Arguments {
     /// Attempts to minimise each divergence; 0 keeps the generated programs
     #[arg(long, value_name = "N", default_value_t = 2000)]
     shrink: u32,
+    /// Percentage of the blocks that must be compared for exit status 0
+    #[arg(long, value_name = "PERCENT", default_value_t = 10, value_parser = clap::value_parser!(u32).range(0..=100))]
+    min_compared: u32,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -185,6 +188,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         not_shown: &not_shown,
         not_judged: &so_far.not_judged,
         seconds,
+        least_compared: arguments.min_compared,
     };
     if let Some(folder) = &arguments.report {
         report.write(folder)?;

@@ -34,18 +34,27 @@ pub(crate) struct Report<'a> {
     /// The first programs that could not be judged, by their number.
     pub(crate) not_judged: &'a BTreeMap<u64, NotJudged>,
     pub(crate) seconds: f64,
+    /// Percentage of blocks that must be compared for a success.
+    pub(crate) least_compared: u32,
 }
 
 impl Report<'_> {
-    /// 0 nothing, 1 divergences, 3 not everything was judged, or nothing was compared.
+    /// 0 nothing, 1 divergences, 3 not everything was judged, or too little was compared.
     pub(crate) fn exit_status(&self) -> u8 {
         if !self.findings.is_empty() {
             1
-        } else if !self.statistics.not_judged.is_empty() || self.statistics.compared == 0 {
+        } else if !self.statistics.not_judged.is_empty() || self.compares_too_little() {
             3
         } else {
             0
         }
+    }
+
+    /// Whether so few blocks were compared that the run says little about the controller.
+    fn compares_too_little(&self) -> bool {
+        let Statistics { compared, blocks, blocks_compared, .. } = *self.statistics;
+        let least = u64::from(self.least_compared);
+        compared == 0 || blocks_compared.saturating_mul(100) < blocks.saturating_mul(least)
     }
 
     pub(crate) fn json(&self) -> serde_json::Value {
@@ -179,9 +188,15 @@ impl Report<'_> {
     }
 
     fn new_findings(&self) -> String {
-        let Statistics { diverging, compared, not_judged, .. } = self.statistics;
+        let Statistics { diverging, compared, not_judged, blocks, blocks_compared, .. } =
+            self.statistics;
         match (self.findings.len(), compared) {
             (0, 0) => "nothing was compared".to_owned(),
+            (0, _) if self.compares_too_little() => format!(
+                "no divergence, but too little was compared: {} of blocks; expected at least {} % (`--min-compared`)",
+                percent(*blocks_compared, *blocks),
+                self.least_compared
+            ),
             (0, _) if !not_judged.is_empty() => {
                 "no divergence, but not everything was judged".to_owned()
             }

@@ -83,3 +83,14 @@ fn help_has_examples() {
         assert!(text.contains("Examples:") && text.contains("Exit status:"), "{text}");
     }
 }
+
+#[test]
+fn run_that_compares_too_little_is_no_success() {
+    // Some programs of any sample move under cutter compensation, which is unsupported.
+    let call = ["fuzz", "--programs", "640", "--spliced", "0"];
+    assert_eq!(gaugeblock(&call).status.code(), Some(0));
+    let output = gaugeblock(&[&call[..], &["--min-compared", "100"]].concat());
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(3), "{text}");
+    assert!(text.contains("too little was compared") && text.contains("at least 100 %"), "{text}");
+}

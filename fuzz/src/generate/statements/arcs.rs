@@ -63,6 +63,40 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             w.state.moving = false;
         },
     ),
+    Statement::when(
+        "arc.plane",
+        StatementKind::Arc,
+        5,
+        |s| s.feed && s.per_minute && s.xy_plane && s.has_xy(),
+        |w| {
+            let (plane, end, centre) =
+                *w.entropy.pick(&[("g18", "x2 z0", "i1 k0"), ("g19", "y2 z0", "j1 k0")]);
+            let code = *w.entropy.pick(&["g2", "g3"]);
+            let third = *w.entropy.pick(&["", " p2"]);
+            // The centre is the same, from the start or absolute.
+            let distance = *w.entropy.pick(&["g90.1", "g91.1"]);
+            w.block(format!("{plane} g90 {distance} g0 x0 y0 z0"));
+            w.block(format!("{code} {end} {centre}{third}"));
+            w.block("g17");
+            w.state.moving = false;
+        },
+    ),
+    Statement::when(
+        "spline.nurbs",
+        StatementKind::Spline,
+        8,
+        |s| s.feed && s.per_minute && s.xy_plane && s.has_xy(),
+        |w| {
+            w.block("g17 g90 g0 x0 y0");
+            let order = *w.entropy.pick(&["", " l2", " l3"]);
+            let weight = *w.entropy.pick(&["1", "2", "0.5"]);
+            w.block(format!("g5.2 p1{order} x0 y1"));
+            w.block(format!("x2 y2 p{weight}"));
+            w.block("x2 y0 p1");
+            w.block("g5.3");
+            w.state.moving = false;
+        },
+    ),
     Statement::when("polar", StatementKind::Polar, 8, State::has_xy, |w| {
         let (distance, angle) = (w.within(1, 20), w.within(0, 359));
         w.block("g17 g90 g0 x1 y1");

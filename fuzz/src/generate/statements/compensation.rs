@@ -24,8 +24,14 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         |w| {
             // Without a move in between there is no path to compensate.
             w.block("g17 g40");
-            w.block("g41.1 d2");
             let tools = w.state.tools.clone();
+            let of_tool = w.entropy.chance(30) && !tools.is_empty();
+            let code = if of_tool {
+                format!("{} d{}", w.entropy.pick(&["g41", "g42"]), w.entropy.pick(&tools))
+            } else {
+                (*w.entropy.pick(&["g41.1 d2", "g42.1 d1"])).to_owned()
+            };
+            w.block(code);
             let tool = if tools.is_empty() { 0 } else { *w.entropy.pick(&tools) };
             let words = match w.entropy.below(24) {
                 0 => "m66 p0".to_owned(),

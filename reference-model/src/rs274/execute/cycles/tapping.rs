@@ -4,9 +4,10 @@ use gaugeblock_vocabulary::{FaultKind, SpindleTurn, Switch};
 
 use super::cycle::{Cycle, Kind, turn_spindle};
 use crate::ids::{Rule, choice, rule};
+use crate::rs274::order::Phase;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::task::Record;
+use crate::rs274::task::{Record, update_pins};
 
 /// Choice cycles.tap-direction: whether the spindle must turn as the thread is cut.
 pub(super) fn check_direction(
@@ -37,6 +38,8 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let feed_override = state.modes.feed_override;
     state.modes.feed_override = Switch::Off;
     state.modes.spindles[place].speed_override = Switch::Off;
+    // Also where the bottom is where the controlled point is, and no move shows it.
+    update_pins(state, Some(Phase::Motion));
     state.dialect().feed_tap(normal, cycle.bottom, state, record);
     let out = if cycle.kind == Kind::TapRight {
         SpindleTurn::Counterclockwise

@@ -170,9 +170,9 @@ pub(crate) trait ThreadRules {
         Ok(())
     }
 
-    /// Which way along Z something of this length leads.
+    /// Which way along Z something of this length leads: the sign of a zero makes no difference.
     fn thread_direction(&self, way: f64, _state: &State) -> f64 {
-        way.signum()
+        if way < 0.0 { -1.0 } else { 1.0 }
     }
 
     /// How far outside of the drive line a pass begins and ends: on it.
