@@ -65,7 +65,7 @@ fn a_controller_gets_the_same_verdicts_through_the_protocol() {
 
 #[test]
 fn verdicts_do_not_depend_on_transport() {
-    let only: Vec<&str> = ["saved-state", "trajectory", "subroutines", "abort", "pause", "tool"]
+    let only: Vec<&str> = ["coolant", "trajectory", "subroutines", "abort", "pause", "orient"]
         .iter()
         .flat_map(|chapter| ["--only", chapter])
         .collect();

@@ -196,7 +196,7 @@ fn a_move_left_out_is_found() {
 #[test]
 fn repeated_setting_is_not_a_difference() {
     let suite = suite();
-    let only = ["feed".to_owned()];
+    let only = ["saved-state".to_owned()];
     let wordy = faulty(|mut outcome| {
         for step in &mut outcome.steps {
             step.events = step.events.drain(..).flat_map(|event| [event.clone(), event]).collect();
@@ -338,7 +338,7 @@ fn expectations_are_strict() {
 #[test]
 fn the_page_has_what_a_controller_says_as_text() {
     let suite = suite();
-    let only = ["saved-state".to_owned()];
+    let only = ["overrides".to_owned()];
     let evil = "<script>alert(1)</script>\"' onload=x";
     let controller = faulty(|mut outcome| {
         outcome.steps.truncate(1);
@@ -386,7 +386,7 @@ fn the_page_of_a_controller_without_fault_says_so() {
 #[test]
 fn baseline_fails_only_new_and_changed_results() {
     let suite = suite();
-    let only = ["saved-state".to_owned()];
+    let only = ["coolant".to_owned()];
     let (silent, whole) = (faulty(silent), Reference::default());
     let stored = |controller: &dyn Adapter| {
         let run = run(&suite, controller, &only, 2);
@@ -425,7 +425,7 @@ fn baseline_fails_only_new_and_changed_results() {
 #[test]
 fn waiver_needs_owner_reason_and_day() {
     let suite = suite();
-    let only = ["saved-state".to_owned()];
+    let only = ["coolant".to_owned()];
     let (before, after) =
         (run(&suite, &Reference::default(), &only, 2), run(&suite, &faulty(silent), &only, 2));
     let diverges = |result: &&CaseResult<'_>| matches!(result.verdict, Verdict::Diverges(_));
@@ -450,7 +450,7 @@ fn waiver_needs_owner_reason_and_day() {
     );
     let (left, _) = hold(waiver(&rule, "2027-01-01"), &before);
     assert!(left[0].to_string().contains("nothing to waive"), "{}", left[0]);
-    let elsewhere = hold(waiver("coolant.off", "2027-01-01"), &before);
+    let elsewhere = hold(waiver("dwell.negative-time", "2027-01-01"), &before);
     assert_eq!(elsewhere, (Vec::new(), Vec::new()), "nobody has asked for that rule");
     // What is not judged any more does not depart: nobody can answer for it.
     let without = run(&suite, &faulty(without), &only, 2);

@@ -37,7 +37,7 @@ pub(crate) enum BlockMotion {
     Moves,
     /// A spline leads the stub to X0 Y0 of the program, wherever the spline ends.
     Spline,
-    /// After a spline of three control points, X and Y of the stub are not numbers.
+    /// After a spline of three control points, X and Y of the stub may not be numbers.
     NoPoint,
 }
 
@@ -95,8 +95,9 @@ fn stands_at(point: Position, state: &State) -> Stands {
 /// the programmed point, along the linear axes, toward its position before the move.
 ///
 /// # Errors
-/// The move has no length, and the position of the stub after a spline is known except for a rounding error: the
-/// direction of the retraction is unknown.
+/// The direction of the retraction is unknown: the move has no length, and the position of the stub after a spline is
+/// known except for a rounding error. Or the spline has three points: whether the stub follows it depends on what the
+/// program has executed before.
 pub(crate) fn after_probing(
     programmed: Position,
     stops_at: Position,
@@ -106,7 +107,8 @@ pub(crate) fn after_probing(
         return Ok(stops_at);
     }
     if state.environment.stub.lost {
-        return Ok(programmed);
+        let why = "where a machine's stub retracts after a spline of three points";
+        return Err(StepError::Unspecified(why.to_owned()));
     }
     let from = coordinates(state);
     let linear = [Axis::X, Axis::Y, Axis::Z];
