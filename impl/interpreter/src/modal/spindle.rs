@@ -28,7 +28,10 @@ impl Modal {
         without: Spindles,
     ) -> Result<Spindles, Refusal> {
         let Some(dollar) = block.words.dollar else { return Ok(without) };
-        let number = integer(dollar, "$")?;
+        // As an integer of any size: one beyond 32 bits is no other spindle.
+        let Some(number) = math::near_integer(dollar) else {
+            return refuse(FaultKind::NotAnInteger, "$ is not an integer");
+        };
         match u32::try_from(number) {
             Ok(number) if number < self.spindles => Ok(FIRST.wrapping_shl(number)),
             _ => refuse(FaultKind::SpindleOutOfRange, "the machine has no spindle of this number"),
