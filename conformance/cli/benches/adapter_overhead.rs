@@ -23,7 +23,7 @@ use gaugeblock_adapter::protocol::{Answer, Operation, Reply, Request, RunModes};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Production;
-use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_runner::certify::{Plan, Scope, certify};
 use gaugeblock_suite::{Edition, Suite, scenario_of};
 use gaugeblock_vocabulary::{Language, Outcome, Scenario};
 use mimalloc::MiMalloc;
@@ -91,7 +91,7 @@ fn main() -> Result<()> {
     println!("a bare round trip after each case of a campaign: {:.1}", with_trip - alone_within);
 
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
-    let plan = Plan { suite: &suite, edition, only: &[], jobs };
+    let plan = Plan { suite: &suite, edition, only: &[], jobs, scope: Scope::Full };
     let within = time(|| Ok(certify(plan, &production, &|| ()).cases.len()))?;
     let outside = time(|| Ok(certify(plan, &external, &|| ()).cases.len()))?;
     println!(
@@ -112,7 +112,8 @@ fn campaigns(
     let suite = Suite::read(&gaugeblock_embedded_suite::files().map_err(Error::other)?);
     let mut suite = suite.map_err(|errors| Error::other(errors.join("\n")))?;
     suite.rules.iter_mut().for_each(|rule| rule.motion.clear());
-    let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+    let plan =
+        Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let mut minimum = MinimumTimes::of(with_trips.bytes.len());
     for _ in 0..CAMPAIGNS {
         // A case that is not supported is not run: it costs the same both ways.

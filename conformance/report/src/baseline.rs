@@ -10,17 +10,24 @@ use super::merge::Stored;
 use super::stored::StoredVerdict;
 
 impl Stored {
-    /// Checks that the report is of the same controller and edition. Returns a note for another version, and for
+    /// Checks that the report is of the same controller, edition and scope. Returns a note for another version, and for
     /// another accuracy.
     ///
     /// # Errors
-    /// It is of another controller or edition, with both names.
+    /// It is of another controller, edition or scope, with both.
     pub fn check_header(&self, now: &Header) -> Result<Vec<String>, String> {
-        let Header { controller, version, edition, accuracy, .. } = &self.header;
+        let Header { controller, version, edition, scope, accuracy, .. } = &self.header;
         if (controller, edition) != (&now.controller, &now.edition) {
             return Err(format!(
                 "this baseline is of {controller} against {edition}, not of {} against {}",
                 now.controller, now.edition
+            ));
+        }
+        if *scope != now.scope {
+            return Err(format!(
+                "the scope of this baseline is {:?}, that of this run is {:?}",
+                scope.words(),
+                now.scope.words()
             ));
         }
         let mut notes = Vec::new();

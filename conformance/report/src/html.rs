@@ -5,7 +5,7 @@
 use std::cmp::Reverse;
 use std::time::Duration;
 
-use gaugeblock_runner::certify::CaseResult;
+use gaugeblock_runner::certify::{CaseResult, Scope};
 use gaugeblock_suite::sections;
 use minijinja::Environment;
 use minijinja::value::Serde;
@@ -40,7 +40,8 @@ pub fn html(report: &Report<'_>) -> Result<String, String> {
 struct Page<'a> {
     controller: &'a str,
     version: &'a str,
-    edition: &'a str,
+    edition: String,
+    scope: Option<&'static str>,
     sentence: &'a str,
     says: &'static str,
     status: &'static str,
@@ -82,7 +83,8 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
     Page {
         controller: &header.controller,
         version: &header.version,
-        edition: &header.edition,
+        edition: report.edition_and_scope(),
+        scope: header.scope.note(),
         sentence: &report.run.edition.sentence,
         says,
         status,
@@ -201,6 +203,9 @@ struct Slow<'a> {
 pub(super) fn says(report: &Report<'_>) -> (&'static str, &'static str) {
     match report.exit_status() {
         0 if report.mismatches.is_some() => ("pass", "All differences are known."),
+        0 if report.header.scope == Scope::AssertionsOnly => {
+            ("pass", "Every judged assertion holds. Nothing else was compared.")
+        }
         0 => ("pass", "It does what the documents say in every judged case."),
         1 => ("diverges", "It diverges from its documents."),
         _ if report.counts().judged() == 0 => {
@@ -353,8 +358,9 @@ fn in_words(time: Duration) -> String {
 fn basis(report: &Report<'_>) -> String {
     let mut all = gaugeblock_compare::Tally::default();
     report.run.cases.iter().for_each(|result| all.extend(&result.compared));
-    format!(
-        "{} values were compared: assertions, and everything else that the controller reports.",
-        all.total()
-    )
+    let what = match report.header.scope {
+        Scope::Full => "assertions, and everything else that the controller reports",
+        Scope::AssertionsOnly => "assertions only; the outcomes were not compared with the model",
+    };
+    format!("{} values were compared: {what}.", all.total())
 }

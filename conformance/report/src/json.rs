@@ -1,6 +1,7 @@
 //! The report as one JSON document.
 
 use gaugeblock_compare::{Accuracy, Tally};
+use gaugeblock_runner::certify::Scope;
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::{Divergent, Finding, FindingCause, Severity};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
@@ -37,6 +38,8 @@ pub struct Document {
     pub edition: String,
     /// Options that the controller declares to read the documents by.
     pub options: Options,
+    /// What the verdicts look at: the whole outcome, or only the assertions of the cases.
+    pub scope: Scope,
     /// How exactly the controller reports numbers, by its own declaration.
     pub accuracy: Accuracy,
     /// Digest of the suite.
@@ -203,6 +206,7 @@ pub fn document(report: &Report<'_>) -> Document {
         notes: report.notes.clone(),
         edition: header.edition,
         options: header.options,
+        scope: header.scope,
         accuracy: header.accuracy,
         suite: header.suite,
         gaugeblock_version: header.gaugeblock_version,

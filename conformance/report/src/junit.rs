@@ -15,7 +15,7 @@ use super::{Report, escape_line, escape_text};
 /// A text that XML cannot hold.
 pub fn junit(report: &Report<'_>) -> Result<String, String> {
     let controller = escape_line(&report.header.controller);
-    let name = format!("{controller} against {}", report.run.edition.id);
+    let name = format!("{controller} against {}", report.edition_and_scope());
     let mut document = quick_junit::Report::new(name);
     let mut chapters: BTreeMap<&str, TestSuite> = BTreeMap::new();
     for result in &report.run.cases {

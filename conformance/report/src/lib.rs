@@ -65,6 +65,13 @@ impl<'a> Report<'a> {
         }
     }
 
+    /// The edition, with the scope of the verdicts unless it is the full one.
+    pub fn edition_and_scope(&self) -> String {
+        let edition = &self.run.edition.id;
+        let scope = self.header.scope.note();
+        scope.map_or_else(|| edition.clone(), |scope| format!("{edition}, {scope}"))
+    }
+
     /// Counts over all cases.
     pub fn counts(&self) -> Counts {
         let mut counts = Counts::default();

@@ -69,7 +69,7 @@ fn head(report: &Report<'_>) -> String {
         "## {says}\n\n{} {} against {}: {}\n\n|{names}\n|{rule}\n|{numbers}\n{in_part}",
         code(&header.controller),
         code(&header.version),
-        code(&header.edition),
+        code(&report.edition_and_scope()),
         plain(&report.run.edition.sentence),
     )
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use gaugeblock_compare::{ComparedKind, Tally};
+use gaugeblock_runner::certify::Scope;
 use gaugeblock_suite::ledger::{Item, Ledger, Section};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -29,6 +30,8 @@ struct Written {
     controller: String,
     version: String,
     edition: String,
+    #[serde(default)]
+    scope: Scope,
     rules: Vec<WrittenRule>,
 }
 
@@ -58,6 +61,11 @@ impl Judged {
     /// The text is not such a report. The caller writes the name of the file before the message.
     pub fn read(text: &str) -> Result<Self, String> {
         let written: Written = read(text)?;
+        if let Some(scope) = written.scope.note() {
+            return Err(format!(
+                "has the scope {scope:?}; expected a report without --assertions-only"
+            ));
+        }
         let rules = written.rules.into_iter();
         Ok(Self {
             controller: format!("{} {}", written.controller, written.version),

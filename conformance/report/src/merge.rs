@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::Accuracy;
-use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling};
+use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, Scope};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
@@ -52,6 +52,9 @@ pub struct Header {
     pub edition: String,
     /// Options that the controller reads the documents by.
     pub options: Options,
+    /// What the verdicts look at; `full` in reports that do not say it.
+    #[serde(default)]
+    pub scope: Scope,
     /// How exactly the controller reports numbers, by its own declaration.
     pub accuracy: Accuracy,
     /// Digest of the suite.
@@ -77,6 +80,7 @@ impl Header {
             version: observables.version.clone(),
             edition: plan.edition.id.clone(),
             options: controller.options(),
+            scope: plan.scope,
             accuracy: observables.accuracy(),
             suite: plan.suite.digest.clone(),
             gaugeblock_version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -175,6 +179,7 @@ fn first_mismatch(a: &Stored, b: &Stored) -> String {
         of("controller", &first.controller, &second.controller),
         of("version", &first.version, &second.version),
         of("edition", &first.edition, &second.edition),
+        of("scope", first.scope.words(), second.scope.words()),
         of("accuracy", &first.accuracy.to_string(), &second.accuracy.to_string()),
         of("suite", &first.suite, &second.suite),
         of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),

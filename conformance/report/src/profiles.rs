@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_runner::certify::Run;
+use gaugeblock_runner::certify::{Run, Scope};
 use gaugeblock_suite::{Case, Edition, Profile, Rule, Suite};
 
 use super::rule::{RuleVerdict, verdicts};
@@ -45,8 +45,11 @@ pub fn is_in_edition(rule: &Rule, edition: &Edition) -> bool {
     rule.language == edition.language && !rule.void.contains_key(&edition.id) && has_cases
 }
 
-/// Each profile of the suite after a run.
+/// Each profile of the suite after a run; none if assertions only were judged, since a profile claims the whole outcome.
 pub fn profiles<'a>(suite: &'a Suite, run: &Run<'a>, claimed: &[String]) -> Vec<ProfileResult<'a>> {
+    if run.scope == Scope::AssertionsOnly {
+        return Vec::new();
+    }
     let judged = verdicts(run);
     let all = suite.profiles.iter().map(|profile| {
         let mut result = ProfileResult {

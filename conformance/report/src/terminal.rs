@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Verdict};
+use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Scope, Verdict};
 use gaugeblock_runner::findings::{Finding, FindingCause};
 use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
@@ -55,7 +55,8 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
 fn head(text: &mut String, report: &Report<'_>) {
     let controller = format!("{} {}", report.header.controller, report.header.version);
     let controller = escape_line(&controller);
-    line!(text, "{} against {}", styled(BOLD, &controller), styled(BOLD, &report.run.edition.id));
+    let edition = styled(BOLD, &report.edition_and_scope());
+    line!(text, "{} against {edition}", styled(BOLD, &controller));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     line!(text, "{}", styled(DIM, &format!("declared accuracy: {}", report.header.accuracy)));
     for note in &report.notes {
@@ -404,6 +405,9 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     }
     let (style, words) = match (report.exit_status(), &report.mismatches) {
         (0, Some(_)) => (GREEN, "as the documents say, apart from what is known"),
+        (0, None) if report.header.scope == Scope::AssertionsOnly => {
+            (GREEN, "every judged assertion holds; nothing else was compared")
+        }
         (0, None) => (GREEN, "as the documents say"),
         (1, Some(mismatches)) if !mismatches.is_empty() => (RED, "diverges, and not only as known"),
         (1, None) if counts.diverges + counts.side_difference > 0 => {

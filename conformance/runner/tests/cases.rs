@@ -1,7 +1,7 @@
 //! Each rule, under each edition, held against the model: a test per rule and edition.
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
 use gaugeblock_suite::Suite;
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -25,13 +25,20 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
+/// Cases hold as a whole, and by their assertions only.
 fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
+    let scopes = [Scope::Full, Scope::AssertionsOnly];
+    scopes.into_iter().try_for_each(|scope| holds_in_scope(suite, edition, rule, scope))
+}
+
+fn holds_in_scope(suite: &Suite, edition: &str, rule: &str, scope: Scope) -> Result<(), Failed> {
     let only = [rule.to_owned()];
     let plan = Plan {
         suite,
         edition: suite.edition(edition).expect("an edition of the suite"),
         only: &only,
         jobs: std::num::NonZero::<usize>::MIN,
+        scope,
     };
     let run = certify(plan, &Reference::default(), &|| {});
     let wrong: Vec<_> = run
@@ -46,5 +53,9 @@ fn holds(suite: &Suite, edition: &str, rule: &str) -> Result<(), Failed> {
             (!passes || !result.masked.is_empty()).then(|| format!("{}: {said}", result.name))
         })
         .collect();
-    if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n").into()) }
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("scope {}: {}", scope.words(), wrong.join("\n")).into())
+    }
 }

@@ -12,7 +12,7 @@ use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use gaugeblock_runner::certify::{
-    CaseResult, Plan, RepeatSampling, Run, RunOptions, cases, only_case, run_plan,
+    CaseResult, Plan, RepeatSampling, Run, RunOptions, Scope, cases, only_case, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
@@ -44,6 +44,8 @@ const EXAMPLES: &str = "Examples:
       fail unless every rule of these profiles passes
   gaugeblock certify --controller rs274 --only saved-state.feed --case \"with decimals\"
       run one case: a verdict prints its rule and its name as RULE / NAME
+  gaugeblock certify --controller reference --assertions-only
+      judge the model by the assertions that people wrote, without a comparison with itself
   gaugeblock certify --controller exec:./mill --options options.json
       compare under the options that `fingerprint --format json` wrote
   gaugeblock certify --controller linuxcnc --only outputs --only inputs
@@ -81,6 +83,9 @@ pub(crate) struct Arguments {
     /// Compare under the options of this file: the JSON output of `gaugeblock fingerprint`
     #[arg(long, value_name = "FILE")]
     options: Option<PathBuf>,
+    /// Judge the assertions of each case, which people wrote, and nothing else: no comparison with the model's outcome
+    #[arg(long, conflicts_with_all = ["profile", "write_expectations", "shrink"])]
+    assertions_only: bool,
     #[command(flatten)]
     against: ComparisonArguments,
     /// Write the divergences as a file for --expectations, and keep the reasons that the file has; read it before you
@@ -164,7 +169,8 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     let jobs = crate::arguments::jobs(arguments.jobs.or(controller.best_jobs()));
     let only = only(arguments, suite)?;
-    let plan = Plan { suite, edition, only: &only, jobs };
+    let scope = if arguments.assertions_only { Scope::AssertionsOnly } else { Scope::Full };
+    let plan = Plan { suite, edition, only: &only, jobs, scope };
     let shard = arguments.shard;
     let laws = controller.has_laws_of_motion();
     if cases(plan, laws, Shard::WHOLE).is_empty() {

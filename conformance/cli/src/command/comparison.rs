@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use gaugeblock_report::Header;
 use gaugeblock_report::merge::Stored;
-use gaugeblock_runner::certify::{BASELINE, ListName, Run};
+use gaugeblock_runner::certify::{BASELINE, ListName, Run, Scope};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::waivers::{Day, Waivers};
 use gaugeblock_suite::Suite;
@@ -57,7 +57,7 @@ impl ComparisonArguments {
 }
 
 impl ComparisonFiles {
-    /// Refuses files of another controller or edition, and waivers for unknown rules. Returns notes where the
+    /// Refuses files of another controller, edition or scope, and waivers for unknown rules. Returns notes where the
     /// baseline belongs to another version or accuracy.
     pub(crate) fn check_header(
         &self,
@@ -76,6 +76,12 @@ impl ComparisonFiles {
             return baseline.check_header(header).map_err(|why| CliError::usage(why, hint));
         }
         let Some(expectations) = &self.expectations else { return Ok(Vec::new()) };
+        if header.scope != Scope::Full {
+            return Err(CliError::usage(
+                "--expectations do not apply to a run of --assertions-only: they list differences, too",
+                "compare it with --baseline, a report of an earlier run with --assertions-only",
+            ));
+        }
         let Header { controller, version, edition, .. } = header;
         if expectations.controller != *controller || expectations.edition != *edition {
             return Err(CliError::usage(

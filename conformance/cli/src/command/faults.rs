@@ -8,7 +8,9 @@ use gaugeblock_adapter::Adapter as _;
 use gaugeblock_controllers::faulty::Faulty;
 use gaugeblock_interpreter::faults::PlantedFault;
 use gaugeblock_report::grouping::explain;
-use gaugeblock_runner::certify::{Plan, RepeatSampling, RuleDivergence, RunOptions, run_plan};
+use gaugeblock_runner::certify::{
+    Plan, RepeatSampling, RuleDivergence, RunOptions, Scope, only_case, run_plan,
+};
 use gaugeblock_runner::findings::{Coverage, findings_by};
 use gaugeblock_runner::fingerprint::shown_open_options;
 use gaugeblock_runner::shard::Shard;
@@ -46,13 +48,41 @@ struct FaultResult<'a> {
     cases: usize,
     /// Rules with a failing assertion.
     failing: BTreeSet<&'a str>,
+    /// Cases of the broken rules with a failing assertion, as `RULE / CASE`.
+    own_cases: Vec<String>,
     /// Options of open choices that the fault looks like, `choice = option`.
     looks_like: Vec<String>,
     /// The rule of each finding, the worst first.
     attributed: Vec<&'a str>,
 }
 
+/// What catches a fault if nothing but assertions is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum CaughtBy {
+    /// Assertions of several cases of its rules.
+    OwnCases,
+    /// Assertions of one case of its rules.
+    OneCase,
+    /// Assertions of other rules.
+    OtherPages,
+    /// It looks like an option that the documents leave open, and is reported as such.
+    Option,
+    /// Nothing.
+    Nothing,
+}
+
 impl FaultResult<'_> {
+    /// What catches it if nothing but assertions is judged.
+    fn caught_by(&self) -> CaughtBy {
+        match self.own_cases.len() {
+            0 if !self.looks_like.is_empty() => CaughtBy::Option,
+            0 if self.failing.is_empty() => CaughtBy::Nothing,
+            0 => CaughtBy::OtherPages,
+            1 => CaughtBy::OneCase,
+            _ => CaughtBy::OwnCases,
+        }
+    }
+
     /// Whether the suite notices the fault.
     fn is_caught(&self) -> bool {
         self.cases > 0 || !self.looks_like.is_empty()
@@ -71,7 +101,14 @@ impl FaultResult<'_> {
 
 /// Certifies production once with each fault. Fails if one is not noticed, or if its first finding names another rule
 /// than its own and no exception says why.
-pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8, CliError> {
+///
+/// With assertions only, it fails if no assertion of a rule of a fault fails.
+pub(crate) fn faults(
+    suite: &Suite,
+    edition: &str,
+    scope: Scope,
+    format: Format,
+) -> Result<u8, CliError> {
     let edition = crate::documents::edition(suite, edition)?;
     let PlantedFaults { breaks, exceptions } = planted_faults(suite)?;
     let bar = progress(PlantedFault::ALL.len());
@@ -86,14 +123,21 @@ pub(crate) fn faults(suite: &Suite, edition: &str, format: Format) -> Result<u8,
         let broken = breaks.get(fault.name()).map_or(&[][..], Vec::as_slice);
         let coverage =
             coverages.entry(edition.id.as_str()).or_insert_with(|| Coverage::new(suite, edition));
-        results.extend(result_of((suite, edition, coverage), *fault, broken));
+        results.extend(result_of((suite, edition, coverage), scope, *fault, broken));
         bar.inc(1);
     }
     bar.finish_and_clear();
     write_out(&match format {
         Format::Json => format!("{:#}\n", document(&results)),
+        Format::Text if scope == Scope::AssertionsOnly => assertions_text(&results),
         Format::Text => text(&results),
     });
+    if scope == Scope::AssertionsOnly {
+        let is_open = |result: &FaultResult<'_>| {
+            matches!(result.caught_by(), CaughtBy::Nothing | CaughtBy::OtherPages)
+        };
+        return Ok(u8::from(results.iter().any(is_open)));
+    }
     let is_wrong = |result: &FaultResult<'_>| {
         let is_excepted = exceptions.contains_key(result.fault.name());
         !result.is_caught() || result.is_named_first() == is_excepted
@@ -131,11 +175,12 @@ fn planted_faults(suite: &Suite) -> Result<PlantedFaults, CliError> {
 /// Certifies production with a fault, as `certify` does; nothing while another one is planted.
 fn result_of<'a>(
     (suite, edition, coverage): (&'a Suite, &'a Edition, &mut Coverage<'a>),
+    scope: Scope,
     fault: PlantedFault,
     broken: &'a [String],
 ) -> Option<FaultResult<'a>> {
     let jobs = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
-    let plan = Plan { suite, edition, only: &[], jobs };
+    let plan = Plan { suite, edition, only: &[], jobs, scope };
     let controller = Faulty::new(fault)?;
     let options = shown_open_options(suite, edition, &controller.options(), &controller);
     let run_options = RunOptions {
@@ -148,7 +193,11 @@ fn result_of<'a>(
     };
     let run = run_plan(plan, &controller, run_options);
     let own = run.cases.iter().filter(|case| case.verdict.own_divergence().is_some());
-    let failing = own.map(|case| case.rule.id.as_str()).collect();
+    let failing = own.clone().map(|case| case.rule.id.as_str()).collect();
+    let own_cases = own
+        .filter(|case| broken.contains(&case.rule.id))
+        .map(|case| only_case(&case.rule.id, case.name))
+        .collect();
     let explains = |divergence: &RuleDivergence| {
         explain(&controller.capabilities().name, divergence)
             .is_some_and(|explanation| explanation.applies_to_controller)
@@ -163,6 +212,7 @@ fn result_of<'a>(
         broken,
         cases,
         failing,
+        own_cases,
         looks_like: options.0.iter().map(|(id, option)| format!("{id} = {option}")).collect(),
         attributed,
     })
@@ -175,11 +225,41 @@ fn document(results: &[FaultResult<'_>]) -> serde_json::Value {
             json!({
                 "fault": result.fault.name(), "about": result.fault.about(), "cases": result.cases,
                 "broken": result.broken, "failing": result.failing, "looks_like": result.looks_like,
-                "attributed": result.attributed, "named_first": result.is_named_first(),
+                "own_cases": result.own_cases, "attributed": result.attributed, "named_first": result.is_named_first(),
             })
         })
         .collect();
     json!({ "gaugeblock": "faults", "schema": gaugeblock_vocabulary::schema::VERSION, "faults": faults })
+}
+
+fn assertions_text(results: &[FaultResult<'_>]) -> String {
+    let mut text = String::new();
+    for result in results {
+        let by = match (result.caught_by(), result.own_cases.as_slice()) {
+            (CaughtBy::OwnCases, cases) => format!("{} cases of its rules", cases.len()),
+            (CaughtBy::OneCase, cases) => format!("one case: {}", cases.join(", ")),
+            (CaughtBy::OtherPages, _) => {
+                let others: Vec<_> = result.failing.iter().copied().collect();
+                format!("OTHER PAGES ALONE: {}", others.join(", "))
+            }
+            (CaughtBy::Option, _) => format!("looks like {}", result.looks_like.join(", ")),
+            (CaughtBy::Nothing, _) => "NOT CAUGHT".to_owned(),
+        };
+        let _infallible = writeln!(text, "{:<36} {by}", result.fault.name());
+    }
+    let count = |by| results.iter().filter(|result| result.caught_by() == by).count();
+    let (several, one) = (count(CaughtBy::OwnCases), count(CaughtBy::OneCase));
+    let _infallible = writeln!(
+        text,
+        "\n{} planted faults: an assertion of a rule of the fault catches {}, {one} of them by one case; \
+         other pages alone catch {}, {} look like an option, {} are not caught",
+        results.len(),
+        several + one,
+        count(CaughtBy::OtherPages),
+        count(CaughtBy::Option),
+        count(CaughtBy::Nothing),
+    );
+    text
 }
 
 fn text(results: &[FaultResult<'_>]) -> String {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::matrix::{Judged, Matrix};
 use gaugeblock_report::{Header, Report};
-use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_runner::certify::{Plan, Scope, certify};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::Ledger;
@@ -46,7 +46,8 @@ fn model(suite: &Suite, ledgers: &[Ledger]) -> BTreeMap<String, Judged> {
     for ledger in ledgers {
         let Some(edition) = suite.edition(&ledger.edition) else { continue };
         model.entry(edition.id.clone()).or_insert_with(|| {
-            let plan = Plan { suite, edition, only: &[], jobs: crate::arguments::jobs(None) };
+            let (jobs, scope) = (crate::arguments::jobs(None), Scope::Full);
+            let plan = Plan { suite, edition, only: &[], jobs, scope };
             let run = certify(plan, &controller, &|| {});
             let header = Header::of(plan, &controller, Shard::WHOLE);
             let (notes, profiles) = (Vec::new(), Vec::new());

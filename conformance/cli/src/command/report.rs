@@ -26,7 +26,7 @@ pub(crate) enum Reports {
   gaugeblock report merge shard-*/report.json --format json
 
 Missing or repeated shards are errors, and so are reports of different controllers, versions,
-editions, options, suites or calls.
+editions, options, suites or calls, and a report of --assertions-only with a full one.
 
 Exit status: that of `gaugeblock certify` for the whole run; 2 wrong call or input.")]
     Merge(Merge),
@@ -70,12 +70,13 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
     let edition = crate::documents::any_edition(suite, &header.edition)?;
     let known = arguments.against.read()?;
     let newer = known.check_header(header, suite)?;
-    let plan = Plan { suite, edition, only: &header.only, jobs: NonZero::<usize>::MIN };
+    let (only, scope) = (&header.only, header.scope);
+    let plan = Plan { suite, edition, only, jobs: NonZero::<usize>::MIN, scope };
     let all = cases(plan, header.laws, Shard::WHOLE);
     let mut cases = in_order(&whole.cases, &all, suite).map_err(wrong)?;
     cost_of(&arguments.reports)?.apply_to(&mut cases);
     let fingerprint = whole.fingerprint.clone();
-    let mut run = Run { edition, cases, not_applicable: not_applicable(plan), fingerprint };
+    let mut run = Run { edition, scope, cases, not_applicable: not_applicable(plan), fingerprint };
     let (mismatches, fixed) = known.compare(&mut run, header.only.is_empty());
     let profiles = profiles::profiles(suite, &run, &whole.claimed());
     let report = Report {

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use gaugeblock_compare::alignment::changed_lines;
+#[cfg(feature = "faulty")]
+use gaugeblock_runner::certify::Scope;
 use gaugeblock_runner::suite_check;
 use gaugeblock_suite::ledger::{self, Ledger};
 use gaugeblock_suite::{Rule, Suite, files};
@@ -85,7 +87,16 @@ pub(crate) struct MatrixArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  gaugeblock suite faults
+  gaugeblock suite faults --assertions-only
+
+Exit status: 0 each fault is caught, and the first finding names its rule, except for listed exceptions;
+with --assertions-only: an assertion of a rule of each fault fails; 1 otherwise; 2 wrong call or input.")]
 pub(crate) struct FaultArguments {
+    /// Count a fault as caught only if an assertion of a rule that it breaks fails; print on how many cases each hangs
+    #[arg(long)]
+    assertions_only: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -112,17 +123,18 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
             }
             matrix(&suite, &ledgers, &arguments.report, arguments.format)
         }
-        Maintenance::Faults(arguments) => faults(&suite, arguments.format),
+        Maintenance::Faults(arguments) => faults(&suite, arguments),
     }
 }
 
 #[cfg(feature = "faulty")]
-fn faults(suite: &Suite, format: Format) -> Result<u8, CliError> {
-    super::faults::faults(suite, "linuxcnc-2.9", format)
+fn faults(suite: &Suite, arguments: &FaultArguments) -> Result<u8, CliError> {
+    let scope = if arguments.assertions_only { Scope::AssertionsOnly } else { Scope::Full };
+    super::faults::faults(suite, "linuxcnc-2.9", scope, arguments.format)
 }
 
 #[cfg(not(feature = "faulty"))]
-fn faults(_suite: &Suite, _format: Format) -> Result<u8, CliError> {
+fn faults(_suite: &Suite, _arguments: &FaultArguments) -> Result<u8, CliError> {
     Err(CliError::usage(
         "this build has no planted faults",
         "build with them: cargo build --release --features faulty",

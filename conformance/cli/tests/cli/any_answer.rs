@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::Path;
 
 use gaugeblock_adapter::exec::Exec;
-use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_runner::certify::{Plan, Scope, certify};
 use gaugeblock_suite::Suite;
 
 use crate::command::gaugeblock;
@@ -33,7 +33,8 @@ pub(crate) fn verdicts(suite: &Suite, command: &str) -> Vec<(&'static str, Strin
     let controller = Exec::start(command, limits()).expect("the adapter starts");
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only = [RULE.to_owned()];
-    let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan =
+        Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let cases = certify(plan, &controller, &|| {}).cases.into_iter();
     cases.map(|case| (case.verdict.word(), case.verdict.to_string())).collect()
 }

@@ -6,7 +6,7 @@ use gaugeblock_compare::Accuracy;
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::{Header, Report, json};
-use gaugeblock_runner::certify::{Plan, certify};
+use gaugeblock_runner::certify::{Plan, Scope, certify};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
@@ -16,7 +16,13 @@ fn a_baseline_is_of_the_same_controller_and_edition_in_any_version() {
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
     let only = ["coolant.off".to_owned()];
-    let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan = Plan {
+        suite: &suite,
+        edition,
+        only: &only,
+        jobs: NonZero::<usize>::MIN,
+        scope: Scope::Full,
+    };
     let model = Reference::default();
     let run = certify(plan, &model, &|| {});
     let header = Header::of(plan, &model, Shard::WHOLE);

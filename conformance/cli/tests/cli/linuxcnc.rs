@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_linuxcnc::LinuxCnc;
-use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
 use gaugeblock_suite::Suite;
 
 /// The command, unless the controller cannot be used here.
@@ -171,7 +171,7 @@ fn the_model_and_the_controller_agree_on_hostile_scenarios() {
     };
     let edition = suite.edition("linuxcnc-2.9-observed").expect("an edition of the suite");
     let jobs = controller.best_jobs().expect("several at once");
-    let plan = Plan { suite: &suite, edition, only: &[], jobs };
+    let plan = Plan { suite: &suite, edition, only: &[], jobs, scope: Scope::Full };
     let run = certify(plan, &controller, &|| {});
     let others = run.cases.iter().filter(|result| result.verdict != Verdict::Pass);
     let others: Vec<_> = others.map(|one| (&one.rule.id, one.name, &one.verdict)).collect();

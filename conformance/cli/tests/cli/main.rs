@@ -1,6 +1,7 @@
 //! Tests that run the command `gaugeblock`.
 
 mod any_answer;
+mod assertions_only;
 mod baseline;
 mod by_protocol;
 mod command;

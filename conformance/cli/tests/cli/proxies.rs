@@ -8,7 +8,7 @@ use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::{Header, Report, html, markdown, terminal};
-use gaugeblock_runner::certify::{CaseResult, Cause, Plan, Verdict, certify};
+use gaugeblock_runner::certify::{CaseResult, Cause, Plan, Scope, Verdict, certify};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::{
@@ -143,7 +143,8 @@ fn certified<T>(controller: &Proxy, only: &[&str], look: impl Fn(&Report<'_>) ->
     });
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only: Vec<String> = only.iter().map(|rule| (*rule).to_owned()).collect();
-    let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan =
+        Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let run = certify(plan, controller, &|| {});
     let header = Header::of(plan, controller, Shard::WHOLE);
     let report = Report::of(suite, &run, header);

@@ -12,7 +12,7 @@ use gaugeblock_report::merge::Stored;
 use gaugeblock_report::stored::StoredCase;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock_runner::certify::{
-    CaseResult, Plan, RepeatSampling, Run, RunOptions, certify, run_plan,
+    CaseResult, Plan, RepeatSampling, Run, RunOptions, Scope, certify, run_plan,
 };
 use gaugeblock_runner::findings::{Finding, Severity};
 use gaugeblock_runner::shard::Shard;
@@ -86,7 +86,8 @@ pub(crate) fn folder(name: &str) -> PathBuf {
 fn reported<T>(controller: &dyn Adapter, only: &[String], made: impl Fn(&Report<'_>) -> T) -> T {
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
-    let plan = Plan { suite: &suite, edition, only, jobs: NonZero::<usize>::MIN };
+    let plan =
+        Plan { suite: &suite, edition, only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let run: Run<'_> = certify(plan, controller, &|| {});
     let header = Header::of(plan, controller, Shard::WHOLE);
     let header = Header { controller: EVIL.to_owned(), version: EVIL.to_owned(), ..header };
@@ -168,7 +169,13 @@ fn smallest_program_of_a_divergence_is_found_on_request() {
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
     let only = [format!("{}.feed", only[0])];
-    let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan = Plan {
+        suite: &suite,
+        edition,
+        only: &only,
+        jobs: NonZero::<usize>::MIN,
+        scope: Scope::Full,
+    };
     let mut each = |_: &CaseResult<'_>| {};
     let twice = RepeatSampling::default();
     let run_options = RunOptions {
@@ -434,9 +441,15 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
     let cases = all.take(2000).map(|(rule, case)| {
         departed(&rule.id, &case.name).result(&suite).expect("a case of the suite")
     });
-    let run =
-        Run { edition, cases: cases.collect(), not_applicable: Vec::new(), fingerprint: None };
-    let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+    let run = Run {
+        edition,
+        scope: Scope::Full,
+        cases: cases.collect(),
+        not_applicable: Vec::new(),
+        fingerprint: None,
+    };
+    let plan =
+        Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let header = Header::of(plan, &Reference::default(), Shard::WHOLE);
     let page = html::html(&Report::of(&suite, &run, header)).expect("a page");
     assert_eq!(page.matches("<article").count(), 2000, "every one has its card");

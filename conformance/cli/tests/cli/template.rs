@@ -5,7 +5,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
-use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, Verdict, run_plan};
+use gaugeblock_runner::certify::{
+    CaseResult, Plan, RepeatSampling, RunOptions, Scope, Verdict, run_plan,
+};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
@@ -53,7 +55,8 @@ pub(crate) fn verdicts_on(
 ) -> ((Verdict, bool), Vec<Verdict>) {
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only = ["modal-groups.g-code-out-of-range".to_owned()];
-    let plan = Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan =
+        Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     let mut each = |_: &CaseResult<'_>| {};
     let course = RunOptions {
         shard: Shard::WHOLE,

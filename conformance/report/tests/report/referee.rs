@@ -9,7 +9,7 @@ use gaugeblock_compare::{Capabilities, compare};
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::{Header, Report, html, json, junit, profiles, terminal};
-use gaugeblock_runner::certify::{CaseResult, Plan, Run, Verdict, certify};
+use gaugeblock_runner::certify::{CaseResult, Plan, Run, Scope, Verdict, certify};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
 use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
 use gaugeblock_runner::shard::Shard;
@@ -46,12 +46,12 @@ fn suite() -> Suite {
 fn run<'a>(suite: &'a Suite, controller: &dyn Adapter, only: &'a [String], jobs: usize) -> Run<'a> {
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
     let jobs = NonZero::new(jobs).expect("at least one");
-    certify(Plan { suite, edition, only, jobs }, controller, &|| {})
+    certify(Plan { suite, edition, only, jobs, scope: Scope::Full }, controller, &|| {})
 }
 
 fn header(suite: &Suite, controller: &dyn Adapter, only: &[String]) -> Header {
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
-    let plan = Plan { suite, edition, only, jobs: NonZero::<usize>::MIN };
+    let plan = Plan { suite, edition, only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
     Header::of(plan, controller, Shard::WHOLE)
 }
 

@@ -5,7 +5,7 @@ use std::num::NonZero;
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::markdown::markdown;
 use gaugeblock_report::{Header, Report};
-use gaugeblock_runner::certify::{Plan, RuleDivergence, Run, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, RuleDivergence, Run, Scope, Verdict, certify};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
@@ -67,7 +67,13 @@ fn page(only: &str, change: &dyn Fn(usize, &str) -> Verdict) -> String {
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let edition = suite.edition("linuxcnc-2.9").expect("the suite");
     let only = [only.to_owned()];
-    let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+    let plan = Plan {
+        suite: &suite,
+        edition,
+        only: &only,
+        jobs: NonZero::<usize>::MIN,
+        scope: Scope::Full,
+    };
     let reference = Reference::default();
     let mut run: Run<'_> = certify(plan, &reference, &|| ());
     let mut mismatches = Vec::new();

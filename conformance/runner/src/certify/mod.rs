@@ -16,12 +16,12 @@ use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::clock::now;
+use gaugeblock_adapter::{Adapter, Expected};
 use gaugeblock_compare::accuracy::is_hidden;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_compare::{Capabilities, ComparedKind, compare, state};
+use gaugeblock_compare::{Capabilities, ComparedKind, Tally, compare, state};
 use gaugeblock_suite::assertion::Claim;
 use gaugeblock_suite::{Assertion, Case, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
@@ -29,7 +29,7 @@ use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 use crate::explain::{AlternativeOption, DivergenceContext};
 use crate::shard::Shard;
 pub use accepted::{AcceptsUnjudged, ListName};
-pub use plan::Plan;
+pub use plan::{Plan, Scope};
 pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
@@ -131,6 +131,7 @@ pub fn run_plan<'a>(
     let (results, _) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
     Run {
         edition: plan.edition,
+        scope: plan.scope,
         cases: results.into_iter().flatten().collect(),
         not_applicable,
         fingerprint: None,
@@ -157,12 +158,16 @@ impl CaseRunner<'_> {
     ) -> CaseResult<'r> {
         let Self { plan, controller, repeat, shrink_attempts, .. } = self;
         let mut result = CaseResult::new(rule, &case.name, &case.program);
-        let expected = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
+        let specified = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
+        let expected: Option<&Expected<'_>> = match plan.scope {
+            Scope::Full => Some(&specified),
+            Scope::AssertionsOnly => None,
+        };
         let attempts = RunAttempts { controller, scenario };
-        let run = || attempts.run(&expected, repeat.includes(&rule.id, &case.name));
+        let run = || attempts.run(expected, repeat.includes(&rule.id, &case.name));
         let begun = controller.is_out_of_process().then(run);
         prefetch();
-        if let Some(why) = undetermined_reason(&expected.end) {
+        if let Some(why) = expected.and_then(|expected| undetermined_reason(&expected.end)) {
             result.verdict = Verdict::Inconclusive(why);
             return result;
         }
@@ -183,22 +188,26 @@ impl CaseRunner<'_> {
         }
         let case_judge =
             CaseJudge { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
-        if matches!(expected.end, End::Fault(_))
+        if !controller.capabilities().refuses
             && !matches!(found.end, End::Fault(_))
-            && !controller.capabilities().refuses
+            && expected.is_some_and(|expected| matches!(expected.end, End::Fault(_)))
         {
             let why = "the documents refuse it, and the controller declares that it never refuses";
             result.verdict = Verdict::Unsupported(why.to_owned());
             return result;
         }
         let observes_nothing = case_judge.observes_nothing_asserted(case, &found);
-        match case_judge.confirm_on_fresh(case, &expected, found, &mut result) {
+        let expected = expected.map(|expected| &**expected);
+        match case_judge.confirm_on_fresh(case, expected, found, &mut result) {
             Ok(Some((divergence, found))) => {
                 result.verdict = case_judge.attribute(rule, case, divergence, &found);
             }
             Ok(None) if observes_nothing => {
                 let why = "nothing was reported that its assertions check";
                 result.verdict = Verdict::Unsupported(why.to_owned());
+            }
+            Ok(None) if plan.scope == Scope::AssertionsOnly => {
+                result.verdict = verdict_of_assertions(&result.compared);
             }
             Ok(None) => {}
             Err(not_judged) => result.verdict = Verdict::NotJudged(not_judged),
@@ -207,10 +216,22 @@ impl CaseRunner<'_> {
         if let (Verdict::Diverges(divergence) | Verdict::SideDifference(divergence), 1..) =
             (&mut result.verdict, shrink_attempts)
             && divergence.explanation.is_empty()
+            && plan.scope == Scope::Full
         {
             divergence.shrunk = shrink::smallest(controller, scenario, shrink_attempts);
         }
         result
+    }
+}
+
+/// The verdict on a case of which no assertion fails, if nothing else is compared.
+fn verdict_of_assertions(compared: &Tally) -> Verdict {
+    if compared.of(ComparedKind::Assertions) > 0 {
+        Verdict::Pass
+    } else if compared.unjudged() > 0 {
+        Verdict::Unsupported("nothing was reported that its assertions check".to_owned())
+    } else {
+        Verdict::Inconclusive("none of its assertions is made under these options".to_owned())
     }
 }
 
@@ -234,11 +255,12 @@ impl CaseJudge<'_> {
     /// The divergence on a fresh controller, and the outcome it was found in.
     ///
     /// A used controller may have kept state of an earlier program. A divergence that the observed edition predicts
-    /// needs no second run. A controller that differs from run to run gets no verdict.
+    /// needs no second run. A controller that differs from run to run gets no verdict. Without `expected` only the
+    /// assertions are judged.
     fn confirm_on_fresh(
         &self,
         case: &Case,
-        expected: &Outcome,
+        expected: Option<&Outcome>,
         found: Outcome,
         result: &mut CaseResult<'_>,
     ) -> Result<Option<(RuleDivergence, Outcome)>, NotJudgedReason> {
@@ -246,7 +268,9 @@ impl CaseJudge<'_> {
         let Some(divergence) = self.find_divergence(case, expected, &found, result) else {
             return Ok(None);
         };
-        if self.context(result.rule, case, &found).matches_observed_edition(self.edition) {
+        if expected.is_some()
+            && self.context(result.rule, case, &found).matches_observed_edition(self.edition)
+        {
             return Ok(Some((divergence, found)));
         }
         let runs = RunAttempts { controller: self.controller, scenario: self.scenario };
@@ -288,17 +312,27 @@ impl CaseJudge<'_> {
     }
 
     /// Whether an assertion is for another option of a choice than the one in force: the options are not those of the
-    /// edition, and it does not hold on the model either. The whole outcome is compared all the same.
+    /// edition, and it does not hold on the model either. The whole outcome is compared all the same. Without the
+    /// model's outcome, the assertions of a rule that names such a choice are for another option, except guarded ones.
     fn is_for_another_option(
         &self,
+        rule: &Rule,
         claim: &Assertion,
-        expected: &Observed,
+        expected: Option<&Observed>,
         observables: &Capabilities,
     ) -> bool {
-        let edition = self.suite.edition(self.edition);
-        let is_other =
-            edition.is_some_and(|edition| self.scenario.options != self.suite.options(edition));
-        is_other && matches!(judge(claim, expected, observables), Finding::Fails(_))
+        let Some(edition) = self.suite.edition(self.edition) else { return false };
+        let (own, in_force) = (self.suite.options(edition), &self.scenario.options);
+        if own == *in_force {
+            return false;
+        }
+        match expected {
+            Some(expected) => matches!(judge(claim, expected, observables), Finding::Fails(_)),
+            None => {
+                let names = |id: &String| own.get(id) != in_force.get(id);
+                claim.guard.is_none() && rule.options.iter().any(names)
+            }
+        }
     }
 
     /// Whether an assertion does not hold on the model under one other option.
@@ -352,13 +386,14 @@ impl CaseJudge<'_> {
     fn find_divergence(
         &self,
         case: &Case,
-        expected: &Outcome,
+        expected: Option<&Outcome>,
         found: &Outcome,
         result: &mut CaseResult<'_>,
     ) -> Option<RuleDivergence> {
         let observables = self.controller.observables(self.scenario);
         let outcomes = (expected, found);
-        let (expected, found) = (Observed::of(expected), Observed::of(found));
+        let (expected, found) = (expected.map(Observed::of), Observed::of(found));
+        let (rule, specified) = (result.rule, expected.as_ref());
         let mut assertion = None;
         for claim in
             case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
@@ -369,7 +404,9 @@ impl CaseJudge<'_> {
                     result.compared.add(ComparedKind::UnjudgedAssertions, 1);
                     result.masked.insert(what);
                 }
-                Finding::Fails(_) if self.is_for_another_option(claim, &expected, &observables) => {
+                Finding::Fails(_)
+                    if self.is_for_another_option(rule, claim, specified, &observables) =>
+                {
                     result.compared.add(ComparedKind::UnjudgedAssertions, 1);
                     result.masked.insert("an assertion for another option".to_owned());
                 }
@@ -378,13 +415,17 @@ impl CaseJudge<'_> {
                 }
             }
         }
+        let (Some(expected), Some(specified)) = (expected, outcomes.0) else {
+            let asserted = RuleDivergence { assertion, ..RuleDivergence::default() };
+            return asserted.assertion.is_some().then_some(asserted);
+        };
         let comparison = compare(&expected, &found, &observables);
         result.masked.extend(comparison.masked);
         result.compared.extend(&comparison.compared);
         let difference = comparison.divergence.map(|divergence| divergence.to_string());
         let differs = assertion.is_some() || difference.is_some();
         differs.then(|| {
-            let traces = Some(Traces::of(outcomes.0, outcomes.1));
+            let traces = Some(Traces::of(specified, outcomes.1));
             let state = state(&expected, &found, &observables);
             RuleDivergence { assertion, difference, traces, state, ..RuleDivergence::default() }
         })

@@ -3,6 +3,8 @@
 use std::num::NonZero;
 
 use gaugeblock_suite::{Edition, Suite};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// What is run, and how.
 #[derive(Clone, Copy, Debug)]
@@ -16,4 +18,32 @@ pub struct Plan<'a> {
     pub only: &'a [String],
     /// How many cases run at once.
     pub jobs: NonZero<usize>,
+    /// What the verdicts look at.
+    pub scope: Scope,
+}
+
+/// What the verdict on a case looks at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scope {
+    /// Its assertions, and the whole outcome compared with the model's.
+    #[default]
+    Full,
+    /// Its assertions only, which people wrote. The model does not run the case.
+    AssertionsOnly,
+}
+
+impl Scope {
+    /// What a report prints of a scope that is not the full one.
+    pub fn note(self) -> Option<&'static str> {
+        match self {
+            Self::Full => None,
+            Self::AssertionsOnly => Some("assertions only"),
+        }
+    }
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        self.note().unwrap_or("full")
+    }
 }

@@ -59,13 +59,18 @@ pub(super) struct RunAttempts<'a> {
 }
 
 impl RunAttempts<'_> {
-    /// Runs the scenario, whose specified outcome is `expected`. With `twice` a second run has to give the same.
+    /// Runs the scenario, whose specified outcome is `expected` if it is known. With `twice` a second run has to give
+    /// the same.
     pub(super) fn run(
         self,
-        expected: &Expected<'_>,
+        expected: Option<&Expected<'_>>,
         twice: bool,
     ) -> Result<RunAttempt, NotJudgedReason> {
-        let found = match self.controller.run_expecting(self.scenario, expected) {
+        let run = match expected {
+            Some(expected) => self.controller.run_expecting(self.scenario, expected),
+            None => self.controller.run(self.scenario),
+        };
+        let found = match run {
             Ok(found) => found,
             Err(error) if may_be_leaked(&error) => return self.retry_failed(&error),
             Err(error) => return Err(NotJudgedReason::from(&error)),

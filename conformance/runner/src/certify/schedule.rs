@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::Scenario;
 
 use super::CaseRunner;
 use super::metric::on_metric_machine;
+use super::plan::Scope;
 use super::select::Subject;
 use super::verdict::{CaseResult, Cause, NotJudgedReason, Verdict};
 
@@ -35,7 +36,11 @@ impl CaseRunner<'_> {
         let Err(reason) = controller.supports(&scenario) else {
             return ScheduledCase::Run(case, Box::new(scenario));
         };
-        let metric = on_metric_machine(case, &scenario, &plan.edition.id);
+        // The model says which assertions hold on a machine in millimetres.
+        let metric = match plan.scope {
+            Scope::Full => on_metric_machine(case, &scenario, &plan.edition.id),
+            Scope::AssertionsOnly => None,
+        };
         match metric.filter(|metric| controller.supports(metric).is_ok()) {
             Some(metric) => ScheduledCase::Run(case, Box::new(metric)),
             None => ScheduledCase::NotRun(case, Box::new(Verdict::Unsupported(reason))),

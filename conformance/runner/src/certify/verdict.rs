@@ -15,6 +15,7 @@ use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::plan::Scope;
 use crate::fingerprint::FingerprintEntry;
 
 /// The verdict on a case.
@@ -271,6 +272,8 @@ pub struct CaseResult<'a> {
 pub struct Run<'a> {
     /// The edition that the controller was compared with.
     pub edition: &'a Edition,
+    /// What the verdicts look at.
+    pub scope: Scope,
     /// Cases in the order of rules and pages.
     pub cases: Vec<CaseResult<'a>>,
     /// Rules that do not exist in the edition, and why.

@@ -9,6 +9,8 @@
 //!    ones do not](self::spectrum).
 //! 3. Side differences follow the finding whose rule their program uses. What is left has no known cause; it is a
 //!    finding without a rule, by what differs.
+//!
+//! A run of assertions only has a finding for each rule of which an assertion fails.
 
 mod coverage;
 mod severity;
@@ -19,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_suite::{Rule, Suite};
 
-use crate::certify::{CaseResult, RuleDivergence, Run};
+use crate::certify::{CaseResult, RuleDivergence, Run, Scope};
 pub use coverage::Coverage;
 pub use severity::Severity;
 use spectrum::Spectrum;
@@ -185,6 +187,9 @@ fn by_rules<'a, 'r>(
         .copied()
         .filter(|(_, divergence)| divergence.assertion.is_some())
         .collect();
+    if run.scope == Scope::AssertionsOnly {
+        return by_own_rules(failing);
+    }
     let passing = run.cases.iter().filter(|result| result.verdict.divergence().is_none());
     let passing = passing.filter(|result| result.verdict.reason().is_none());
     let spectrum = Spectrum {
@@ -212,6 +217,19 @@ fn by_rules<'a, 'r>(
     let unknown =
         unknown.into_iter().map(|(what, cases)| finding(FindingCause::Unknown(what), None, cases));
     known.chain(unknown).collect()
+}
+
+/// A finding for each rule of which an assertion fails: without the model, nothing says which rules a program uses.
+fn by_own_rules<'a, 'r>(failing: Vec<Divergent<'a, 'r>>) -> Vec<Finding<'a, 'r>> {
+    let mut by_rule: BTreeMap<&str, Vec<Divergent<'a, 'r>>> = BTreeMap::new();
+    for (result, divergence) in failing {
+        by_rule.entry(&result.rule.id).or_default().push((result, divergence));
+    }
+    let findings = by_rule.into_values().map(|cases| {
+        let rule = cases.first().map(|(result, _)| result.rule);
+        finding(FindingCause::Rule, rule, cases)
+    });
+    findings.collect()
 }
 
 /// A finding with its cases in their places.

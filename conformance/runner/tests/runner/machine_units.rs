@@ -5,7 +5,7 @@ use std::num::NonZero;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Production;
-use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
 use gaugeblock_suite::{Case, Suite};
 use gaugeblock_vocabulary::{LengthUnit, Outcome, Scenario};
 
@@ -39,7 +39,7 @@ fn cases_of_a_machine_in_inches_are_judged_on_a_metric_machine() {
     let rules = suite.rules.iter().filter(|rule| rule.cases.iter().any(is_in_inches));
     let only: Vec<String> = rules.map(|rule| rule.id.clone()).collect();
     let jobs = NonZero::new(2).expect("two");
-    let plan = Plan { suite: &suite, edition, only: &only, jobs };
+    let plan = Plan { suite: &suite, edition, only: &only, jobs, scope: Scope::Full };
     let run = certify(plan, &Metric::default(), &|| {});
     let mut not_judged = 0;
     for result in &run.cases {

@@ -5,7 +5,7 @@ use std::num::NonZero;
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Production;
-use gaugeblock_runner::certify::{Plan, Run, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Run, Scope, Verdict, certify};
 use gaugeblock_runner::fingerprint::{ObservedOption, observe_choice};
 use gaugeblock_suite::{ChoiceKind, Edition, Suite};
 
@@ -26,7 +26,11 @@ fn editions(suite: &Suite) -> Vec<&Edition> {
 
 fn run<'a>(suite: &'a Suite, edition: &'a Edition) -> Run<'a> {
     let jobs = NonZero::new(2).expect("two");
-    certify(Plan { suite, edition, only: &[], jobs }, &Production::default(), &|| {})
+    certify(
+        Plan { suite, edition, only: &[], jobs, scope: Scope::Full },
+        &Production::default(),
+        &|| {},
+    )
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::num::NonZero;
 use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Production;
-use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{BlockLocation, End, Fault, Outcome, Program, Scenario};
@@ -69,7 +69,13 @@ fn refused_program_of_a_motion_case_is_a_refusal_and_names_its_law() {
     let only = ["trajectory.ends".to_owned()];
     for recording in [Recording::Other, Recording::Fails, Recording::Unsupported] {
         let controller = Refusing { production: Production::default(), recording };
-        let plan = Plan { suite: &suite, edition, only: &only, jobs: NonZero::<usize>::MIN };
+        let plan = Plan {
+            suite: &suite,
+            edition,
+            only: &only,
+            jobs: NonZero::<usize>::MIN,
+            scope: Scope::Full,
+        };
         let run = certify(plan, &controller, &|| {});
         let mut refused = 0;
         for result in &run.cases {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::num::NonZero;
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, run_plan};
+use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, Scope, run_plan};
 use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_runner::suite_check;
@@ -76,7 +76,13 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
         let choices = suite.choices.iter().find(|it| it.id == choice).expect(choice);
         assert!(suite.is_open(choices) && !suite.options(edition).is(choice, option), "{choice}");
         let options = Options([(choice.to_owned(), option.to_owned())].into());
-        let plan = Plan { suite: &suite, edition, only: &[], jobs: NonZero::<usize>::MIN };
+        let plan = Plan {
+            suite: &suite,
+            edition,
+            only: &[],
+            jobs: NonZero::<usize>::MIN,
+            scope: Scope::Full,
+        };
         let run_options = RunOptions {
             shard: Shard::WHOLE,
             options,

@@ -6,7 +6,7 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_controllers::Reference;
-use gaugeblock_runner::certify::{Plan, Verdict, certify};
+use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
 use gaugeblock_runner::suite_check::{editions_of, model_run};
 use gaugeblock_suite::{Case, Edition, Rule, RuleOutcome, Setup, Suite, files};
 
@@ -59,7 +59,13 @@ fn are_twins(bare: &Suite, rule: &Rule, case: &Case, twin: &Case) -> bool {
     let alone = Rule { cases: vec![told], ..rule.clone() };
     let alone = Suite { rules: vec![alone], ..bare.clone() };
     let fails = |edition: &&Edition| {
-        let plan = Plan { suite: &alone, edition, only: &[], jobs: NonZero::<usize>::MIN };
+        let plan = Plan {
+            suite: &alone,
+            edition,
+            only: &[],
+            jobs: NonZero::<usize>::MIN,
+            scope: Scope::Full,
+        };
         let run = certify(plan, &Reference::default(), &|| {});
         run.cases.iter().any(|case| matches!(case.verdict, Verdict::Diverges(_)))
     };
