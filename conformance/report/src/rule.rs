@@ -83,7 +83,7 @@ pub struct Counts {
     pub harness_error: usize,
     /// Cases that nobody has run.
     pub not_run: usize,
-    /// Cases that could not be judged, as expectations, a baseline or a waiver accept.
+    /// Cases that could not be judged, as expectations, a baseline or a waiver accept, or without any assertion.
     pub not_judged_accepted: usize,
 }
 
@@ -93,7 +93,8 @@ impl Counts {
         self.cases += 1;
         self.broken += usize::from(verdict.own_divergence().is_some());
         let is_open = verdict.undetermined_reason().is_some();
-        self.not_judged_accepted += usize::from(is_open && result.accepted.is_some());
+        let is_accepted = result.accepted.is_some() || verdict.is_without_assertion();
+        self.not_judged_accepted += usize::from(is_open && is_accepted);
         if *verdict == Verdict::Pass && result.compared.unjudged() > 0 {
             self.pass_in_part += 1;
         }

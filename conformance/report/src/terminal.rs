@@ -399,7 +399,7 @@ fn verdict(text: &mut String, report: &Report<'_>) {
     if !open.is_empty() {
         let accepted = match counts.not_judged_accepted {
             0 => String::new(),
-            accepted => format!("; {accepted} of them as is known or waived"),
+            accepted => format!("; {accepted} of them known, waived or without an assertion"),
         };
         line!(text, "not judged: {}{accepted}", styled(YELLOW, &open.join(", ")));
     }

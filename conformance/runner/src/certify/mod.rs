@@ -231,7 +231,7 @@ fn verdict_of_assertions(compared: &Tally) -> Verdict {
     } else if compared.unjudged() > 0 {
         Verdict::Unsupported("nothing was reported that its assertions check".to_owned())
     } else {
-        Verdict::Inconclusive("none of its assertions is made under these options".to_owned())
+        Verdict::without_assertion()
     }
 }
 

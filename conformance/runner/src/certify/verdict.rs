@@ -49,6 +49,16 @@ impl Verdict {
         }
     }
 
+    /// The verdict on a case of which no assertion is made under the options, if only assertions are judged.
+    pub(super) fn without_assertion() -> Self {
+        Self::Inconclusive(WITHOUT_ASSERTION.to_owned())
+    }
+
+    /// Whether there was nothing to judge: no assertion is made under the options. The controller cannot change that.
+    pub fn is_without_assertion(&self) -> bool {
+        self.reason() == Some(WITHOUT_ASSERTION)
+    }
+
     /// The verdict in a word or two, as in every report.
     pub fn word(&self) -> &'static str {
         match self {
@@ -115,6 +125,8 @@ impl fmt::Display for Verdict {
     }
 }
 
+/// Why a case is not judged of which no assertion is made, if only assertions are judged.
+const WITHOUT_ASSERTION: &str = "none of its assertions is made under these options";
 /// Marks a divergence that the expectations list.
 pub const EXPECTATIONS: &str = "listed in the expectations";
 /// Marks a divergence that the baseline has.
