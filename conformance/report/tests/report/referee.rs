@@ -338,7 +338,7 @@ fn expectations_are_strict() {
 #[test]
 fn the_page_has_what_a_controller_says_as_text() {
     let suite = suite();
-    let only = ["overrides".to_owned()];
+    let only = ["inputs".to_owned()];
     let evil = "<script>alert(1)</script>\"' onload=x";
     let controller = faulty(|mut outcome| {
         outcome.steps.truncate(1);

@@ -5,6 +5,8 @@ rules! {
 
     /// A comment acts before all words of its block.
     COMMENT_FIRST = "order.comment-first",
+    /// Cutter compensation is turned on or off before tool length compensation is.
+    COMPENSATION_BEFORE_TOOL_LENGTH = "order.compensation-before-tool-length",
     /// Cutter compensation is turned on or off before a coordinate system is selected.
     COMPENSATION_BEFORE_WORK_OFFSET = "order.compensation-before-work-offset",
     /// Coolant codes act before a dwell.
@@ -35,6 +37,8 @@ rules! {
     FEED_BEFORE_UNITS = "order.feed-before-units",
     /// The feed mode is set before the feed rate.
     FEED_MODE_BEFORE_FEED = "order.feed-mode-before-feed",
+    /// An axis offset is cancelled or brought back before the block's motion.
+    OFFSET_DATA_BEFORE_MOTION = "order.offset-data-before-motion",
     /// In a block the outputs are switched before the tool change.
     OUTPUTS_BEFORE_TOOL_CHANGE = "order.outputs-before-tool-change",
     /// Override codes act before a dwell.
@@ -45,6 +49,8 @@ rules! {
     PATH_BEFORE_MOTION = "order.path-before-motion",
     /// The plane is selected before cutter compensation is turned on.
     PLANE_BEFORE_COMPENSATION = "order.plane-before-compensation",
+    /// The plane is selected before the block's motion.
+    PLANE_BEFORE_MOTION = "order.plane-before-motion",
     /// The modal state is restored before the block's coolant codes act.
     RESTORE_BEFORE_COOLANT = "order.restore-before-coolant",
     /// The modal state is restored before the block's G code modes from plane to distance act.
@@ -84,6 +90,8 @@ rules! {
     UNITS_BEFORE_OFFSET_DATA = "order.units-before-offset-data",
     /// The length unit is set before the path control mode.
     UNITS_BEFORE_PATH = "order.units-before-path",
+    /// The length unit is set before tool length compensation.
+    UNITS_BEFORE_TOOL_LENGTH = "order.units-before-tool-length",
     /// In a block a user-defined code is executed before plane, units, compensation and the other modes.
     USER_CODE_BEFORE_MODES = "order.user-code-before-modes",
     /// The place of a word in its block does not change the block's meaning.

@@ -39,7 +39,7 @@ rules! {
     ONE_BY_ONE = "overrides.one-by-one",
     /// P of M50 to M53 is 0 or 1; anything else is refused.
     OTHER_P = "overrides.other-p",
-    /// A $ word with M51 that names no spindle of the machine is refused.
+    /// A $ word with M48, M49 or M51 that names no spindle of the machine is refused.
     OUT_OF_RANGE = "overrides.out-of-range",
     /// M48 and M49 are allowed when the overrides are already enabled or disabled.
     REPEATED = "overrides.repeated",
