@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{
-    BlockLocation, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position, Settings,
-    State, Value,
+    Axis, BlockLocation, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position,
+    Settings, State, Value,
 };
 
 use crate::accuracy::Resolution;
@@ -97,7 +97,7 @@ impl Observed {
                 match event {
                     Event::Set(change) => {
                         if moves_coordinates(&settings, change) {
-                            point = None;
+                            point = point.and_then(|point| after_offset(point, &settings, change));
                         }
                         settings.overlay(change);
                     }
@@ -182,6 +182,20 @@ pub(crate) fn end_of(effect: &Effect) -> Option<Position> {
         return None;
     };
     Some(*end)
+}
+
+/// The program coordinates of the controlled point after a change of the tool offset, which is along the axes of the
+/// program where the coordinate system is not turned; `None` after any other change.
+fn after_offset(mut point: Position, before: &Settings, change: &Settings) -> Option<Position> {
+    let others = Settings { tool_offset: before.tool_offset, ..change.clone() };
+    if moves_coordinates(before, &others) || before.rotation != Some(0.0) {
+        return None;
+    }
+    let (old, new) = (before.tool_offset?, change.tool_offset?);
+    for axis in Axis::ALL {
+        *point.get_mut(*axis) += old.get(*axis) - new.get(*axis);
+    }
+    Some(point)
 }
 
 /// Whether the controlled point has other program coordinates after this change: a setting that is repeated unchanged

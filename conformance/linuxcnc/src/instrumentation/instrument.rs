@@ -67,14 +67,13 @@ pub(crate) struct Plan {
 /// Messages that pass through the controller's queue in order with the commands: after each block, and before some.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Marks {
-    /// File and line of blocks with a mark before them, too.
+    /// File and line of blocks with a gate and a mark before them, too.
     pub(crate) before: BTreeSet<(usize, u32)>,
-    /// Blocks of `before` that are preceded by a short dwell, in which the driver can switch an input.
-    pub(crate) gates: BTreeSet<(usize, u32)>,
 }
 
-/// The dwell before a block of [`Marks::gates`], seconds.
-pub(crate) const GATE: &str = "0.15";
+/// The user-defined code of a gate. Its program waits until the driver lets it end. The controller starts it once all
+/// motions before it are over, and meanwhile reads ahead as it would without it.
+pub(crate) const GATE: &str = "M187";
 
 impl Plan {
     /// A plan for a program: it prints the parameters that the text names, #1 to #30, and `more`.
@@ -111,8 +110,8 @@ impl Plan {
         let mut begun = !begins_with_percent;
         for (number, line) in (1_u32..).zip(lines) {
             if self.marks.as_ref().is_some_and(|marks| marks.before.contains(&(file, number))) {
-                text.push_str(&format!("(MSG,{})\n", self.mark_before(file, number)));
-                text.push_str(&self.gate(file, number));
+                let (gate, mark) = (self.mark_gate(file, number), self.mark_before(file, number));
+                text.push_str(&format!("(MSG,{gate})\n{GATE} ({})\n(MSG,{mark})\n", self.marker));
             }
             if let Some(block) = ends.block(line) {
                 let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
@@ -134,14 +133,14 @@ impl Plan {
         format!("{}{file}.{line}", self.marker)
     }
 
-    /// The text of the mark before a block.
+    /// The text of the mark between the gate of a block and the block.
     pub(crate) fn mark_before(&self, file: usize, line: u32) -> String {
         format!("{}>{file}.{line}", self.marker)
     }
 
-    fn gate(&self, file: usize, line: u32) -> String {
-        let waits = self.marks.as_ref().is_some_and(|marks| marks.gates.contains(&(file, line)));
-        if waits { format!("G4 P{GATE} ({})\n", self.marker) } else { String::new() }
+    /// The text of the mark before the gate of a block.
+    pub(crate) fn mark_gate(&self, file: usize, line: u32) -> String {
+        format!("{}<{file}.{line}", self.marker)
     }
 
     /// The marks after a block: two, so that the first one has passed before a controller that reads one command ahead
@@ -158,7 +157,7 @@ impl Plan {
         let inserted = [
             format!("(PRINT,{} ", self.marker),
             format!("(MSG,{}", self.marker),
-            format!("G4 P{GATE} ({}", self.marker),
+            format!("{GATE} ({}", self.marker),
         ];
         let mut own = 0;
         let number = |line: &str| {

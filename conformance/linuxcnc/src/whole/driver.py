@@ -146,6 +146,33 @@ class Bench:
                 self.asked[asked] = -1.0
 
 
+class Gates:
+    """User-defined codes that wait before blocks at which the operator acts: each reads a line before it ends."""
+
+    def __init__(self, pipe, marks):
+        self.pipe = pipe
+        self.marks = marks
+        self.close({})
+
+    def reached(self, seen):
+        return sum(len(seen.get(mark, [])) for mark in self.marks)
+
+    def close(self, seen):
+        """Takes back what no code has read; those that wait have been ended."""
+        self.passed = self.reached(seen)
+        try:
+            while os.read(self.pipe, 4096):
+                pass
+        except BlockingIOError:
+            pass
+
+    def let_pass(self, seen):
+        """What was to happen before the codes that wait has happened."""
+        waiting = self.reached(seen) - self.passed
+        os.write(self.pipe, b"\n" * waiting)
+        self.passed += waiting
+
+
 class Driver:
     """The controller's commands, its state and its messages."""
 
@@ -160,12 +187,19 @@ class Driver:
         self.errors = linuxcnc.error_channel()
         self.settings = settings
         self.bench = Bench(hal, settings)
-        self.seen = {}
+        self.seen, self.executed = {}, 0
         self.begun = 0.0
         self.events = []
         self.checkpoint = []
         self.first, self.steps, self.starts = "", 0, 1
+        os.mkfifo("gate")
+        # For reading too, so that neither side waits for the other to open it.
+        self.gates = Gates(os.open("gate", os.O_RDWR | os.O_NONBLOCK), [])
+        self.reads_ahead = False
+        self.pace = 1.0
         self.looked = 0.0
+        self.is_behind = False
+        self.prepared_at_first = None
         self.mode_told = None
         self.complaints = 0
         self.stands_at = (None, 0.0)
@@ -187,14 +221,16 @@ class Driver:
                 report(failed="the task controller is gone")
                 os._exit(1)
         # A program without end fills the channel faster than it is emptied.
+        self.is_behind = True
         for _ in range(100):
             message = self.errors.poll()
             if not message:
+                self.is_behind = False
                 break
             kind, text = message
             if text.startswith(self.settings["marker"]):
-                seen = self.seen.setdefault(text, [])
-                seen.append(time.monotonic())
+                self.seen.setdefault(text, []).append(time.monotonic())
+                self.executed += text[len(self.settings["marker"])] not in "+<>"
             else:
                 if REALTIME_DELAY in text:
                     continue
@@ -215,6 +251,7 @@ class Driver:
             and stat.queue == 0
             and stat.inpos
             and stat.queued_mdi_commands == 0
+            and not self.is_behind
         )
 
     def is_held(self):
@@ -268,7 +305,7 @@ class Driver:
         return self.stat.task_state == linuxcnc.STATE_ON
 
     def warm_up(self):
-        """Moves to and fro: an abort brings back the modes of the last motion, whichever program that was in."""
+        """Moves to and fro: an abort brings back the modes of the last motion, whichever program it was in."""
         self.mode(self.linuxcnc.MODE_MDI)
         for block in ("G53 G0 X1", "G53 G0 X0"):
             self.command.mdi(block)
@@ -352,6 +389,7 @@ class Driver:
         def is_over():
             if any(self.due(event) for event in self.events):
                 return True
+            self.let_pass()
             is_done = self.stat.echo_serial_number >= serial and self.stat.state != self.linuxcnc.RCS_EXEC
             return is_done and (self.is_idle() or self.is_paused())
 
@@ -387,6 +425,23 @@ class Driver:
             return False
         return time.monotonic() >= seen[event["execution"] - 1] + event["offset"]
 
+    def let_pass(self):
+        """Lets the codes end that wait before blocks, once all has been read that can be."""
+        if self.gates.reached(self.seen) > self.gates.passed:
+            self.read_ahead()
+            self.gates.let_pass(self.seen)
+
+    def read_ahead(self):
+        """Until the interpreter has read all that it can: it reads between any two commands of ours."""
+        place, same = None, 0
+        for _ in range(200 if self.reads_ahead else 0):
+            self.command.rapidrate(self.stat.rapidrate)
+            self.taken()
+            last, place = place, (self.stat.read_line, self.stat.call_level, self.stat.interp_state)
+            same = same + 1 if place == last else 0
+            if same == 3:
+                break
+
     def act(self, event):
         linuxcnc, command = self.linuxcnc, self.command
         name, value = event["action"], event.get("value")
@@ -403,6 +458,7 @@ class Driver:
                 # As displays do it: a request to run is refused in any other mode.
                 self.mode(linuxcnc.MODE_AUTO)
                 self.starts += 1
+                self.gates.close(self.seen)
                 report(starts_again=True)
             command.auto(linuxcnc.AUTO_RUN, 0)
         elif name == "resume":
@@ -411,7 +467,10 @@ class Driver:
             command.auto(linuxcnc.AUTO_PAUSE)
         elif name == "abort":
             self.first = None
+            if event["marker"] in self.gates.marks:
+                self.read_ahead()
             command.abort()
+            self.gates.close(self.seen)
         elif name == "mode":
             command.mode(next(mode for mode, word in self.modes.items() if word == value))
         elif name == "mdi":
@@ -419,7 +478,7 @@ class Driver:
         elif name == "optional_stop":
             command.set_optional_stop(value)
         elif name == "feed_override":
-            command.feedrate(value)
+            command.feedrate(value * self.pace)
         elif name == "rapid_override":
             command.rapidrate(value)
         elif name == "spindle_override":
@@ -442,9 +501,11 @@ class Driver:
                 self.events.remove(ready)
                 self.act(ready)
                 continue
-            if not self.events and len(self.seen.get(self.first, [])) > self.starts:
+            self.let_pass()
+            begun = len(self.seen.get(self.first, []))
+            if not self.events and begun > self.starts and not self.is_idle():
                 return "endless"
-            if sum(len(seen) for text, seen in self.seen.items() if text[-1] != "+") > self.steps:
+            if self.executed > self.steps:
                 return "budget"
             pending = [event for event in self.events if len(self.seen.get(event["marker"], [])) >= event["execution"]]
             if not pending and (self.is_idle() or self.is_paused()):
@@ -456,16 +517,22 @@ class Driver:
 
     def run(self, order):
         self.settings["marker"] = order["marker"]
-        self.seen = {}
+        self.seen, self.executed = {}, 0
         self.events = order["events"]
         self.checkpoint = order["checkpoint"]
         self.first, self.steps, self.starts = order["first"], order["steps"], 1
+        self.gates = Gates(self.gates.pipe, order["gates"])
+        self.reads_ahead = order["reads_ahead"]
+        self.pace = order["feed_override"]
         self.mode_told = None
         self.reset(order)
         self.bench.begin(order["inputs"])
         self.mode(self.linuxcnc.MODE_AUTO if order["by_hand"] is None else self.linuxcnc.MODE_MDI)
         self.mode_told = self.modes.get(self.stat.task_mode)
-        report(begins=True, mode=self.mode_told, as_new=self.bench.is_as_new())
+        if self.prepared_at_first is None:
+            self.prepared_at_first = self.stat.pocket_prepped
+        as_new = self.bench.is_as_new() and self.stat.pocket_prepped == self.prepared_at_first
+        report(begins=True, mode=self.mode_told, as_new=as_new)
         if order["by_hand"] is not None:
             ending = self.run_by_hand(order["by_hand"], order["seconds"])
         else:
@@ -476,7 +543,7 @@ class Driver:
         self.wait(lambda: False, 4 * self.settings["period"] if order["linger"] else 0.0)
         self.poll()
         self.mode_told = None
-        report(ends=ending, pins=self.bench.changes)
+        report(ends=ending, pins=self.bench.changes, queued_moves=self.stat.queue, motion=self.stat.motion_type)
         if ending == "late":
             return False
         if not self.is_idle():

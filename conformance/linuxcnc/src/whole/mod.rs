@@ -81,6 +81,9 @@ const RESOLUTION_IN_INCHES: f64 = 1.3e-5;
 /// How long a pin's value lasts that is seen for sure: some cycles of the servo thread and of the I/O controller.
 const PIN_PERIOD: f64 = 0.01;
 
+/// Errors that one controller may report: it prints no more than 30, and each is counted twice.
+const ERRORS_MAX: usize = 40;
+
 /// How often a run is repeated if a fresh controller prints something unknown.
 const CHANCES: u32 = 2;
 
@@ -127,14 +130,16 @@ impl LinuxCnc {
         let setup = Setup::of(scenario);
         let tools = workspace::tool_table(&scenario.machine);
         let names = foreign_names(source);
-        // Stored parameters change where the machine stands to begin with.
+        // Stored parameters change where the machine stands to begin with, and an abort brings back the speeds of the
+        // programs before.
         let stores = !scenario.machine.parameters.0.is_empty();
+        let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);
         // A controller that was used before may be other than a new one; then the run is repeated on a new one. One
         // that prints what it should not is given another chance there, too: on a loaded machine its real-time tasks
         // are too late.
         let mut chances = CHANCES;
         loop {
-            let mut session = self.pool.take(&setup, &names, &tools, new || stores)?;
+            let mut session = self.pool.take(&setup, &names, &tools, new || stores || aborts)?;
             let is_new = session.fresh.is_none();
             let recorded = match run_on(&mut session, scenario, source, plan, self.longest) {
                 Ok(recorded) => recorded,
@@ -159,7 +164,9 @@ impl LinuxCnc {
             session.names.extend(source.parameters().named);
             let machine_keeps = stores || scenario.machine.random_tool_changer;
             let keeps = machine_keeps || !session.setup.programs.is_empty();
-            if !is_same || keeps || leaves_traces(source, &recorded.items) {
+            session.errors += recorded.items.iter().filter(|item| item.is_error()).count();
+            let is_worn = session.errors > ERRORS_MAX;
+            if !is_same || keeps || is_worn || leaves_traces(source, &recorded.items) {
                 self.pool.end(session);
             } else {
                 self.pool.give(session);

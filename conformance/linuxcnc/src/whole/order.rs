@@ -3,16 +3,16 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_vocabulary::scenario::{Action, OperatorEvent};
+use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, Start};
 use gaugeblock_vocabulary::{LengthUnit, Scenario};
 use serde_json::{Value, json};
 
 use super::reuse::has;
 use super::setup;
-use crate::instrumentation::instrument::{GATE, Marks, Plan};
+use crate::instrumentation::instrument::{Marks, Plan};
 use crate::instrumentation::source::{Source, code, has_slash};
 
-/// Feed override for programs whose pace is not compared.
+/// Feed override for programs whose pace is not compared; the operator's factors multiply it.
 const HURRY: f64 = 10_000.0;
 
 /// The parameter that holds what M66 has read.
@@ -22,33 +22,23 @@ const INPUT_READ: &str = "5399";
 pub(super) fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -> Plan {
     let names = source.files().iter().map(|(name, _)| name);
     let file = |name: &str| names.clone().position(|known| known == name);
-    let places = |wanted: fn(&OperatorEvent) -> bool| -> BTreeSet<(usize, u32)> {
-        let events = scenario.operator.iter().filter(|event| wanted(event));
-        let place =
-            |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
-        events.filter_map(place).collect()
-    };
+    let place =
+        |event: &OperatorEvent| Some((file(&event.when.block.file)?, event.when.block.line));
     let mut plan = Plan::new(source, more);
     // What an M66 reads; no effect but this one needs it.
     if source.all().any(|(_, _, line)| code(line).contains('m')) && !source.names_line() {
         plan.parameters.retain(|name| name != INPUT_READ);
         plan.parameters.push(INPUT_READ.to_owned());
     }
-    plan.marks = Some(Marks { before: places(|_| true), gates: places(is_switched_before) });
+    plan.marks = Some(Marks { before: scenario.operator.iter().filter_map(place).collect() });
     plan
 }
 
-/// Whether an event sets a switch before its block begins.
-fn is_switched_before(event: &OperatorEvent) -> bool {
-    let is_switch = matches!(
-        event.action,
-        Action::OptionalStop(_)
-            | Action::FeedOverride(_)
-            | Action::RapidOverride(_)
-            | Action::SpindleOverride { .. }
-            | Action::FeedHold(_)
-    );
-    is_switch && event.when.offset <= 0.0
+/// Whether an event comes as its block begins, before anything of it is executed. What lets a program that pauses go on
+/// comes once it pauses.
+fn comes_before(event: &OperatorEvent) -> bool {
+    let goes_on = matches!(event.action, Action::CycleStart | Action::Resume);
+    !goes_on && event.when.offset <= 0.0
 }
 
 /// What the driver is to do; the blocks that are entered `by_hand`, if they are.
@@ -71,25 +61,26 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
             entered += 1;
             command["line"] = entered.into();
         }
-        let place = file(&event.when.block.file)?;
-        command["marker"] = plan.mark_before(place, event.when.block.line).into();
+        let (place, line) = (file(&event.when.block.file)?, event.when.block.line);
+        let before = comes_before(event);
+        let marker =
+            if before { plan.mark_gate(place, line) } else { plan.mark_before(place, line) };
+        command["marker"] = marker.into();
         command["execution"] = event.when.execution.into();
         // A block has begun once its command has gone out.
-        let has_gate = plan
-            .marks
-            .as_ref()
-            .is_some_and(|marks| marks.gates.contains(&(place, event.when.block.line)));
-        let begins = if has_gate { GATE.parse().unwrap_or_default() } else { 0.0 };
-        let begins = if is_switched_before(event) { 0.0 } else { begins + 0.004 };
-        command["offset"] = (event.when.offset + begins).into();
+        command["offset"] = (event.when.offset + if before { 0.0 } else { 0.004 }).into();
         Some(command)
     });
+    let before = plan.marks.iter().flat_map(|marks| &marks.before);
+    let gates: Vec<_> = before.map(|(file, line)| plan.mark_gate(*file, *line)).collect();
     let may_stop = source.all().any(|(_, _, line)| {
         let code = code(line);
         code.contains("m1") || code.contains("m01") || code.contains("m#") || code.contains("m[")
     });
     json!({
         "marker": plan.marker,
+        "gates": gates,
+        "reads_ahead": setup::reads_ahead(scenario) && scenario.program.start != Start::Mdi,
         "first": plan.mark_after(0, 0),
         "steps": scenario.budget.steps,
         "optional_stop": may_stop.then_some(false),
@@ -151,10 +142,12 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
         LengthUnit::Millimetre => "G21",
         LengthUnit::Inch => "G20",
     };
+    let spindles = 0..machine.spindles;
+    let stopped: String = spindles.map(|spindle| format!("G97 S0 ${spindle}\n")).collect();
     // The controller stands off a corner that it has rounded: a wait parts the two ways.
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
     format!(
-        "{}M71\nG40\nG17 {unit} G90 G94 G99 G49 G53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
+        "{}M71\nG40\n{stopped}G17 {unit} G90 G94 G99 G49 F0\nG53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
         plan.checkpoint(0, 0)
     )
 }

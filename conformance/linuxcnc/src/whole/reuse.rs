@@ -33,8 +33,14 @@ pub(super) fn leaves_traces(source: &Source, items: &[Item]) -> bool {
     refuses_all || words_leave_traces(source)
 }
 
-/// Whether a program has words that may leave residue, for example a changed tool table.
+/// Whether a program has words that may leave residue, for example a changed tool table, or a dwell that a tap without
+/// one takes over.
 pub(super) fn words_leave_traces(source: &Source) -> bool {
+    let dwells =
+        ["g74", "g82", "g84", "g86", "g88", "g89"].into_iter().any(|word| has(source, word));
+    if dwells && has(source, "p") {
+        return true;
+    }
     ["continue", "break", "m98", "g10l1"].into_iter().any(|word| has(source, word))
 }
 

@@ -14,7 +14,7 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_adapter::clock::now;
 use serde_json::Value;
 
-use super::setup::Setup;
+use super::setup::{self, Setup};
 use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::workspace::{RECORDED_SAMPLES, Workspace};
 
@@ -29,6 +29,9 @@ const START: Duration = Duration::from_secs(30);
 
 /// How often a controller is started that does not come up.
 const STARTS: usize = 3;
+
+/// The priority of the controller where it may be raised, as for `nice`.
+const PRIORITY: &str = "-15";
 
 /// Bytes that one run may print.
 const BYTES: usize = 256 << 20;
@@ -66,6 +69,8 @@ pub(super) struct Session {
     pub(super) fresh: Option<Checkpoint>,
     /// Text of the tool table that it has read.
     pub(super) tools: String,
+    /// How many errors it has reported.
+    pub(super) errors: usize,
     workspace: Workspace,
     child: Child,
     orders: Option<ChildStdin>,
@@ -109,6 +114,7 @@ impl Session {
             names: BTreeSet::new(),
             fresh: None,
             tools,
+            errors: 0,
             workspace,
             child,
             orders,
@@ -280,6 +286,8 @@ fn command(directory: &Path) -> Command {
     command.args(["-i", "-n", "-m", "-p", "-f", "--mount-proc", "--kill-child"]);
     command.args(["sh", "-c", ENTER, "sh"]).arg(directory);
     if is_root() {
+        // Its real-time tasks must not be late because others use the machine.
+        command.args(["nice", "-n", PRIORITY]);
         let (user, group) = (format!("--reuid={NOBODY}"), format!("--regid={NOBODY}"));
         command.args(["setpriv", &user, &group, "--clear-groups"]);
     } else {
@@ -317,6 +325,8 @@ fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<
     own(workspace, "channels.nml", &channels(&fs::read_to_string(CHANNELS)?), 0o644)?;
     own(workspace, "tools.tbl", tools, 0o644)?;
     own(workspace, "parameters.var", "", 0o644)?;
+    let (gate, text) = setup::gate();
+    own(workspace, &gate, &text, 0o755)?;
     for (name, text, executable, at_start) in &setup.programs {
         if *at_start {
             own(workspace, name, text, if *executable { 0o755 } else { 0o644 })?;
@@ -360,8 +370,12 @@ fn read_lines(stream: Option<impl Read + Send + 'static>) -> Receiver<String> {
         let mut bytes = Vec::new();
         while reader.read_until(b'\n', &mut bytes).is_ok_and(|count| count > 0) {
             let line = String::from_utf8_lossy(&bytes);
-            if sender.send(line.trim_end_matches('\n').to_owned()).is_err() {
-                break;
+            // The controller prints some lines in parts, and the driver may come between.
+            let (before, own) = line.split_at(line.find(MARK).unwrap_or_default());
+            for part in [before, own].into_iter().filter(|part| !part.is_empty()) {
+                if sender.send(part.trim_end_matches('\n').to_owned()).is_err() {
+                    return;
+                }
             }
             bytes.clear();
         }

@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::scenario::{Action, AxisLimits, Folder, OrientAnswer, 
 use gaugeblock_vocabulary::{Axis, LengthUnit, Pin, Scenario};
 use serde_json::{Value, json};
 
+use crate::instrumentation::instrument::GATE;
 use crate::instrumentation::source::Source;
 use crate::instrumentation::workspace::{self, Sections};
 
@@ -54,14 +55,15 @@ impl Setup {
     }
 }
 
-/// Whether a person or the environment acts on the speed of the machine, so that it must not be hurried.
+/// Whether the environment acts on the speed of the machine, so that it must not be hurried. Where only an operator
+/// acts, moves are hurried: they must not put off the dwells and waits in which the operator acts.
 pub(super) fn has_own_pace(scenario: &Scenario) -> bool {
-    !scenario.operator.is_empty() || !scenario.environment.inputs.is_empty()
+    !scenario.environment.inputs.is_empty()
 }
 
 /// Operators act on what is read ahead, and HAL pins that change meanwhile are read ahead too. Other scenarios read
 /// ahead as little as possible, so that the blocks before a refused one have been executed.
-fn reads_ahead(scenario: &Scenario) -> bool {
+pub(super) fn reads_ahead(scenario: &Scenario) -> bool {
     let interrupts = |action: &Action| {
         matches!(action, Action::Abort | Action::Pause | Action::FeedHold(_) | Action::Mode(_))
     };
@@ -303,6 +305,11 @@ fn driver(scenario: &Scenario, pins: &[Wired]) -> Value {
         "answers": answers,
         "marker": "@",
     })
+}
+
+/// The program of the gates: it ends when the driver writes a line.
+pub(super) fn gate() -> (String, String) {
+    (format!("user/{GATE}"), "#!/bin/sh\nread -r _ < /tmp/gate\n".to_owned())
 }
 
 /// A user program as a script that takes its time and exits.

@@ -110,6 +110,12 @@ impl Item {
         report.get("as_new").and_then(Value::as_bool) != Some(false)
     }
 
+    /// Whether it reports an error of the program or of the controller.
+    pub(super) fn is_error(&self) -> bool {
+        matches!(self, Self::Refused(_))
+            || matches!(self, Self::Driver(report) if report.get("error").and_then(Value::as_bool) == Some(true))
+    }
+
     /// Whether it is the driver's word that the run is over.
     pub(super) fn is_end(&self) -> bool {
         matches!(self, Self::Driver(report) if report.get("ends").is_some())
@@ -189,6 +195,10 @@ fn is_remark(line: &str) -> bool {
         "Note: ",
         "Found file",
         "Machine configuration",
+        // An arc without a centre, which it leaves out.
+        "std::isnan error in ",
+        // What motion rejects, in addition to its message.
+        "USRMOT: ERROR: ",
         "Starting ",
         "linuxcnc ",
     ]

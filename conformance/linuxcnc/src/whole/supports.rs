@@ -1,6 +1,6 @@
 //! Which scenarios the controller can run.
 
-use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, Start};
+use gaugeblock_vocabulary::scenario::{Action, Environment, OperatorEvent, OrientAnswer, Start};
 use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
@@ -90,7 +90,10 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
     }
     let ends = |event: &OperatorEvent| {
         let at = |duration: f64| (duration - event.when.offset).abs() < 0.05;
+        let oriented =
+            |answer: &OrientAnswer| matches!(answer, OrientAnswer::After(seconds) if at(*seconds));
         scenario.environment.user_programs.iter().any(|program| at(program.duration))
+            || scenario.environment.orient.iter().any(oriented)
     };
     // A block that only sets parameters is over before anybody can act.
     let begins = |event: &OperatorEvent| {

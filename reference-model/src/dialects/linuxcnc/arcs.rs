@@ -62,6 +62,8 @@ impl ArcRules for LinuxCnc {
             && state.has_quirk(quirk::rs274::ARC_NO_RADIUS)
         {
             state.coverage.accepted(rule);
+            // Quirk linuxcnc.point-read-back. The machine leaves such an arc out.
+            state.memory.led_to = Some(state.modes.machine_point(state.position));
             return Ok((f64::NAN, f64::NAN));
         }
         Documented.centre_from_radius(start, chord, radius, clockwise, state)

@@ -103,6 +103,9 @@ impl CycleRules for LinuxCnc {
         }
         let path = std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath);
         Documented.perform_repeats(cycle, places, state, record)?;
+        if matches!(cycle.kind, Kind::TapLeft | Kind::TapRight) && has_other_axes(state) {
+            state.memory.led_to = Some(state.modes.machine_point(in_other_order(state)));
+        }
         if path == PathControlMode::Continuous {
             tolerances_as_numbers(state);
         }
@@ -113,13 +116,22 @@ impl CycleRules for LinuxCnc {
     /// Quirk rs274.tap-axes. Outside of the XY plane the reported end point has its axes in another order. The
     /// controlled point is nevertheless correct.
     fn feed_tap(&self, normal: Axis, to: f64, state: &mut State, record: &mut Record) {
-        let plane = state.modes.plane;
-        if !(matches!(plane, Plane::Zx | Plane::Yz) && state.has_quirk(quirk::rs274::TAP_AXES)) {
+        if !has_other_axes(state) {
             return Documented.feed_tap(normal, to, state, record);
         }
         *state.position.get_mut(normal) = to;
-        let Position { x, y, z, .. } = state.position;
-        let [x, y, z] = if plane == Plane::Zx { [y, z, x] } else { [z, x, y] };
-        record.effect(state, Effect::StraightFeed { end: Position { x, y, z, ..state.position } });
+        record.effect(state, Effect::StraightFeed { end: in_other_order(state) });
     }
+}
+
+/// Quirk rs274.tap-axes. Whether the end points of taps have their axes in another order.
+fn has_other_axes(state: &State) -> bool {
+    matches!(state.modes.plane, Plane::Zx | Plane::Yz) && state.has_quirk(quirk::rs274::TAP_AXES)
+}
+
+/// The controlled point, with its axes in another order.
+fn in_other_order(state: &State) -> Position {
+    let Position { x, y, z, .. } = state.position;
+    let [x, y, z] = if state.modes.plane == Plane::Zx { [y, z, x] } else { [z, x, y] };
+    Position { x, y, z, ..state.position }
 }

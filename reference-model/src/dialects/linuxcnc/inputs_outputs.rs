@@ -8,6 +8,7 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::environment::{Awaited, Input};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::inputs::InputRules;
+use crate::rs274::execute::move_start;
 use crate::rs274::execute::outputs::OutputRules;
 use crate::rs274::execute::{whole, word};
 use crate::rs274::refusal::StepError;
@@ -71,6 +72,13 @@ impl OutputRules for LinuxCnc {
             return Ok(-1.0);
         }
         Documented.value_of_no_word(code, state)
+    }
+
+    /// Quirk linuxcnc.output-while-held. What waits for a motion switches when that is queued, although it is held.
+    fn motion_is_held(&self, state: &mut State) {
+        if state.has_quirk(quirk::linuxcnc::OUTPUT_WHILE_HELD) {
+            move_start::motion_begins(state);
+        }
     }
 
     /// Quirk rs274.io-number-rounded. A fractional output number is rounded.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::Plane;
+use gaugeblock_vocabulary::{Plane, Position};
 
 use crate::rs274::modes::Modes;
 use crate::rs274::text::Place;
@@ -23,6 +23,13 @@ pub(crate) struct Memory {
     pub(super) at_last_motion: Option<Box<Modes>>,
     /// Quirk linuxcnc.modes-of-last-motion: whether a motion has been executed.
     pub(super) has_moved: bool,
+    /// Quirk linuxcnc.tool-change-move: whether the machine is on its way to where the tool is changed.
+    pub(super) moves_to_change: bool,
+    /// Quirk linuxcnc.point-read-back: where the machine is, in its own coordinates, while the interpreter takes it to
+    /// be elsewhere.
+    pub(super) machine_point: Option<Position>,
+    /// Quirk linuxcnc.point-read-back: where the block has led the machine, likewise.
+    pub(super) led_to: Option<Position>,
 }
 
 /// State of subroutines and loops, from the beginning of a program to that of the next one.

@@ -17,6 +17,8 @@ pub(super) struct Remembered {
     pub(super) tool_offset_unit: LengthUnit,
     /// The length unit in which the tolerances of G64 were programmed.
     pub(super) tolerance_unit: LengthUnit,
+    /// Quirk linuxcnc.modes-of-last-motion: whether the interpreter has read a program end, which sets F to zero.
+    pub(super) has_read_end: bool,
     /// Spindles whose brake an S word has released since they were stopped.
     pub(super) brake_released: BTreeSet<usize>,
     /// Spindles that the interpreter regards as stopped, even if they turn.
@@ -28,6 +30,7 @@ static AT_START: Remembered = Remembered {
     feed_number: 0.0,
     tool_offset_unit: LengthUnit::Millimetre,
     tolerance_unit: LengthUnit::Millimetre,
+    has_read_end: false,
     brake_released: BTreeSet::new(),
     regarded_as_stopped: BTreeSet::new(),
 };

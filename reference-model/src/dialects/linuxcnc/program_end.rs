@@ -22,6 +22,7 @@ impl ProgramEndRules for LinuxCnc {
         }
         if state.has_quirk(quirk::rs274::FEED_ZERO_AT_END) {
             state.modes.feed_rate = 0.0;
+            state.modes.memory.get_mut().has_read_end = true;
         }
     }
 
@@ -40,7 +41,13 @@ impl ProgramEndRules for LinuxCnc {
     }
 
     /// Quirk linuxcnc.auto-after-program-end. The controller stays in auto mode.
+    /// Quirk linuxcnc.point-read-back. The interpreter reads back where the machine is.
     fn change_mode_at_end(&self, state: &mut State, record: &mut Record) {
+        if let Some(machine) = state.memory.machine_point.take()
+            && state.has_quirk(quirk::linuxcnc::POINT_READ_BACK)
+        {
+            state.position = state.modes.program_point(machine);
+        }
         if !state.has_quirk(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
             Documented.change_mode_at_end(state, record);
         }
@@ -53,6 +60,8 @@ pub(super) fn without_local_offset(turn: fn(&mut State), state: &mut State) {
     if !state.has_quirk(quirk::rs274::ROTATION_UNDER_LOCAL_OFFSET) {
         return turn(state);
     }
+    let machine = state.modes.machine_point(state.position);
+    state.memory.machine_point.get_or_insert(machine);
     let local = std::mem::take(&mut state.modes.g92_offset);
     turn(state);
     state.modes.g92_offset = local;

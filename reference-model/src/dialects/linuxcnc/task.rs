@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use gaugeblock_vocabulary::{ControllerMode, End, Position, SpindleLimit, SpindleMode};
+use gaugeblock_vocabulary::{ControllerMode, End, Fault, Position, SpindleLimit, SpindleMode};
 
 use super::spindle::{release_brake_by_speed, set_released};
 use super::{HasQuirk, LinuxCnc};
@@ -50,9 +50,18 @@ impl TaskRules for LinuxCnc {
         }
     }
 
+    /// Quirk linuxcnc.value-lost-in-mdi. In MDI mode what a sub has returned is zero.
+    fn mode_has_changed(&self, state: &mut State) {
+        let is_mdi = state.modes.controller_mode == ControllerMode::Mdi;
+        if is_mdi && state.has_quirk(quirk::linuxcnc::VALUE_LOST_IN_MDI) {
+            state.parameters.returned = 0.0;
+            state.parameters.has_returned = false;
+        }
+    }
+
     /// Quirk linuxcnc.modes-of-last-motion. An abort restores the modes that were active at the last motion, except the
-    /// motion mode. If no motion was executed, it restores the modes of the beginning, except the speeds too. If the
-    /// last motion was in a sub, it restores nothing.
+    /// motion mode, and F once a program end has been read. If no motion was executed, it restores the modes of the
+    /// beginning, except the speeds too. If the last motion was in a sub, it restores nothing.
     fn change_modes_at_abort(&self, state: &mut State) -> bool {
         let Some(modes) = state.memory.at_last_motion.clone() else {
             return Documented.change_modes_at_abort(state);
@@ -61,6 +70,9 @@ impl TaskRules for LinuxCnc {
         let machine = converted(machine, state.modes.units, modes.units);
         let restored = Modes { motion: state.modes.motion, ..*modes };
         let before = std::mem::replace(&mut state.modes, restored);
+        if before.memory.get().has_read_end {
+            state.modes.feed_rate = before.feed_rate;
+        }
         state.position = state.modes.program_point(machine);
         for (place, spindle) in before.spindles.iter().enumerate() {
             let released = before.memory.get().brake_released.contains(&place);
@@ -83,6 +95,21 @@ impl TaskRules for LinuxCnc {
         Documented.request_same_mode(is_running, state)
     }
 
+    /// Quirk linuxcnc.fault-read-ahead. A block that is refused while it is read ahead ends the program at once. How many
+    /// of the blocks before it have been executed by then is chance.
+    fn end_before_fault(&self, fault: Fault, is_first: bool, state: &State) -> End {
+        if !state.has_quirk(quirk::linuxcnc::FAULT_READ_AHEAD) {
+            return Documented.end_before_fault(fault, is_first, state);
+        }
+        match fault.block {
+            Some(block) if !is_first => {
+                let why = "how much is executed before a fault that is found by reading ahead";
+                End::Unspecified { block, why: why.to_owned() }
+            }
+            _ => End::Fault(fault),
+        }
+    }
+
     /// Quirk linuxcnc.cycle-start-while-paused. Cycle start is refused while the program pauses at M60.
     fn goes_on_after_pallets(&self, state: &State) -> bool {
         !state.has_quirk(quirk::linuxcnc::CYCLE_START_WHILE_PAUSED)
@@ -100,8 +127,14 @@ impl TaskRules for LinuxCnc {
 }
 
 /// Quirk linuxcnc.modes-of-last-motion. Records the active modes at a motion.
+///
+/// Quirk linuxcnc.point-read-back. A motion leads to a point that the interpreter knows, except some taps.
 pub(super) fn record_modes_at_motion(state: &mut State) {
+    state.memory.machine_point = state.memory.led_to.take();
     if state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
+        if state.modes.memory.get().has_read_end {
+            state.modes.memory.get_mut().has_read_end = false;
+        }
         let in_main = state.call_level() == 0;
         state.memory.at_last_motion = in_main.then(|| Box::new(state.modes.clone()));
         state.memory.has_moved = true;

@@ -10,6 +10,11 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl ToolChangeRules for LinuxCnc {
+    /// Quirk linuxcnc.tool-change-move. Overrides of zero do not hold the moves to where the tool is changed.
+    fn moves_to_change(&self, begin: bool, state: &mut State) {
+        state.memory.moves_to_change = begin;
+    }
+
     /// Quirk rs274.tool-number-rounded. A fractional tool number is rounded.
     fn tool_number(&self, value: f64, state: &State) -> Option<i32> {
         if state.has_quirk(quirk::rs274::TOOL_NUMBER_ROUNDED) {

@@ -9,6 +9,9 @@ quirks! {
     AUTO_WHILE_RUNNING = "linuxcnc.auto-while-running",
     /// Cycle start is refused while the program pauses at M60; resume lets it go on.
     CYCLE_START_WHILE_PAUSED = "linuxcnc.cycle-start-while-paused",
+    /// A block that is refused while it is read ahead ends the program at once, although blocks before it
+    /// have not been executed.
+    FAULT_READ_AHEAD = "linuxcnc.fault-read-ahead",
     /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
     /// M66 with the number of no input is accepted up to 63 and reads zero.
@@ -24,10 +27,21 @@ quirks! {
     /// M62, M63 and M67 with the number of no output are accepted, and nothing changes. Of a larger number
     /// than 255 eight bits count.
     OUTPUT_NUMBER_WITH_MOTION = "linuxcnc.output-number-with-motion",
+    /// What M62, M63 and M67 set changes although the next motion is held where it begins.
+    OUTPUT_WHILE_HELD = "linuxcnc.output-while-held",
+    /// At the program end the controlled point is read back from the machine, where the interpreter took it
+    /// to be elsewhere.
+    POINT_READ_BACK = "linuxcnc.point-read-back",
+    /// M49 and M50 P0 disable the rapid override, too.
+    RAPID_OVERRIDE_DISABLED = "linuxcnc.rapid-override-disabled",
     /// When a program starts `_value` still has what the last sub of the program before it has returned.
     RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
     /// A speed releases the brake of a spindle that is stopped; the next stop applies it again.
     SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
+    /// A rapid override of zero does not hold the move to where the tool is changed.
+    TOOL_CHANGE_MOVE = "linuxcnc.tool-change-move",
+    /// A change to MDI mode sets `_value` and `_value_returned` to zero.
+    VALUE_LOST_IN_MDI = "linuxcnc.value-lost-in-mdi",
     /// M66 with L above 4 is accepted, and ends with its time-out, whatever the input does.
     WAIT_MODE_TIMES_OUT = "linuxcnc.wait-mode-times-out",
 }

@@ -56,7 +56,8 @@ pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
             [rule::overrides::FEED_STOP_HOLDS, rule::overrides::FEED_STOP_NO_EFFECT],
         ),
     ];
-    let mut is_held = speed == Speed::Rapid && panel.rapid_override <= 0.0;
+    let rapid_override = speed == Speed::Rapid && panel.rapid_override <= 0.0;
+    let mut is_held = rapid_override && state.dialect().rapid_override_counts(state);
     for (control, asks, [counts, does_not_count]) in controls {
         let enabled = control == Switch::On;
         if asks {

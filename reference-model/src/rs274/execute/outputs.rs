@@ -93,6 +93,9 @@ pub(crate) trait OutputRules {
         Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message))
     }
 
+    /// Rule outputs.at-next-motion. A motion that is held has not begun: what waits for it goes on waiting.
+    fn motion_is_held(&self, _state: &mut State) {}
+
     /// Rules outputs.number-range and outputs.analog-number-range. The number of an output, an integer.
     fn output_number(&self, value: f64, _timing: OutputTiming, _state: &State) -> Option<i32> {
         whole(value)

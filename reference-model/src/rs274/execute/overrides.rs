@@ -47,6 +47,11 @@ pub(crate) trait OverrideRules {
         state.dialect().named_spindle(value, state, rule::overrides::OUT_OF_RANGE)
     }
 
+    /// Rule overrides.feed-no-influence. The rapid override always counts: codes enable and disable that of the feed.
+    fn rapid_override_counts(&self, _state: &State) -> bool {
+        true
+    }
+
     /// Rule overrides.other-p. P is 1 or 0.
     fn switch(&self, value: f64, _state: &State) -> Result<Switch, StepError> {
         match whole(value) {

@@ -27,7 +27,9 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     )?;
     let tool = tool_to_load(state)?;
     before_moving(state);
+    state.dialect().moves_to_change(true, state);
     moves(state, record);
+    state.dialect().moves_to_change(false, state);
     if state.environment.tools_are_changed_by_hand() {
         state.coverage.accepted(rule::tool::CHANGE_BY_HAND);
         record.effect(state, Effect::PromptTool { tool });
@@ -121,6 +123,9 @@ fn swap(tool: i32, state: &mut State) {
 
 /// Which numbers are those of tools.
 pub(crate) trait ToolChangeRules {
+    /// Rule tool.change-at-g30. The moves to where the tool is changed begin or are over: they are rapid moves.
+    fn moves_to_change(&self, _begin: bool, _state: &mut State) {}
+
     /// Rule tool.set-number-integer. The Q of M61 is a whole number.
     fn tool_number(&self, value: f64, _state: &State) -> Option<i32> {
         whole(value)

@@ -114,8 +114,11 @@ impl ModelRun<'_> {
             | End::StreamEnd
             | End::Endless
             | End::Aborted
-            | End::Paused
-            | End::Fault(_) => End::Aborted,
+            | End::Paused => End::Aborted,
+            End::Fault(fault) => {
+                let is_first = self.record.is_empty();
+                self.state.dialect().end_before_fault(fault, is_first, &self.state)
+            }
         }
     }
 

@@ -143,9 +143,18 @@ pub(crate) trait TaskRules {
         false
     }
 
+    /// Rule parameters.returned-value. Another mode of the controller does not change what a sub has returned.
+    fn mode_has_changed(&self, _state: &mut State) {}
+
     /// Somebody requests the mode in which the controller is: nothing changes.
     fn request_same_mode(&self, _is_running: bool, _state: &State) -> Result<(), StepError> {
         Ok(())
+    }
+
+    /// Rule abort.read-ahead. How a run ends that is aborted, although a block ahead of the interrupted one would have
+    /// been refused: reading ahead executes nothing. `is_first` is whether no block has been executed.
+    fn end_before_fault(&self, _fault: Fault, _is_first: bool, _state: &State) -> End {
+        End::Aborted
     }
 
     /// Rule pause.pallet-restart. Whether cycle start lets the program go on after M60.

@@ -115,6 +115,7 @@ impl ModelRun<'_> {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }
         while move_start::is_held(speed, &mut self.state) {
+            self.state.dialect().motion_is_held(&mut self.state);
             let change = self.state.environment.next_change_of_feed();
             let now = self.state.environment.time();
             if let Some(happening) = self.operator.next(change.unwrap_or(f64::INFINITY)) {

@@ -78,6 +78,11 @@ impl Record {
         self.most_effects = budget.effects;
     }
 
+    /// Whether no block has been recorded.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
     /// Whether there are as many effects as the budget allows: a block that would go on and on stops here.
     pub fn is_full(&self) -> bool {
         self.effects >= self.most_effects

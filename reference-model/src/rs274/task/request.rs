@@ -172,6 +172,7 @@ impl ModelRun<'_> {
     pub(super) fn change_mode_to(&mut self, mode: ControllerMode) {
         if self.state.modes.controller_mode != mode {
             self.state.modes.controller_mode = mode;
+            self.state.dialect().mode_has_changed(&mut self.state);
             self.record.effect(&mut self.state, Effect::ChangeControllerMode { mode });
         }
     }

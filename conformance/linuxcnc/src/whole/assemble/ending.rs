@@ -39,6 +39,7 @@ impl Assembly<'_> {
             return self.machine_fault(message);
         }
         if self.steps.next_form() == Form::Percent {
+            self.ends_before(after_end)?;
             return Ok(End::PercentEnd);
         }
         // By hand there is always another block to wait for.
@@ -76,8 +77,8 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    /// The block at which the run pauses: what it did, and no state, since it is not over. A move that is held has not
-    /// been made.
+    /// The block at which the run pauses: what it did, and no state, since it is not over. The move that is held and
+    /// those that are queued after it have not been made.
     fn paused(&mut self, is_held: bool) -> Result<(), HarnessError> {
         let Some(next) = self.steps.next() else { return Ok(()) };
         let issued = std::mem::take(&mut self.issued);
@@ -92,9 +93,22 @@ impl Assembly<'_> {
             }
             self.canon.take_events()
         };
-        let is_move = |event: &Event| matches!(event, Event::Do(effect) if matches!(effect.name(), "straight_traverse" | "straight_feed" | "arc_feed"));
-        let made = events.into_iter().filter(|event| !(is_held && is_move(event)));
-        self.steps.step(next, made.collect(), None);
+        let mut events = events;
+        if is_held {
+            let kinds: Vec<u64> = events.iter().filter_map(kind_of_move).collect();
+            // The move before the one that is held may be in the queue still.
+            let first = kinds.len().saturating_sub(self.queued_moves);
+            let held = kinds.iter().skip(first).position(|kind| *kind == self.moves_as);
+            let mut left = first + held.unwrap_or_default();
+            let mut has_stopped = false;
+            events.retain(|event| {
+                let is_move = kind_of_move(event).is_some();
+                has_stopped |= is_move && left == 0;
+                left = left.saturating_sub(usize::from(is_move));
+                !has_stopped || !is_move && !matches!(event, Event::Set(_))
+            });
+        }
+        self.steps.step(next, events, None);
         Ok(())
     }
 
@@ -158,5 +172,16 @@ impl Assembly<'_> {
         };
         let block = self.steps.taken.last().map(|step| step.block.clone());
         Ok(End::Fault(Fault { kind: Some(kind), block, span: None, message }))
+    }
+}
+
+/// The kind of a move, as the controller numbers them.
+fn kind_of_move(event: &Event) -> Option<u64> {
+    let Event::Do(effect) = event else { return None };
+    match effect.name() {
+        "straight_traverse" => Some(1),
+        "straight_feed" => Some(2),
+        "arc_feed" => Some(3),
+        _ => None,
     }
 }

@@ -54,7 +54,7 @@ pub(super) struct Assembly<'a> {
     /// Where the interpreter is.
     reading_at: Option<(usize, u32)>,
     log_is_open: bool,
-    /// Whether the next wait is one of ours.
+    /// Whether the next user-defined code is a gate of ours.
     at_gate: bool,
     refused: Option<Fault>,
     /// A fault of the machine, from the error channel.
@@ -77,6 +77,9 @@ pub(super) struct Assembly<'a> {
     restarts: usize,
     pins: Vec<PinChange>,
     ends: Option<String>,
+    /// How many moves were in the queue when the run ended, and of which kind the current one was.
+    queued_moves: usize,
+    moves_as: u64,
 }
 
 impl<'a> Assembly<'a> {
@@ -119,6 +122,8 @@ impl<'a> Assembly<'a> {
             restarts: 0,
             pins: Vec::new(),
             ends: None,
+            queued_moves: 0,
+            moves_as: 0,
         };
         let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
         let (run, after) = items.split_at(end);
@@ -205,6 +210,9 @@ impl<'a> Assembly<'a> {
             self.stopped.get_or_insert(message.to_owned());
         } else if let Some(ends) = report.get("ends").and_then(Value::as_str) {
             self.ends = Some(ends.to_owned());
+            let queued = report.get("queued_moves").and_then(Value::as_u64).unwrap_or_default();
+            self.queued_moves = usize::try_from(queued).unwrap_or(usize::MAX);
+            self.moves_as = report.get("motion").and_then(Value::as_u64).unwrap_or_default();
             self.pins = pins(report.get("pins"))?;
         }
         Ok(())
@@ -213,14 +221,14 @@ impl<'a> Assembly<'a> {
     fn issued(&mut self, issued: &Issued) -> Result<(), HarnessError> {
         let text = if issued.name == "OPERATOR_DISPLAY" { issued.text(1) } else { String::new() };
         if let Some(mark) = text.strip_prefix(&self.plan.marker) {
-            self.at_gate = mark.strip_prefix('>').is_some_and(|place| self.is_gate(place));
-            if !mark.starts_with(['+', '>']) {
+            self.at_gate = mark.starts_with('<');
+            if !mark.starts_with(['+', '<', '>']) {
                 self.marked.push_back(std::mem::take(&mut self.issued));
                 self.block_executed()?;
             }
             return Ok(());
         }
-        if issued.name == "TRAJ_DELAY" && std::mem::take(&mut self.at_gate) {
+        if issued.name == "SYSTEM_CMD" && std::mem::take(&mut self.at_gate) {
             return Ok(());
         }
         // The operator's pause has the name of the program's, and is no effect of a block.
@@ -232,15 +240,6 @@ impl<'a> Assembly<'a> {
         }
         self.issued.push(issued.clone());
         Ok(())
-    }
-
-    /// Whether the mark before a block is followed by a wait of ours.
-    fn is_gate(&self, place: &str) -> bool {
-        let place = place
-            .split_once('.')
-            .and_then(|(file, line)| Some((file.parse().ok()?, line.parse().ok()?)));
-        let gates = self.plan.marks.as_ref().map(|marks| &marks.gates);
-        gates.zip(place).is_some_and(|(gates, place)| gates.contains(&place))
     }
 
     fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), HarnessError> {
