@@ -95,8 +95,8 @@ impl TaskRules for LinuxCnc {
         Documented.request_same_mode(is_running, state)
     }
 
-    /// Quirk linuxcnc.fault-read-ahead. A block that is refused while it is read ahead ends the program at once. How many
-    /// of the blocks before it have been executed by then is chance.
+    /// Quirk linuxcnc.fault-read-ahead. A block that is refused while it is read ahead ends the program at once. How
+    /// many of the blocks before it have been executed by then is chance.
     fn end_before_fault(&self, fault: Fault, is_first: bool, state: &State) -> End {
         if !state.has_quirk(quirk::linuxcnc::FAULT_READ_AHEAD) {
             return Documented.end_before_fault(fault, is_first, state);

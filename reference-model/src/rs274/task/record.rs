@@ -78,9 +78,9 @@ impl Record {
         self.most_effects = budget.effects;
     }
 
-    /// Whether no block has been recorded.
+    /// Whether no block has been executed to its end.
     pub fn is_empty(&self) -> bool {
-        self.steps.is_empty()
+        self.steps.iter().all(|step| step.state.is_none() && step.events.is_empty())
     }
 
     /// Whether there are as many effects as the budget allows: a block that would go on and on stops here.
