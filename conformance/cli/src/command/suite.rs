@@ -92,7 +92,8 @@ pub(crate) struct MatrixArguments {
   gaugeblock suite faults --assertions-only
 
 Exit status: 0 each fault is caught, and the first finding names its rule, except for listed exceptions;
-with --assertions-only: an assertion of a rule of each fault fails; 1 otherwise; 2 wrong call or input.")]
+1 a fault is not; 2 wrong call or input. With --assertions-only a fault is caught where an assertion of a
+rule of its own fails.")]
 pub(crate) struct FaultArguments {
     /// Count a fault as caught only if an assertion of a rule that it breaks fails; print on how many cases each hangs
     #[arg(long)]

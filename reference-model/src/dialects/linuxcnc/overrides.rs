@@ -32,10 +32,11 @@ impl OverrideRules for LinuxCnc {
     /// Quirk linuxcnc.rapid-override-disabled. What disables the feed override disables the rapid override, too.
     /// Quirk linuxcnc.tool-change-move. The rapid override does not count for the moves of a tool change.
     fn rapid_override_counts(&self, state: &State) -> bool {
-        let disabled = state.modes.feed_override == Switch::Off;
-        !(disabled && state.has_quirk(quirk::linuxcnc::RAPID_OVERRIDE_DISABLED))
-            && !(state.memory.moves_to_change && state.has_quirk(quirk::linuxcnc::TOOL_CHANGE_MOVE))
-            && Documented.rapid_override_counts(state)
+        let disabled = state.modes.feed_override == Switch::Off
+            && state.has_quirk(quirk::linuxcnc::RAPID_OVERRIDE_DISABLED);
+        let changes_tool =
+            state.memory.moves_to_change && state.has_quirk(quirk::linuxcnc::TOOL_CHANGE_MOVE);
+        !disabled && !changes_tool && Documented.rapid_override_counts(state)
     }
 
     /// Quirk rs274.override-any-p. Each P other than zero enables the override.
