@@ -91,13 +91,13 @@ function run(program) {
     if (!line || (line.words.length === 0 && line.ln === undefined)) {
       continue;
     }
-    const modal = toolpath.getModal();
     const state = { language: 'rs274', position: point(toolpath.getPosition()) };
-    noteSettings(modal);
+    noteSettings(toolpath.getModal());
     steps.push({ block: { file: 'main.ngc', line: number }, events, state });
     const has = (letter, value) => line.words.some((word) => word[0] === letter && word[1] === value);
     const after = toolpath.getPosition();
     if (has('G', 92) || has('G', 92.1)) {
+      if (events.some((event) => event.do)) return { unsupported: 'the offset of a move in a block of G92 or G92.1' };
       // The library does not say its offset: it is what the position has changed by.
       ['x', 'y', 'z'].forEach((axis) => { offset[axis] += before[axis] - after[axis]; });
     }
