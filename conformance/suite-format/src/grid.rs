@@ -113,6 +113,10 @@ fn item_text(combination: &BTreeMap<&str, &GridItem>, key: &str) -> Result<Strin
     let item = combination.get(list).ok_or_else(|| format!("`{{{key}}}` names no list"))?;
     let (text, is_optional) = text.strip_suffix('?').map_or((text, false), |text| (text, true));
     match item.get(text) {
+        Some(found) if found.replace("{mark ", "").contains('{') => Err(format!(
+            "`{text}` of `{}` in the list `{list}` has a placeholder; expected none but marks",
+            item[NAME]
+        )),
         Some(found) => Ok(found.clone()),
         None if is_optional => Ok(String::new()),
         None => Err(format!("`{}` of the list `{list}` has no `{text}`", item[NAME])),
@@ -195,6 +199,11 @@ mod tests {
             ("\"planes\"", "\"codes\"", "lists.toml has no list `codes`"),
             ("name = \"feed\", ", "", "item 1 of the list `item` has no name"),
             ("plane = \"g18\"", "plane = \"g19\"", "leaves out nothing"),
+            (
+                "set = \"f5\"",
+                "set = \"{item.is}\"",
+                "`set` of `feed` in the list `item` has a placeholder",
+            ),
             ("{item} in", "{item in", "`{item in {plane}` names no list"),
         ] {
             let error = cases(&TWO.replace(from, to)).expect_err(from);
