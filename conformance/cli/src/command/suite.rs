@@ -91,9 +91,9 @@ pub(crate) struct MatrixArguments {
   gaugeblock suite faults
   gaugeblock suite faults --assertions-only
 
-Exit status: 0 each fault is caught, and the first finding names its rule, but for listed
-exceptions; 1 a fault is not; 2 wrong call or input. With --assertions-only a fault is caught where
-an assertion of a rule of its own fails.")]
+Exit status: 0 each fault is caught, and the first finding names its rule or is a listed exception;
+1 a fault is not caught, or another rule is named; 2 wrong call or input. With --assertions-only a
+fault is caught where an assertion of a rule of its own fails.")]
 pub(crate) struct FaultArguments {
     /// Count a fault as caught only if an assertion of a rule that it breaks fails; print on how many cases each hangs
     #[arg(long)]

@@ -98,18 +98,19 @@ impl CycleRules for LinuxCnc {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
-        if !state.has_quirk(quirk::rs274::CYCLE_EXACT_PATH) {
-            return Documented.perform_repeats(cycle, places, state, record);
-        }
-        let path = std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath);
+        let is_exact = state.has_quirk(quirk::rs274::CYCLE_EXACT_PATH);
+        let path =
+            is_exact.then(|| std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath));
         Documented.perform_repeats(cycle, places, state, record)?;
         if matches!(cycle.kind, Kind::TapLeft | Kind::TapRight) && has_other_axes(state) {
             state.memory.led_to = Some(state.modes.machine_point(in_other_order(state)));
         }
-        if path == PathControlMode::Continuous {
-            tolerances_as_numbers(state);
+        if let Some(path) = path {
+            if path == PathControlMode::Continuous {
+                tolerances_as_numbers(state);
+            }
+            state.modes.path = path;
         }
-        state.modes.path = path;
         Ok(())
     }
 

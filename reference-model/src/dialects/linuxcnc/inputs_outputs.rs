@@ -83,14 +83,22 @@ impl OutputRules for LinuxCnc {
 
     /// Quirk rs274.io-number-rounded. A fractional output number is rounded.
     /// Quirks linuxcnc.output-number-with-motion and linuxcnc.output-number-at-once. Eight bits of a larger number are
-    /// kept.
-    fn output_number(&self, value: f64, timing: OutputTiming, state: &State) -> Option<i32> {
+    /// kept; P beyond 32 bits is 0.
+    fn output_number(
+        &self,
+        (letter, value): (char, f64),
+        timing: OutputTiming,
+        state: &State,
+    ) -> Option<i32> {
         let number = if state.has_quirk(quirk::rs274::IO_NUMBER_ROUNDED) {
             rounded(value)
         } else {
-            Documented.output_number(value, timing, state)
+            Documented.output_number((letter, value), timing, state)
         };
         let is_narrow = state.has_quirk(output_number_quirk(timing));
+        if is_narrow && letter == 'P' && value.abs() > f64::from(i32::MAX) {
+            return Some(0);
+        }
         number.map(|number| if is_narrow && number > 0xff { number & 0xff } else { number })
     }
 

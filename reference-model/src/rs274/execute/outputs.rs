@@ -97,7 +97,12 @@ pub(crate) trait OutputRules {
     fn motion_is_held(&self, _state: &mut State) {}
 
     /// Rules outputs.number-range and outputs.analog-number-range. The number of an output, an integer.
-    fn output_number(&self, value: f64, _timing: OutputTiming, _state: &State) -> Option<i32> {
+    fn output_number(
+        &self,
+        (_letter, value): (char, f64),
+        _timing: OutputTiming,
+        _state: &State,
+    ) -> Option<i32> {
         whole(value)
     }
 
@@ -122,7 +127,7 @@ fn number(
     rule: Rule,
     state: &mut State,
 ) -> Result<i32, StepError> {
-    let whole = state.dialect().output_number(value, timing, state);
+    let whole = state.dialect().output_number((letter, value), timing, state);
     let any = state.dialect().has_every_output(timing, state);
     let unchecked = any && (letter == 'P' || value >= 0.0);
     let fits = |number: &i32| unchecked || (0..i32::from(of_machine)).contains(number);
