@@ -185,9 +185,6 @@ fn environment(environment: &Environment) -> Result<(), String> {
     if let Some(name) = environment.name.as_ref().filter(|name| *name != OWN_ENVIRONMENT) {
         return Err(format!("the environment {name:?} is another controller's"));
     }
-    if environment.probe.is_some() {
-        return Err("its environment has no probe".to_owned());
-    }
     for change in &environment.inputs {
         if input_pin(&change.input).is_none() || change.time > LATEST {
             return Err(format!("no input {} at {} s", change.input, change.time));
