@@ -255,7 +255,7 @@ fn changed_field(text: &str) -> Result<Field, String> {
     if Settings::FIELDS.contains(&name.as_str()) || of_state.contains(&name.as_str()) {
         Ok(Field { name, index })
     } else {
-        Err(format!("there is no field named {name}"))
+        Err(format!("unknown field `{name}`"))
     }
 }
 

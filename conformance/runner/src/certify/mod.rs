@@ -224,7 +224,7 @@ impl CaseRunner<'_> {
     }
 }
 
-/// The verdict on a case of which no assertion fails, if nothing else is compared.
+/// Verdict of a case that fails no assertion, where nothing else is compared.
 fn verdict_of_assertions(compared: &Tally) -> Verdict {
     if compared.of(ComparedKind::Assertions) > 0 {
         Verdict::Pass

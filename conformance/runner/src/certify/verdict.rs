@@ -49,7 +49,7 @@ impl Verdict {
         }
     }
 
-    /// The verdict on a case of which no assertion is made under the options, if only assertions are judged.
+    /// Verdict of a case without an assertion that applies under the options, where only assertions are judged.
     pub(super) fn without_assertion() -> Self {
         Self::Inconclusive(WITHOUT_ASSERTION.to_owned())
     }
@@ -125,7 +125,7 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// Why a case is not judged of which no assertion is made, if only assertions are judged.
+/// Reason for a case without an assertion that applies, where only assertions are judged.
 const WITHOUT_ASSERTION: &str = "none of its assertions is made under these options";
 /// Marks a divergence that the expectations list.
 pub const EXPECTATIONS: &str = "listed in the expectations";

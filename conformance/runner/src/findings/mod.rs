@@ -10,7 +10,7 @@
 //! 3. Side differences follow the finding whose rule their program uses. What is left has no known cause; it is a
 //!    finding without a rule, by what differs.
 //!
-//! A run of assertions only has a finding for each rule of which an assertion fails.
+//! A run that judges assertions only has a finding for each rule that fails an assertion.
 
 mod coverage;
 mod severity;
@@ -219,7 +219,7 @@ fn by_rules<'a, 'r>(
     known.chain(unknown).collect()
 }
 
-/// A finding for each rule of which an assertion fails: without the model, nothing says which rules a program uses.
+/// Returns a finding for each rule that fails an assertion. The rules that a program uses are unknown here.
 fn by_own_rules<'a, 'r>(failing: Vec<Divergent<'a, 'r>>) -> Vec<Finding<'a, 'r>> {
     let mut by_rule: BTreeMap<&str, Vec<Divergent<'a, 'r>>> = BTreeMap::new();
     for (result, divergence) in failing {

@@ -28,7 +28,7 @@ impl Modal {
         without: Spindles,
     ) -> Result<Spindles, Refusal> {
         let Some(dollar) = block.words.dollar else { return Ok(without) };
-        // As an integer of any size: one beyond 32 bits is no other spindle.
+        // An integer of any size: a number beyond 32 bits must not select another spindle.
         let Some(number) = math::near_integer(dollar) else {
             return refuse(FaultKind::NotAnInteger, "$ is not an integer");
         };

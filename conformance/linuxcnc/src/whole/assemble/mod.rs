@@ -77,7 +77,7 @@ pub(super) struct Assembly<'a> {
     restarts: usize,
     pins: Vec<PinChange>,
     ends: Option<String>,
-    /// How many moves were in the queue when the run ended, and of which kind the current one was.
+    /// Number of queued moves at the end of the run, and the kind of the current move.
     queued_moves: usize,
     moves_as: u64,
 }
