@@ -90,11 +90,15 @@ pub(crate) struct MatrixArguments {
 #[command(after_help = "Examples:
   gaugeblock suite faults
   gaugeblock suite faults --assertions-only
+  gaugeblock suite faults cycles. arcs.one-turn
 
 Exit status: 0 each fault is caught, and the first finding names its rule or is a listed exception;
 1 a fault is not caught, or another rule is named; 2 wrong call or input. With --assertions-only a
 fault is caught where an assertion of a rule of its own fails.")]
 pub(crate) struct FaultArguments {
+    /// Plant only faults whose name begins with this; may be repeated
+    #[arg(value_name = "PREFIX")]
+    prefix: Vec<String>,
     /// Count a fault as caught only if an assertion of a rule that it breaks fails; print on how many cases each hangs
     #[arg(long)]
     assertions_only: bool,
@@ -131,7 +135,7 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
 #[cfg(feature = "faulty")]
 fn faults(suite: &Suite, arguments: &FaultArguments) -> Result<u8, CliError> {
     let scope = if arguments.assertions_only { Scope::AssertionsOnly } else { Scope::Full };
-    super::faults::faults(suite, "linuxcnc-2.9", scope, arguments.format)
+    super::faults::faults(suite, "linuxcnc-2.9", &arguments.prefix, scope, arguments.format)
 }
 
 #[cfg(not(feature = "faulty"))]
