@@ -97,7 +97,7 @@ pub enum End {
     PercentEnd,
     /// All blocks were executed, and no block ended the program: what a controller reports that only reads a stream.
     StreamEnd,
-    /// M99 in the main program would repeat it for ever.
+    /// M99 in the main program has repeated it [`Self::TURNS`] times, and no operator event is left.
     Endless,
     /// Waiting for the operator, and no operator event is left.
     Paused,
@@ -183,6 +183,10 @@ impl End {
             | Self::BudgetExhausted { .. } => None,
         }
     }
+
+    /// How often a main program that ends with M99 is run: once nothing is left for the operator to do, a run that
+    /// meets it so often is endless.
+    pub const TURNS: u32 = 10;
 
     /// The end's name as in JSON and text.
     pub fn name(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! Macro calls, modal calls, subprograms, returns.
 
-use gaugeblock_vocabulary::FaultKind;
+use gaugeblock_vocabulary::{End, FaultKind};
 
 use super::evaluate::rounded;
 use super::frames::{Frame, Kind, ModalCall, Reach};
@@ -306,7 +306,12 @@ impl Run<'_> {
         self.coverage.accepted(rule);
         match to {
             Some(to) => self.jump(to, rule).map(|()| Flow::On),
-            None => Ok(Flow::Endless),
+            None if self.turns == End::TURNS => Ok(Flow::Endless),
+            None => {
+                self.turns += 1;
+                self.frames.last_mut().expect("calls: the main program is in progress").next = 0;
+                Ok(Flow::On)
+            }
         }
     }
 

@@ -43,6 +43,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
         variables: Variables::new(),
         modal_calls: Vec::new(),
         frames: vec![main],
+        turns: 1,
         modes,
         machine: &scenario.machine,
         record: Record::new(scenario.budget, start.clone()),

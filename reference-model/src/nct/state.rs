@@ -19,6 +19,8 @@ pub(super) struct Run<'a> {
     pub(super) modal_calls: Vec<ModalCall>,
     /// The programs in progress, the main program first.
     pub(super) frames: Vec<Frame>,
+    /// How often the main program has begun.
+    pub(super) turns: u32,
     pub(super) modes: Modes,
     pub(super) machine: &'a Machine,
     pub(super) record: Record,

@@ -213,6 +213,18 @@ fn check_ends_with_a_status_for_scripts() {
 }
 
 #[test]
+fn main_program_that_m99_repeats_is_endless_in_its_tenth_turn() {
+    let here = folder("endless");
+    write(&here, "counts.ngc", "#31 = [#31 + 1]\nm99\n");
+    write(&here, "ends.ngc", "#31 = [#31 + 1]\no1 if [#31 eq 10]\nm2\no1 endif\nm99\n");
+    for controller in ["production", "reference"] {
+        let text = says(&here, &format!("run counts.ngc -c {controller}"), 0, &["end endless"]);
+        assert_eq!(text.matches("# m99").count(), 10, "{text}");
+        says(&here, &format!("run ends.ngc -c {controller}"), 0, &["end program_end"]);
+    }
+}
+
+#[test]
 fn hint_of_a_pause_lets_the_program_go_on() {
     let here = folder("pause");
     write(&here, "part.ngc", "g0 x1\nm60\ng0 x2\nm2\n");

@@ -137,6 +137,11 @@ impl<'a> Recorder<'a> {
         self.idle = true;
     }
 
+    /// Blocks are executed again: what follows belongs to the next one.
+    pub(super) fn go_on(&mut self) {
+        self.idle = false;
+    }
+
     /// This block is not over, and stays so.
     pub(super) fn stay(&mut self, block: &BlockLocation) {
         let events = std::mem::take(&mut self.events);

@@ -22,6 +22,8 @@ thread_local! {
 struct Run<'a> {
     scenario: &'a Scenario,
     task: Task<Recorder<'a>>,
+    /// How often M99 has repeated the main program since nothing was left for the operator to do.
+    turns: u32,
 }
 
 /// Runs a scenario.
@@ -39,7 +41,7 @@ pub(super) fn run(scenario: &Scenario) -> Result<Outcome, HarnessError> {
     interpreter.set_report_comments(!scenario.operator.is_empty());
     let recorder = Recorder::new(&mut interpreter, SimulatedEnvironment::new(scenario), scenario);
     let task = Task::new(interpreter, recorder);
-    let mut run = Run { scenario, task };
+    let mut run = Run { scenario, task, turns: 0 };
     let end = match scenario.program.start {
         Start::Program => run.program()?,
         Start::Mdi => run.lines()?,
@@ -97,14 +99,24 @@ impl Run<'_> {
             let activity = self.task.step(&mut source);
             match self.end_of(activity)? {
                 None => {}
-                // M99 in the main program: whoever still acts meets it again.
-                Some(End::Endless) if self.task.machine().operator_is_waiting() => {
+                // M99 in the main program.
+                Some(End::Endless) if self.begins_again() => {
+                    self.task.machine_mut().go_on();
                     self.task.start_over();
                     source = self::source(&self.scenario.program);
                 }
                 Some(end) => return Ok(end),
             }
         }
+    }
+
+    /// Whether the main program begins again: as long as the operator has something left to do, and then
+    /// [`End::TURNS`] times in all.
+    fn begins_again(&mut self) -> bool {
+        if !self.task.machine().operator_is_waiting() {
+            self.turns += 1;
+        }
+        self.turns < End::TURNS
     }
 
     /// Each line of the program, entered by hand.

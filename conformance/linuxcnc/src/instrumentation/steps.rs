@@ -29,6 +29,10 @@ pub(crate) struct Steps<'a> {
     changed: bool,
     /// Whether a file for probed points is open.
     probe_log: bool,
+    /// How often M99 has repeated the main program since the operator did something.
+    turns: u32,
+    /// How many blocks there were after the last of [`End::TURNS`] such turns.
+    turned: Option<usize>,
     /// Mode of the controller, if it has modes.
     pub(crate) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -48,6 +52,8 @@ impl<'a> Steps<'a> {
             at: None,
             changed: false,
             probe_log: false,
+            turns: 0,
+            turned: None,
             mode: None,
             taken: Vec::new(),
         }
@@ -111,6 +117,13 @@ impl<'a> Steps<'a> {
                     self.step(next, events, None);
                 }
             }
+            Form::Return if level == 0 && self.level == 0 => {
+                self.step(next, events, None);
+                self.turns += 1;
+                if self.turns == End::TURNS {
+                    self.turned = Some(self.taken.len());
+                }
+            }
             Form::Call | Form::Control | Form::Return => self.step(next, events, None),
             Form::Empty | Form::Percent if events.is_empty() => {}
             // A block with M2 after which the program continues did not execute its M2.
@@ -129,6 +142,16 @@ impl<'a> Steps<'a> {
         }
         self.at = Some(here);
         Ok(())
+    }
+
+    /// The operator has done something: the turns of an endless program count from here.
+    pub(crate) fn count_turns_again(&mut self) {
+        (self.turns, self.turned) = (0, None);
+    }
+
+    /// What an endless program has done in the turns that count.
+    pub(crate) fn leave_out_more_turns(&mut self) {
+        self.taken.truncate(self.turned.unwrap_or(usize::MAX));
     }
 
     /// Whether a line is only a (PROBECLOSE) without an open file: such a comment is not a block.

@@ -191,7 +191,7 @@ class Driver:
         self.begun = 0.0
         self.events = []
         self.checkpoint = []
-        self.first, self.steps, self.starts = "", 0, 1
+        self.first, self.steps, self.turns, self.turns_until = "", 0, 1, 1
         os.mkfifo("gate")
         # For reading too, so that neither side waits for the other to open it.
         self.gates = Gates(os.open("gate", os.O_RDWR | os.O_NONBLOCK), [])
@@ -457,7 +457,7 @@ class Driver:
             if self.is_idle():
                 # As displays do it: a request to run is refused in any other mode.
                 self.mode(linuxcnc.MODE_AUTO)
-                self.starts += 1
+                self.turns_until += 1
                 self.gates.close(self.seen)
                 report(starts_again=True)
             command.auto(linuxcnc.AUTO_RUN, 0)
@@ -503,7 +503,9 @@ class Driver:
                 continue
             self.let_pass()
             begun = len(self.seen.get(self.first, []))
-            if not self.events and begun > self.starts and not self.is_idle():
+            if self.events:
+                self.turns_until = begun + self.turns
+            elif begun > self.turns_until and not self.is_idle():
                 return "endless"
             if self.executed > self.steps:
                 return "budget"
@@ -520,7 +522,8 @@ class Driver:
         self.seen, self.executed = {}, 0
         self.events = order["events"]
         self.checkpoint = order["checkpoint"]
-        self.first, self.steps, self.starts = order["first"], order["steps"], 1
+        self.first, self.steps, self.turns = order["first"], order["steps"], order["turns"]
+        self.turns_until = self.turns
         self.gates = Gates(self.gates.pipe, order["gates"])
         self.reads_ahead = order["reads_ahead"]
         self.pace = order["feed_override"]

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, Start};
-use gaugeblock_vocabulary::{LengthUnit, Scenario};
+use gaugeblock_vocabulary::{End, LengthUnit, Scenario};
 use serde_json::{Value, json};
 
 use super::reuse::has;
@@ -83,6 +83,7 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
         "reads_ahead": setup::reads_ahead(scenario) && scenario.program.start != Start::Mdi,
         "first": plan.mark_after(0, 0),
         "steps": scenario.budget.steps,
+        "turns": End::TURNS,
         "optional_stop": may_stop.then_some(false),
         "block_delete": source.all().any(|(_, _, line)| has_slash(line)).then_some(scenario.program.block_delete),
         "feed_override": if setup::has_own_pace(scenario) { 1.0 } else { HURRY },

@@ -201,7 +201,8 @@ fn endless_program_is_killed_and_reported() {
         Ok(outcome) => assert!(matches!(outcome.end, End::BudgetExhausted { .. })),
         Err(error) => assert!(matches!(error, HarnessError::Flooded { .. }), "{error}"),
     }
-    assert_eq!(controller.run(&Scenario::of("g0 x1\nm99\n")).expect("a run").end, End::Endless);
+    let repeated = controller.run(&Scenario::of("#31=[#31+1]\nm99\n")).expect("a run");
+    assert_eq!((repeated.end, repeated.steps.len()), (End::Endless, 20));
 }
 
 #[test]

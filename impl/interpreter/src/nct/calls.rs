@@ -258,16 +258,30 @@ impl Runner {
         }
         match to {
             Some(number) => self.jump_to(number).map(|()| Flow::On),
-            None => Ok(Flow::Endless),
+            None => match self.turns_left.checked_sub(1) {
+                Some(left) => {
+                    self.turns_left = left;
+                    self.begin_again();
+                    Ok(Flow::On)
+                }
+                None => Ok(Flow::Endless),
+            },
         }
     }
 
-    /// The program in progress begins again.
-    fn repeat(&mut self) {
+    /// The next block is the first one of the program in progress.
+    fn begin_again(&mut self) {
         let programs = &self.code.programs;
         if let Some(frame) = self.frames.last_mut() {
-            frame.left = frame.left.saturating_sub(1);
             frame.next = programs.get(frame.program).map_or(0, |program| program.blocks.from);
+        }
+    }
+
+    /// The program in progress begins again, and has one turn less to make.
+    fn repeat(&mut self) {
+        self.begin_again();
+        if let Some(frame) = self.frames.last_mut() {
+            frame.left = frame.left.saturating_sub(1);
             if frame.is_macro && self.choices.reloaded {
                 self.variables.reload();
             }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
+use gaugeblock_vocabulary::{Axis, Effect, End, FaultKind, Motion, Position};
 
 use super::choices::Choices;
 use super::evaluate::{Evaluator, Stack};
@@ -50,6 +50,8 @@ pub(super) struct Runner {
     pub(super) tool: i32,
     /// Programs in progress, the main program first.
     pub(super) frames: Vec<Frame>,
+    /// How often M99 may still begin the main program again.
+    pub(super) turns_left: u32,
     /// The modal calls in force, the one that was commanded last at the end.
     pub(super) modal_calls: Vec<ModalCall>,
     /// The modal call that follows the block which has been executed.
@@ -83,6 +85,7 @@ impl Runner {
             position: Coordinates::default(),
             tool: 0,
             frames: alloc::vec![Frame::main(first)],
+            turns_left: End::TURNS - 1,
             modal_calls: Vec::new(),
             follows: None,
             words: Vec::new(),

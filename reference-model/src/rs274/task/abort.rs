@@ -87,6 +87,7 @@ impl ModelRun<'_> {
             entries: self.entries,
             by_hand: false,
             ahead: true,
+            turns: 0,
             pause_asked: false,
             at_block: None,
             waits_for_machine: false,

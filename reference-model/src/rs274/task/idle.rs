@@ -65,8 +65,26 @@ impl ModelRun<'_> {
         self.begin_anew();
         execute::saved_state::run_is_over(&mut self.state);
         self.state.dialect().forget_returned_value(&mut self.state);
+        self.read_from_the_beginning();
+    }
+
+    /// The text of the program is read from its first line: what it has defined is not defined any more.
+    pub(super) fn read_from_the_beginning(&mut self) {
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
+        self.forget_structures();
+    }
+
+    /// The conditions and loops of the main program, open or over, are forgotten.
+    fn forget_structures(&mut self) {
+        let main = &mut self.state.frames[0];
+        *main = Frame {
+            call: None,
+            open: Vec::new(),
+            ended_conditions: BTreeSet::new(),
+            ended_loops: BTreeMap::new(),
+            ..std::mem::take(main)
+        };
     }
 
     /// What ran before is over: with it every call, and every condition and loop; HAL is seen as it is now
@@ -82,14 +100,7 @@ impl ModelRun<'_> {
         }
         self.leave_calls();
         self.state.environment.synchronise();
-        let main = &mut self.state.frames[0];
-        *main = Frame {
-            call: None,
-            open: Vec::new(),
-            ended_conditions: BTreeSet::new(),
-            ended_loops: BTreeMap::new(),
-            ..std::mem::take(main)
-        };
+        self.forget_structures();
     }
 
     /// A block that the operator enters by hand; how it ended when it ended the program.

@@ -28,6 +28,8 @@ pub(super) struct ModelRun<'a> {
     pub(super) by_hand: bool,
     /// Whether this run only reads ahead of another one: nothing waits, and no operator acts.
     pub(super) ahead: bool,
+    /// How often M99 has repeated the main program since nothing was left for the operator to do.
+    pub(super) turns: u32,
     /// Whether the operator has requested a pause at which the program has not stopped yet.
     pub(super) pause_asked: bool,
     /// The state when the block that is executed began, where the operator may abort it.
@@ -54,6 +56,7 @@ impl<'a> ModelRun<'a> {
             entries,
             by_hand: false,
             ahead: false,
+            turns: 0,
             pause_asked: false,
             at_block: None,
             waits_for_machine: false,

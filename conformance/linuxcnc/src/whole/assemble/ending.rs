@@ -55,7 +55,10 @@ impl Assembly<'_> {
     fn end_by_status(&mut self) -> Result<Option<End>, HarnessError> {
         Ok(match self.ends.as_deref() {
             Some("budget") => Some(End::BudgetExhausted { bound: Bound::Steps }),
-            Some("endless") => Some(End::Endless),
+            Some("endless") => {
+                self.steps.leave_out_more_turns();
+                Some(End::Endless)
+            }
             Some(word @ ("paused" | "held")) => {
                 self.paused(word == "held")?;
                 Some(End::Paused)

@@ -191,6 +191,7 @@ impl<'a> Assembly<'a> {
             self.aborted = action == "abort" || self.aborted && action != "cycle_start";
             self.asked_for_mode |= action == "mode";
             self.asked_to_pause |= action == "pause";
+            self.steps.count_turns_again();
         } else if report.get("starts_again").is_some() {
             self.starts += 1;
             self.has_ended = false;
