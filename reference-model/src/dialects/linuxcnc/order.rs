@@ -1,7 +1,7 @@
 //! Quirks of the order of execution.
 
 use super::LinuxCnc;
-use super::task::record_modes_at_motion;
+use super::task::{record_modes_at_motion, synchronise};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::{OrderRules, Phase, Phases, fault_after};
@@ -20,6 +20,9 @@ impl OrderRules for LinuxCnc {
     /// unspecified: it is unknown whether rs274 checks the rest.
     ///
     /// Quirk linuxcnc.modes-of-last-motion. The modes at each motion are recorded.
+    ///
+    /// Quirk linuxcnc.point-read-back. G28 and G30 lead to a point that the interpreter knows. The interpreter waits for
+    /// the machine at M6, M61 and M66, and reads back where that is.
     fn goes_on_after(
         &self,
         phase: Phase,
@@ -29,6 +32,17 @@ impl OrderRules for LinuxCnc {
     ) -> Result<bool, StepError> {
         if phase == Phase::Motion {
             record_modes_at_motion(state);
+        }
+        if phase == Phase::OffsetData && words.g_tenths.iter().any(|code| matches!(code, 280 | 300))
+        {
+            state.memory.machine_point = None;
+        }
+        let waits = |code: &u32| {
+            phase == Phase::InputsOutputs && *code == 66
+                || phase == Phase::ChangeTool && matches!(code, 6 | 61)
+        };
+        if words.m.iter().any(waits) {
+            synchronise(state);
         }
         if !std::mem::take(&mut state.memory.drops_rest) {
             return Ok(true);

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
 
+use super::task::read_point_back;
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -43,11 +44,7 @@ impl ProgramEndRules for LinuxCnc {
     /// Quirk linuxcnc.auto-after-program-end. The controller stays in auto mode.
     /// Quirk linuxcnc.point-read-back. The interpreter reads back where the machine is.
     fn change_mode_at_end(&self, state: &mut State, record: &mut Record) {
-        if let Some(machine) = state.memory.machine_point.take()
-            && state.has_quirk(quirk::linuxcnc::POINT_READ_BACK)
-        {
-            state.position = state.modes.program_point(machine);
-        }
+        read_point_back(state);
         if !state.has_quirk(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
             Documented.change_mode_at_end(state, record);
         }

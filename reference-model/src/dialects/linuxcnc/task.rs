@@ -140,3 +140,24 @@ pub(super) fn record_modes_at_motion(state: &mut State) {
         state.memory.has_moved = true;
     }
 }
+
+/// The interpreter has waited for the machine.
+///
+/// Quirk linuxcnc.spindle-mode-read-back. Every spindle is in the mode of revolutions then.
+pub(super) fn synchronise(state: &mut State) {
+    read_point_back(state);
+    if state.has_quirk(quirk::linuxcnc::SPINDLE_MODE_READ_BACK) {
+        for spindle in &mut state.modes.spindles {
+            spindle.mode = SpindleMode::Rpm;
+        }
+    }
+}
+
+/// Quirk linuxcnc.point-read-back. The interpreter reads back where the machine is.
+pub(super) fn read_point_back(state: &mut State) {
+    if let Some(machine) = state.memory.machine_point.take()
+        && state.has_quirk(quirk::linuxcnc::POINT_READ_BACK)
+    {
+        state.position = state.modes.program_point(machine);
+    }
+}

@@ -1,6 +1,6 @@
 //! Quirks of planes, units and the return mode.
 
-use gaugeblock_vocabulary::{Compensation, FaultKind};
+use gaugeblock_vocabulary::{Compensation, FaultKind, FeedMode};
 
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
@@ -11,6 +11,13 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl UnitsAndPlanesRules for LinuxCnc {
+    /// Quirk linuxcnc.feed-per-revolution-unit. The number of a feed per revolution stays.
+    fn rescales_feed(&self, state: &State) -> bool {
+        let keeps = state.modes.feed_mode == FeedMode::PerRevolution
+            && state.has_quirk(quirk::linuxcnc::FEED_PER_REVOLUTION_UNIT);
+        !keeps && Documented.rescales_feed(state)
+    }
+
     /// Quirk rs274.retract-under-compensation. G98 and G99 are refused while the cutter is compensated.
     fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         retract_under_compensation(state)?;

@@ -101,8 +101,7 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
 fn convert_feed(before: LengthUnit, state: &mut State) {
     state.coverage.accepted(rule::units_planes::FEED_OVER_UNIT_CHANGE);
-    let rescaled = state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled);
-    if rescaled && state.modes.feed_mode != FeedMode::InverseTime {
+    if state.dialect().rescales_feed(state) && state.modes.feed_mode != FeedMode::InverseTime {
         let modes = &mut state.modes;
         // As positions are converted: to and fro it is the same feed again.
         modes.feed_rate = modes.feed_rate * unit_size(before) / unit_size(modes.units);
@@ -140,6 +139,11 @@ pub fn select_distance(words: &Words, state: &mut State) {
 
 /// Operations on these modes that a dialect can replace.
 pub(crate) trait UnitsAndPlanesRules {
+    /// Choice units-planes.feed-over-unit-change. Whether a feed that is a length is the same feed in another unit.
+    fn rescales_feed(&self, state: &State) -> bool {
+        state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled)
+    }
+
     /// G98 and G99: where canned cycles return to.
     fn select_retract(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         let r_plane = words.g_tenths.contains(&990);
