@@ -74,6 +74,11 @@ impl Grid {
             assertions: assertions.collect::<Result<_, String>>()?,
             golden: None,
             editions: self.editions.clone(),
+            needs: combination
+                .values()
+                .find_map(|item| item.get(NEEDS))
+                .or(self.needs.as_ref())
+                .cloned(),
             grid: None,
             setup: self.setup.clone(),
         })
@@ -82,6 +87,9 @@ impl Grid {
 
 /// The text of an item that is its name.
 const NAME: &str = "name";
+
+/// The text of an item that is the option which its cases need.
+const NEEDS: &str = "needs";
 
 /// What begins a placeholder that names its line.
 const MARK: &str = "mark ";

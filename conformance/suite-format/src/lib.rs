@@ -6,6 +6,7 @@ mod grid;
 pub mod ids;
 pub mod ledger;
 mod motion;
+mod needs;
 mod page;
 mod scenario;
 
@@ -72,6 +73,7 @@ impl Suite {
         suite.choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.motion_choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.expand_grids(&mut errors);
+        suite.resolve_needs(&mut errors);
         suite.check(&mut errors);
         if errors.is_empty() { Ok(suite) } else { Err(errors) }
     }

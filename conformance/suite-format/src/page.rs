@@ -148,9 +148,12 @@ pub struct Case {
     /// The whole outcome in text form, blessed from the model.
     #[serde(default)]
     pub golden: Option<String>,
-    /// Only in these editions; all when empty.
+    /// Only in these editions; all when empty. Those that `needs` leaves, once the suite is read.
     #[serde(default)]
     pub editions: Vec<String>,
+    /// Only in editions with this option, `choice = option`.
+    #[serde(default)]
+    pub needs: Option<String>,
     /// The place of the grid that it is from, from 0; none if the page has it as it is.
     #[serde(skip)]
     pub grid: Option<usize>,
@@ -227,6 +230,9 @@ pub struct Grid {
     /// Only in these editions; all when empty.
     #[serde(default)]
     pub editions: Vec<String>,
+    /// Only in editions with this option, as an item can say of its cases with a text `needs`.
+    #[serde(default)]
+    pub needs: Option<String>,
     /// What else the runs depend on.
     #[serde(flatten)]
     pub setup: Setup,

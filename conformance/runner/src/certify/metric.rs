@@ -125,6 +125,7 @@ mod tests {
             golden: None,
             grid: None,
             editions: Vec::new(),
+            needs: None,
             setup: Setup::default(),
         };
         let mut scenario = Scenario::of("g20\ng28.1\n#31=#5221\nm2\n");

@@ -168,7 +168,9 @@ impl Interpreter {
                 self.evaluator.postpone(&mut self.parameters);
             }
         }
-        let called = self.words.m_count != 0 && (self.words.has_m(98) || self.words.has_m(99));
+        let called = self.words.m_count != 0
+            && (self.words.has_m(98) || self.words.has_m(99))
+            && self.modal.has_numbered_programs();
         if first || called || self.words.is_empty() {
             self.evaluator.apply(&mut self.parameters);
         }

@@ -96,6 +96,9 @@ impl Modal {
             let motion = block.g(MOTION).or(implied);
             used.uses |= quirks::ignored(words, block.g(COMPENSATION), motion);
         }
+        if words.dollar.is_some() && self.choices.no_later_codes {
+            return refuse(FaultKind::UnusedWord, "no code uses a $ word");
+        }
         check_words(words, &used)?;
         check_polar(&block, &used)?;
         self.check_axes(&mut block, &used, implied)?;
@@ -109,7 +112,8 @@ impl Modal {
         }
         let mut groups = FREE;
         for (slot, number) in block.m.iter_mut().zip(codes) {
-            let Some(code) = m_code(*number) else {
+            let is_later = matches!(number, 19 | 98 | 99) && self.choices.no_later_codes;
+            let Some(code) = m_code(*number).filter(|_| !is_later) else {
                 return refuse(FaultKind::UnknownCode, format!("M{number} is not a known code"));
             };
             let group = self.group_of(*number, code.group);
@@ -130,6 +134,11 @@ impl Modal {
             block.m.sort_unstable();
         }
         Ok(())
+    }
+
+    /// Whether M98 and M99 are in the language.
+    pub(crate) fn has_numbered_programs(&self) -> bool {
+        !self.choices.no_later_codes
     }
 
     /// The groups that a code excludes, as the options have them.

@@ -71,6 +71,8 @@ choices! {
     endless_wait: "inputs.without-timeout", "refused", "accepted";
     /// G98 at the start.
     initial_old_z: "modal-groups.initial-retract", "r-plane", "old-z";
+    /// M19, M98, M99 and $ are not in the language.
+    no_later_codes: "modal-groups.later-codes", "known", "unknown";
     /// M62 to M68 do not exclude each other.
     independent_io: "modal-groups.io-members", "exclusive", "independent";
     /// M50 to M53 are in the group of M48 and M49.

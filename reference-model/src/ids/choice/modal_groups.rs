@@ -31,6 +31,15 @@ choices! {
         Independent = "independent",
     }
 
+    /// Whether M19, M98 and M99 are codes, and $ is a word. The table of EMC2 2.5 has none of the codes, and
+    /// its chapter has one spindle, which no word selects.
+    LaterCodes = "modal-groups.later-codes" {
+        /// the language has them
+        Known = "known",
+        /// the language does not have them: a block with one is refused
+        Unknown = "unknown",
+    }
+
     /// Whether M50 to M53 belong to the modal group of M48 and M49. The table lists these two only; the order
     /// of execution names all six together.
     OverrideMembers = "modal-groups.override-members" {

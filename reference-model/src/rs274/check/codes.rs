@@ -119,12 +119,18 @@ fn known(words: &Words, state: &mut State) -> Result<Vec<(Written, Code)>, StepE
         } else {
             rule::modal_groups::UNKNOWN_M_CODE
         };
-        let code = m_code(*number).ok_or_else(|| unknown(rule, text))?;
+        let is_later = matches!(number, 19 | 98 | 99) && !has_later_codes(state);
+        let code = m_code(*number).filter(|_| !is_later).ok_or_else(|| unknown(rule, text))?;
         state.coverage.accepted(rule);
         let group = state.dialect().group_of_m(code, state);
         codes.push((text, Code { group, ..*code }));
     }
     Ok(codes)
+}
+
+/// Choice modal-groups.later-codes. Whether M19, M98, M99 and $ are in the language.
+pub(crate) fn has_later_codes(state: &State) -> bool {
+    state.choices.is(choice::modal_groups::LaterCodes::Known)
 }
 
 fn unknown(rule: Rule, text: Written) -> StepError {

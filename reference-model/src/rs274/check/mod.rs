@@ -9,6 +9,7 @@ pub(crate) mod words;
 use super::evaluate::Words;
 use super::refusal::StepError;
 use super::state::State;
+pub(crate) use codes::has_later_codes;
 
 /// Refuses a block that cannot be executed, before anything of it is done.
 ///

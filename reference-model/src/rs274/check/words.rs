@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
+use super::codes::has_later_codes;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::programmed_motion::{is_arc, motion_of};
@@ -116,7 +117,12 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
 
 /// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words
 /// alone repeat it; $ serves S too.
+///
+/// Choice modal-groups.later-codes. Without the later codes nothing uses $.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
+    if letter == '$' && !has_later_codes(state) {
+        return false;
+    }
     let serves_speed = letter == '$' && words.letters.contains_key(&'s');
     let repeated = moves_by_axis_words(words).then(|| motion_code(state.modes.motion));
     let mut by_g = words.g_tenths.iter().copied().chain(repeated);

@@ -52,13 +52,21 @@ impl ModelRun<'_> {
         match self.block(text)? {
             Next::Following => self.control.place.line += 1,
             Next::At(place) => self.control.place = place,
-            // As long as the operator has something left to do it does begin again.
-            Next::End(End::Endless) if !self.operator.is_done() && !self.ahead => {
-                self.control.place = self.control.files.begin(MAIN);
+            Next::End(End::Endless) if !self.ahead && self.is_repeated() => {
+                self.read_from_the_beginning();
             }
             Next::End(end) => return Ok(Some(end)),
         }
         Ok(None)
+    }
+
+    /// Whether a main program that M99 repeats begins again: as long as the operator has something left to do, and then
+    /// so often that a program which counts its turns can end.
+    fn is_repeated(&mut self) -> bool {
+        if self.operator.is_done() {
+            self.turns += 1;
+        }
+        self.turns < End::TURNS
     }
 
     /// Rules program-end.missing, text.percent-unclosed. The file has ended, the program has not.
@@ -96,7 +104,7 @@ impl ModelRun<'_> {
         }
         let words = evaluate::words(&block, &mut self.state)?;
         self.control.begin(&words);
-        if Control::asks(&words) {
+        if Control::asks(&words) && check::has_later_codes(&self.state) {
             self.by_hand_only(false, "M98 or M99")?;
             self.is_within_block = true;
             let next = self.numbered(&words)?;
