@@ -22,12 +22,14 @@ struct Item {
     #[serde(default)]
     rules: Vec<Spanned<String>>,
     #[serde(default)]
+    grids: Vec<Spanned<String>>,
+    #[serde(default)]
     choices: Vec<Spanned<String>>,
     #[serde(default)]
     quirks: Vec<Spanned<String>>,
 }
 
-/// Each rule, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that
+/// Each rule, grid, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that
 /// is not a ledger names none.
 pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let Ok(names) = toml::from_str::<Names>(text) else { return Vec::new() };
@@ -38,6 +40,13 @@ pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let is_rule = |id: &str| {
         suite.rule(id).is_some() || suite.motion_choices.iter().any(|choice| choice.id == id)
     };
+    let is_grid = |name: &str| {
+        let Some((rule, name)) = name.split_once(" / ") else { return false };
+        suite.rule(rule).is_some_and(|rule| {
+            rule.grids.iter().any(|grid| grid.name == name)
+                || rule.case_names().any(|case| case == name)
+        })
+    };
     let mut absent = Vec::new();
     let mut look = |what: &str, ids: &[Spanned<String>], is_there: &dyn Fn(&str) -> bool| {
         for id in ids.iter().filter(|id| !is_there(id.get_ref())) {
@@ -47,6 +56,7 @@ pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     };
     for item in names.sections.iter().flat_map(|section| &section.items) {
         look("rule", &item.rules, &is_rule);
+        look("grid or case", &item.grids, &is_grid);
         look("choice", &item.choices, &|id| is_choice(id, ChoiceKind::Choice));
         look("quirk", &item.quirks, &|id| is_choice(id, ChoiceKind::Quirk));
     }
@@ -74,14 +84,17 @@ name = "Feed"
 items = [
   { n = 1, rules = ["saved-state.feed", "trajectory.motion-start"] },
   { n = 2, rules = ["saved-state.feed", "no.such"], choices = ["pause.pallet-codes"] },
+  { n = 4, grids = ["saved-state.feed / a case that there is not", "saved-state.nothing-else"] },
   { n = 3, choices = ["rs274.feed-zero-at-end"], quirks = ["rs274.feed-zero-at-end", "pause.pallet-codes"] },
 ]
 "#;
         let found = absent(text, &suite);
         let expected = [
             (6, "there is no rule `no.such`"),
-            (7, "there is no choice `rs274.feed-zero-at-end`"),
-            (7, "there is no quirk `pause.pallet-codes`"),
+            (7, "there is no grid or case `saved-state.feed / a case that there is not`"),
+            (7, "there is no grid or case `saved-state.nothing-else`"),
+            (8, "there is no choice `rs274.feed-zero-at-end`"),
+            (8, "there is no quirk `pause.pallet-codes`"),
         ];
         assert_eq!(found, expected.map(|(line, fault)| (line, fault.to_owned())));
     }

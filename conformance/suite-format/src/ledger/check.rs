@@ -45,6 +45,15 @@ pub enum Mismatch {
         /// The item in the document.
         text: String,
     },
+    /// The item speaks of *all*, *any*, *every* or *each*, and the ledger names no grid or case that runs over all of it.
+    NoGrid {
+        /// The section.
+        section: String,
+        /// The item's ordinal.
+        ordinal: usize,
+        /// The item in the document.
+        text: String,
+    },
     /// The item has other words, or is another kind of item.
     OtherItem {
         /// The section.
@@ -78,6 +87,9 @@ impl fmt::Display for Mismatch {
             Self::NewItem { section, ordinal, text } => {
                 write!(out, "\"{section}\" {ordinal}: the ledger's section ends before it: {text}")
             }
+            Self::NoGrid { section, ordinal, text } => {
+                write!(out, "\"{section}\" {ordinal}: no grid or case runs over all of it: {text}")
+            }
             Self::OtherItem { section, ordinal, ledger, document, text } => write!(
                 out,
                 "\"{section}\" {ordinal}: the ledger has {ledger}, the document {document}: {text}"
@@ -86,7 +98,8 @@ impl fmt::Display for Mismatch {
     }
 }
 
-/// Compares each item of the ledger with the document.
+/// Compares each item of the ledger with the document. A ledger of some sections need not name a grid for each sentence
+/// about all of something.
 ///
 /// # Errors
 /// Every mismatch, in the order of the document.
@@ -101,7 +114,9 @@ pub fn check(document_text: &str, ledger: &Ledger) -> Result<(), Vec<Mismatch>> 
             }
         }
     }
-    if !ledger.partial {
+    if ledger.partial {
+        mismatches.retain(|mismatch| !matches!(mismatch, Mismatch::NoGrid { .. }));
+    } else {
         mismatches.extend(new_sections(ledger, &document));
     }
     if mismatches.is_empty() {
@@ -132,6 +147,10 @@ fn compare_section(ledger: &Section, document: &TextSection, mismatches: &mut Ve
         match (ledger.items.get(place), document.items.get(place)) {
             (Some(item), Some(found)) => {
                 mismatches.extend(compare_item(section, ordinal, item, found));
+                if !item.rules.is_empty() && item.grids.is_empty() && speaks_of_all(&found.text) {
+                    let text = found.text.clone();
+                    mismatches.push(Mismatch::NoGrid { section: section.clone(), ordinal, text });
+                }
             }
             (None, Some(found)) => mismatches.push(Mismatch::NewItem {
                 section: section.clone(),
@@ -144,6 +163,12 @@ fn compare_section(ledger: &Section, document: &TextSection, mismatches: &mut Ve
             (None, None) => {}
         }
     }
+}
+
+/// Whether a sentence says something of more than one thing at once.
+fn speaks_of_all(text: &str) -> bool {
+    let mut words = text.split(|character: char| !character.is_alphabetic());
+    words.any(|word| matches!(word.to_lowercase().as_str(), "all" | "any" | "every" | "each"))
 }
 
 fn compare_item(section: &str, ordinal: usize, item: &Item, found: &TextItem) -> Option<Mismatch> {
@@ -182,6 +207,21 @@ mod tests {
     fn markup_and_blanks_may_differ() {
         let text = TEXT.replace("S is", "*S*  is").replace("== Feed", "\n== Feed [[feed]]");
         assert_eq!(check(&text, &ledger()), Ok(()));
+    }
+
+    #[test]
+    fn sentence_about_all_of_something_needs_a_grid() {
+        let text = "== Speed\n\nAny speed is taken. Ally.\n";
+        let mut ledger = Ledger::begin("ours", "Ours", Form::Asciidoc, text);
+        assert_eq!(check(text, &ledger), Ok(()));
+        ledger.sections[0].items[0].rules = vec!["spindle.speed".to_owned()];
+        let found = messages(text, &ledger);
+        assert_eq!(
+            found,
+            ["\"Speed\" 1: no grid or case runs over all of it: Any speed is taken."]
+        );
+        ledger.sections[0].items[0].grids = vec!["spindle.speed / each".to_owned()];
+        assert_eq!(check(text, &ledger), Ok(()));
     }
 
     #[test]

@@ -80,6 +80,9 @@ pub struct Item {
     /// The rules that carry it.
     #[serde(default)]
     pub rules: Vec<String>,
+    /// Where it says *all*, *any*, *every* or *each*: the grids and cases that run over all of it, each as `RULE / NAME`.
+    #[serde(default)]
+    pub grids: Vec<String>,
     /// The choices that it is a source of.
     #[serde(default)]
     pub choices: Vec<String>,
@@ -166,6 +169,7 @@ impl Item {
             kind: item.kind,
             digest: digest(item.kind, &item.text),
             rules: Vec::new(),
+            grids: Vec::new(),
             choices: Vec::new(),
             quirks: Vec::new(),
             not_observable: None,

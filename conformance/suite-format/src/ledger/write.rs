@@ -38,8 +38,12 @@ impl Ledger {
 fn item_fields(item: &Item) -> String {
     let mut fields =
         format!("n = {}, kind = \"{}\", digest = \"{}\"", item.n, item.kind, item.digest);
-    for (key, ids) in [("rules", &item.rules), ("choices", &item.choices), ("quirks", &item.quirks)]
-    {
+    for (key, ids) in [
+        ("rules", &item.rules),
+        ("grids", &item.grids),
+        ("choices", &item.choices),
+        ("quirks", &item.quirks),
+    ] {
         if !ids.is_empty() {
             let ids: Vec<String> = ids.iter().map(|id| quoted(id)).collect();
             push(&mut fields, key, &format!("[{}]", ids.join(", ")));
