@@ -116,7 +116,7 @@ impl Tolerances {
     fn agree(&self, start: f64, end: f64) -> bool {
         let difference = (start - end).abs();
         let radius = if self.of_larger { start.max(end) } else { start };
-        difference <= self.coarse
+        (difference <= self.coarse || planted(PlantedFault::NoCoarseLimit))
             && (difference <= self.fine || difference <= Self::RELATIVE * radius)
     }
 }
@@ -190,6 +190,11 @@ impl Modal {
         })
     }
 
+    /// Whether one offset is enough under G90.1: a planted fault.
+    fn takes_one_offset(&self) -> bool {
+        planted(PlantedFault::OneAbsoluteOffset) && self.active.now().plane != Plane::Xy
+    }
+
     /// Centre format (11.5.5.1). I is a radius in diameter mode too (2.6.6.2).
     #[inline]
     fn offset_centre(
@@ -212,7 +217,7 @@ impl Modal {
             if diameter && letter == b'I' { offset / 2.0 } else { offset }
         });
         let centre = match self.active.now().arc_distance {
-            Distance::Absolute if given != plane.offset_words => {
+            Distance::Absolute if given != plane.offset_words && !self.takes_one_offset() => {
                 return refuse(FaultKind::MissingWord, "G90.1 needs both offsets");
             }
             Distance::Absolute if !planted(PlantedFault::AbsoluteFromStart) => {
@@ -246,7 +251,8 @@ fn radius_centre(
     if words.present & (I | J | K) != 0 {
         return refuse(FaultKind::UnusedWord, "offsets of an arc with R");
     }
-    if words.present & plane.axis_words == 0 && !words.is_polar() {
+    let asked = if planted(PlantedFault::RadiusNeedsXy) { X | Y } else { plane.axis_words };
+    if words.present & asked == 0 && !words.is_polar() {
         return refuse(FaultKind::MissingWord, "R without an axis word of the plane");
     }
     let signed = words.get(b'R').unwrap_or(0.0);

@@ -15,7 +15,7 @@ use super::codes::{
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
 };
 use super::letters::{AXES, F, H, I, J, K, S, T, X, Y, first_letter};
-use super::motion_codes::code_of;
+use super::motion_codes::{code_of, is_cycle};
 use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).
@@ -176,7 +176,8 @@ impl Modal {
                 return refuse(FaultKind::AxisWords, "two codes that use axis words");
             }
             let needs_axes = used.needs_axes
-                && !(machine_coordinates && planted(PlantedFault::MachineWithoutAxes));
+                && !(machine_coordinates && planted(PlantedFault::MachineWithoutAxes))
+                && !self.repeats_in_place(explicit);
             if needs_axes || machine_coordinates && !planted(PlantedFault::MachineWithoutAxes) {
                 return refuse(FaultKind::MissingWord, "an axis word is missing");
             }
@@ -213,6 +214,13 @@ impl Modal {
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
         Ok(())
+    }
+
+    /// Whether the block has the code of the cycle in force, and that needs no axis word: a planted fault.
+    fn repeats_in_place(&self, code: Option<u16>) -> bool {
+        planted(PlantedFault::AgainWithoutAxes)
+            && is_cycle(self.motion)
+            && code == Some(code_of(self.motion))
     }
 
     /// G43.1 and G43.2: their own rules on words (11.5.29, 11.5.30); G53 needs a straight move.

@@ -11,7 +11,7 @@ use super::Modal;
 use super::check::Block;
 use super::codes::NON_MODAL;
 use super::coordinates::Coordinates;
-use super::letters::{AXES, X, Y};
+use super::letters::{A, AXES, B, C, X, Y};
 use super::refusal::{Refusal, refuse};
 
 /// The code of G53, in tenths.
@@ -39,7 +39,7 @@ impl Modal {
     pub(super) fn plain_end_point(&self, words: &Words) -> Coordinates {
         match self.active.now().distance {
             Distance::Absolute => self.position.replaced(words),
-            Distance::Incremental => self.position.moved_by(words),
+            Distance::Incremental => self.position.moved_by(words).rotary_fault(words),
         }
     }
 
@@ -48,7 +48,12 @@ impl Modal {
     pub(super) fn apply_axis_words(&mut self, words: &Words) {
         match self.active.now().distance {
             Distance::Absolute => self.position.replace(words),
-            Distance::Incremental => self.position.add(words),
+            Distance::Incremental => {
+                self.position.add(words);
+                if planted(PlantedFault::RotaryAbsolute) {
+                    self.position = self.position.rotary_fault(words);
+                }
+            }
         }
     }
 
@@ -92,6 +97,9 @@ impl Modal {
         if words.is_polar() {
             end = end.at_polar(machine, words, false)?;
         }
+        if planted(PlantedFault::MachineKeepsTool) {
+            end = end.plus(self.active.now().tool_offset);
+        }
         Ok(self.with_machine(self.position, words.axes(), end))
     }
 
@@ -111,6 +119,16 @@ impl Modal {
 }
 
 impl Coordinates {
+    /// The end of an incremental move; its rotary axes where their words say, if that fault is planted.
+    #[inline]
+    pub(super) fn rotary_fault(self, words: &Words) -> Self {
+        if planted(PlantedFault::RotaryAbsolute) {
+            let rotary = words.present & (A | B | C);
+            return self.taking(rotary, Self::default().replaced(words));
+        }
+        self
+    }
+
     /// The point with X and Y from the polar words (11.4.12). In incremental mode the words are added to the distance
     /// and angle of `from`.
     pub(super) fn at_polar(

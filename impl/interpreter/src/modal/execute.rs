@@ -11,8 +11,8 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::codes::{
-    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, NON_MODAL, PATH, PLANE, RETRACT,
-    STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
+    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, MOTION, NON_MODAL, PATH, PLANE,
+    RETRACT, STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
 use super::coordinates::Coordinates;
 use super::mode_select::checked_feed;
@@ -214,7 +214,8 @@ impl Modal {
         let moves = block.axes_move || self.choices.move_in_place;
         let needs = self.active.now().feed_mode == FeedMode::InverseTime
             && takes_inverse_time(code)
-            && moves;
+            && moves
+            && !(block.g(MOTION).is_none() && planted(PlantedFault::ExplicitOnly));
         if needs && block.words.get(b'F').is_none() && !planted(PlantedFault::InverseTimeOld) {
             return refuse(FaultKind::MissingWord, "inverse time without an F word");
         }

@@ -67,9 +67,7 @@ impl Modal {
             return Ok(());
         }
         self.check_compensated_move(block.g(NON_MODAL) == Some(530))?;
-        if self.motion != Motion::Traverse || planted(PlantedFault::TraverseNeedsFeed) {
-            self.check_feed_move()?;
-        }
+        self.check_straight_or_arc()?;
         let start = self.position;
         self.move_to_end_point(block)?;
         let end = self.position.position();
@@ -81,6 +79,17 @@ impl Modal {
             self.arc(block.words, self.motion, &start)?
         };
         self.perform_move(block.words.line, start, &effect, sink)
+    }
+
+    /// Checks the feed of G0 to G3.
+    fn check_straight_or_arc(&self) -> Result<(), Refusal> {
+        if self.motion == Motion::Traverse && !planted(PlantedFault::TraverseNeedsFeed) {
+            return Ok(());
+        }
+        if self.motion != Motion::Feed && planted(PlantedFault::SurfaceArc) {
+            return self.check_feed_rate();
+        }
+        self.check_feed_move()
     }
 
     /// Checks the preconditions of a feed move.

@@ -61,7 +61,11 @@ impl Modal {
         } else {
             words
         };
-        if self.is_incremental() { from.moved_by(words) } else { from.replaced(words) }
+        if self.is_incremental() {
+            from.moved_by(words).rotary_fault(words)
+        } else {
+            from.replaced(words)
+        }
     }
 
     /// Whether axis words are increments.

@@ -79,6 +79,11 @@ pub(crate) fn store_probe(numbered: &mut Numbered, position: Coordinates, change
     numbered.set(PROBE_SUCCESS, f64::from(u8::from(changed)));
 }
 
+/// What the straight probe before has stored.
+pub(crate) fn probed(numbered: &Numbered) -> Coordinates {
+    row(numbered, PROBE_RESULT)
+}
+
 /// Writes the controlled point into its parameters, program units.
 pub(crate) fn publish(numbered: &mut Numbered, position: Coordinates) {
     set_row(numbered, POSITION, position);

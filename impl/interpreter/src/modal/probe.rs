@@ -26,7 +26,9 @@ impl Modal {
         if self.active.now().compensation != Compensation::Off {
             return refuse(FaultKind::CompensationActive, "probing under cutter compensation");
         }
-        self.check_feed_rate()?;
+        if !(matches!(code, 384 | 385) && planted(PlantedFault::AwayWithoutFeed)) {
+            self.check_feed_rate()?;
+        }
         if self.choices.probe_turning {
             self.check_turning()?;
         }
@@ -67,7 +69,9 @@ impl Modal {
         }
         self.position = contact.map_or(end, Into::into);
         let changed = contact.is_some() && !planted(PlantedFault::NoProbeResult);
-        offsets::store_probe(numbered, self.position, changed);
+        let kept = contact.is_none() && planted(PlantedFault::MissKeepsPoint);
+        let found = if kept { offsets::probed(numbered) } else { self.position };
+        offsets::store_probe(numbered, found, changed);
         Ok(())
     }
 }

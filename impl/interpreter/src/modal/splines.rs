@@ -52,7 +52,9 @@ impl Modal {
     /// Checks I and J of G5: both or neither, and both in the first G5 of a series.
     fn check_cubic(&self, words: &Words) -> Result<(), Refusal> {
         let given = words.present & (I | J);
-        let follows = self.motion == Motion::CubicSpline && self.series.cubic;
+        let contiguous =
+            self.motion == Motion::CubicSpline || planted(PlantedFault::SeriesSurvives);
+        let follows = contiguous && self.series.cubic;
         match given {
             0 if follows => Ok(()),
             0 => refuse(FaultKind::MissingWord, "the first G5 of a series without I and J"),
@@ -80,6 +82,8 @@ impl Modal {
             curve.last = self.point_from(curve.last, words);
         } else if words.has(b'P') && curve.points > 1 {
             return refuse(FaultKind::MissingWord, "a weight without its control point");
+        } else if words.has(b'P') && planted(PlantedFault::WeightCounts) {
+            curve.points = 2;
         }
         self.motion = Motion::Nurbs;
         self.series = MotionSeries::of_curve(curve);

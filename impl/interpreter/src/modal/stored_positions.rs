@@ -6,6 +6,7 @@ use crate::parameters::Numbered;
 
 use super::Modal;
 use super::check::Block;
+use super::letters::{X, Y, Z};
 use super::offsets::{self, G28_POSITION, G30_POSITION};
 use super::refusal::Refusal;
 
@@ -33,6 +34,9 @@ impl Modal {
         let mut letters = block.words.axes();
         if letters == 0 {
             letters = self.axes;
+            if code == 300 && planted(PlantedFault::OnlyLinear) {
+                letters &= X | Y | Z;
+            }
         } else {
             let intermediate = self.block_end_point(block)?;
             if !planted(PlantedFault::StraightToPosition) {

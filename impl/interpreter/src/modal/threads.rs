@@ -94,7 +94,11 @@ impl Modal {
         }
         // K is a distance in X, Y and Z.
         let seconds = length / (pitch.abs() * spindle.speed / 60.0);
-        let way = way.converted(self.active_to_stored());
+        let way = if planted(PlantedFault::LimitNumber) {
+            way
+        } else {
+            way.converted(self.active_to_stored())
+        };
         let too_fast = |(way, limit): (f64, f64)| way.abs() / seconds > limit * (1.0 + 1e-9);
         if way.0.into_iter().zip(self.velocities.0).any(too_fast) {
             return refuse(FaultKind::BeyondLimit, "the spindle is too fast for an axis");

@@ -189,7 +189,9 @@ impl Modal {
 
     /// The offset of the tool table that H names, of the tool in the spindle without H.
     fn table_offset(&self, h: Option<f64>) -> Result<Coordinates, Refusal> {
-        let tool = self.named_tool(h, "H")?;
+        let selected =
+            self.prepared.filter(|tool| *tool > 0 && planted(PlantedFault::LengthOfSelected));
+        let tool = self.named_tool(h.or(selected.map(f64::from)), "H")?;
         Ok(tool.map_or(Coordinates::default(), |tool| {
             let offset = Coordinates::from(tool.offset);
             if planted(PlantedFault::OffsetUnit) {

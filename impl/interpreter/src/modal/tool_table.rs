@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::parameters::Numbered;
 use crate::words::Words;
@@ -99,7 +100,8 @@ impl Modal {
         };
         tool.offset = offset.position();
         if let Some(radius) = words.get(b'R') {
-            tool.diameter = to_stored.of(2.0 * radius);
+            let halves = kind != 1 && planted(PlantedFault::MeasuredRadius);
+            tool.diameter = to_stored.of(if halves { radius } else { 2.0 * radius });
         }
         tool.front_angle = words.get(b'I').unwrap_or(tool.front_angle);
         tool.back_angle = words.get(b'J').unwrap_or(tool.back_angle);
@@ -118,10 +120,15 @@ impl Modal {
         if kind == 10 {
             return now;
         }
+        let local = if planted(PlantedFault::FixtureKeepsLocal) {
+            now.g92_offset
+        } else {
+            Coordinates::default()
+        };
         Modes {
             g5x_offset: offsets::origin(numbered, FIXTURE).converted(conversion),
             rotation: offsets::rotation(numbered, FIXTURE),
-            g92_offset: Coordinates::default(),
+            g92_offset: local,
             ..now
         }
     }

@@ -20,25 +20,35 @@ impl Modes {
         }
     }
 
+    /// Program coordinates with the offset of G92, in the directions of the machine.
+    fn turned_of(&self, program: Coordinates) -> Coordinates {
+        if planted(PlantedFault::LocalUnturned) {
+            let turned = self.turn(self.rotation).map_or(program, |turn| program.turned(turn));
+            return turned.plus(self.g92_offset);
+        }
+        let local = program.plus(self.g92_offset);
+        self.turn(self.rotation).map_or(local, |turn| local.turned(turn))
+    }
+
     /// Program coordinates in those of the machine.
     pub(crate) fn machine_of(&self, program: Coordinates) -> Coordinates {
-        let local = program.plus(self.g92_offset);
-        let turned = self.turn(self.rotation).map_or(local, |turn| local.turned(turn));
-        turned.plus(self.g5x_offset).plus(self.tool_offset)
+        self.turned_of(program).plus(self.g5x_offset).plus(self.tool_offset)
     }
 
     /// Machine coordinates in those of the program.
     pub(crate) fn program_of(&self, machine: Coordinates) -> Coordinates {
         let turned = machine.minus(self.tool_offset).minus(self.g5x_offset);
+        if planted(PlantedFault::LocalUnturned) {
+            let near = turned.minus(self.g92_offset);
+            return self.turn(-self.rotation).map_or(near, |turn| near.turned(turn));
+        }
         let local = self.turn(-self.rotation).map_or(turned, |turn| turned.turned(turn));
         local.minus(self.g92_offset)
     }
 
     /// The origin that gives a machine position these program coordinates.
     pub(crate) fn origin_for(&self, machine: Coordinates, program: Coordinates) -> Coordinates {
-        let local = program.plus(self.g92_offset);
-        let turned = self.turn(self.rotation).map_or(local, |turn| local.turned(turn));
-        machine.minus(self.tool_offset).minus(turned)
+        machine.minus(self.tool_offset).minus(self.turned_of(program))
     }
 
     /// The axes whose program coordinates change when the machine's axes of `letters` move, and the reverse: in a

@@ -13,6 +13,7 @@ use crate::words::Words;
 use super::Modal;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
+use super::letters::{X, Y, Z};
 use super::modes::Modes;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
@@ -88,8 +89,11 @@ impl Modal {
         }
         match code {
             520 => {
-                let offset = self.active.now().g92_offset.replaced(&self.offset_words(words));
-                self.set_g92(offset, numbered);
+                let mut offset = self.active.now().g92_offset;
+                if planted(PlantedFault::UnsetCleared) {
+                    offset = Coordinates::default().taking(X | Y | Z, offset);
+                }
+                self.set_g92(offset.replaced(&self.offset_words(words)), numbered);
             }
             920 => self.set_g92(self.new_g92_offset(words), numbered),
             921 | 922 => {
@@ -100,7 +104,12 @@ impl Modal {
                 self.offset_by(|modes| modes.g92_offset = Coordinates::default());
             }
             923 => {
-                let offset = offsets::g92_offset(numbered).converted(self.stored_to_active());
+                let stored = offsets::g92_offset(numbered);
+                let offset = if planted(PlantedFault::RestoredNumber) {
+                    stored
+                } else {
+                    stored.converted(self.stored_to_active())
+                };
                 numbered.set(offsets::G92_APPLIED, 1.0);
                 self.offset_by(|modes| modes.g92_offset = offset);
             }
@@ -161,6 +170,7 @@ impl Modal {
         let system = words.get(b'P').unwrap_or(0.0);
         let system = narrowed(PlantedFault::OffsetSystemWraps, system, 256.0);
         let system = match integer_in(system, 0, 9, "P of G10")? {
+            0 if kind == 20 && planted(PlantedFault::ZeroIsFirst) => 1,
             0 => active,
             system => u32::try_from(system).unwrap_or(active),
         };
@@ -170,7 +180,14 @@ impl Modal {
         let origin = offsets::origin(numbered, system).converted(self.stored_to_active());
         let rotation = offsets::rotation(numbered, system);
         let (origin, rotation) = if kind == 2 {
-            (origin.replaced(&self.offset_words(words)), words.get(b'R').unwrap_or(rotation))
+            let adds = planted(PlantedFault::IncrementsInactive) && system != active;
+            let words = self.offset_words(words);
+            let new = if adds && self.is_incremental() {
+                origin.moved_by(&words)
+            } else {
+                origin.replaced(&words)
+            };
+            (new, words.get(b'R').unwrap_or(rotation))
         } else {
             (self.new_origin(words, origin, rotation), rotation)
         };

@@ -1,6 +1,6 @@
 //! Performs the moves of a canned cycle.
 
-use gaugeblock_vocabulary::{Effect, LengthUnit, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, SpindleTurn, Switch};
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, planted};
@@ -32,7 +32,8 @@ impl Modal {
             }
             CycleMove::Approach => {
                 let is_preliminary = drilling.at == At::Preliminary;
-                if level < retract || !is_preliminary && level > retract {
+                let late = is_preliminary && normal != Axis::Z && planted(PlantedFault::RiseXyOnly);
+                if level < retract && !late || !is_preliminary && level > retract {
                     self.traverse_to(line, to(self, retract), sink)?;
                 }
             }

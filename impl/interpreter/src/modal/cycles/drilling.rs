@@ -65,6 +65,15 @@ const fn moves(code: u16) -> &'static [CycleMove] {
     }
 }
 
+/// The moves of G86 with a planted fault.
+static STOPPED_EARLY: [CycleMove; 5] = [
+    CycleMove::Drill,
+    CycleMove::Turn(SpindleTurn::Stopped),
+    CycleMove::Dwell,
+    CycleMove::RapidOut,
+    CycleMove::TurnAgain,
+];
+
 /// Levels of a cycle: coordinates of the plane's normal axis.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Levels {
@@ -138,7 +147,9 @@ enum Peck {
 impl Drilling {
     /// A cycle of a code, before its first move.
     pub(super) fn new(code: u16, cycle: Cycle, repeats: u64) -> Self {
-        Self { cycle, moves: moves(code), repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
+        let early = code == 860 && planted(PlantedFault::StopBeforeDwell);
+        let moves = if early { &STOPPED_EARLY } else { moves(code) };
+        Self { cycle, moves, repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
     }
 
     /// The next move; none where the cycle is over.
@@ -192,7 +203,9 @@ impl Drilling {
             Peck::Out => {
                 let again = planted(PlantedFault::PeckFromR);
                 self.peck = if again { Peck::Down } else { Peck::Back };
-                (self.cycle.levels.retract, false, false)
+                let Levels { retract, clear, .. } = self.cycle.levels;
+                let out = if planted(PlantedFault::PeckToClear) { clear } else { retract };
+                (out, false, false)
             }
             Peck::Back => {
                 self.peck = Peck::Down;

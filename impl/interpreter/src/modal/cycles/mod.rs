@@ -23,7 +23,7 @@ pub(super) use pending::PendingBlock;
 pub(super) use series::{Curve, MotionSeries};
 
 use gaugeblock_vocabulary::{
-    Axis, Compensation, FaultKind, FeedMode, Lathe, ReturnMode, SpindleTurn,
+    Axis, Compensation, FaultKind, FeedMode, Lathe, ReturnMode, SpindleTurn, Switch,
 };
 
 use crate::faults::{PlantedFault, planted};
@@ -34,7 +34,7 @@ use super::check::Block;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
 use super::letters::{A, AXES, B, C};
-use super::modes::FIRST;
+use super::modes::{FIRST, Spindle};
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
 
@@ -61,6 +61,15 @@ fn check_tapping(code: u16, turn: SpindleTurn) -> Result<(), Refusal> {
     }
 }
 
+/// R must not be below Z (11.5.43.5).
+fn check_levels(levels: Levels) -> Result<(), Refusal> {
+    let equal = levels.retract <= levels.bottom && planted(PlantedFault::EqualLevels);
+    if equal || levels.retract < levels.bottom {
+        return refuse(FaultKind::WordOutOfRange, "R is below the bottom of the hole");
+    }
+    Ok(())
+}
+
 impl Modal {
     /// Checks a canned cycle and makes it the unfinished work of its block.
     pub(super) fn canned_cycle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
@@ -85,9 +94,7 @@ impl Modal {
         if code == 730 && !self.choices.break_returns {
             levels.clear = levels.retract;
         }
-        if levels.retract < levels.bottom {
-            return refuse(FaultKind::WordOutOfRange, "R is below the bottom of the hole");
-        }
+        check_levels(levels)?;
         self.check_feed_move()?;
         let spindle = self.selected(block, FIRST)?;
         let turning = self.spindle_of(spindle);
@@ -119,7 +126,7 @@ impl Modal {
             spindle,
             // A spindle that was held at an angle is not turned back to it.
             turn: if turning.turns() { turning.turn } else { SpindleTurn::Stopped },
-            overrides: (self.active.now().feed_override, turning.speed_override),
+            overrides: self.overrides_before(code, turning),
         };
         let job = Job::Drilling(Drilling::new(
             code,
@@ -128,6 +135,14 @@ impl Modal {
         ));
         self.begin_job(block.words.line, job);
         Ok(())
+    }
+
+    /// The feed and speed override as a cycle finds them.
+    fn overrides_before(&self, code: u16, turning: Spindle) -> (Switch, Switch) {
+        if code == 840 && planted(PlantedFault::TapEnables) {
+            return (Switch::On, Switch::On);
+        }
+        (self.active.now().feed_override, turning.speed_override)
     }
 
     /// Modes and axis words that no cycle takes (11.5.43, 11.5.43.5).

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, FaultKind};
 
-use crate::faults::{PlantedFault, narrowed};
+use crate::faults::{PlantedFault, narrowed, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -86,7 +86,11 @@ impl Numbers {
         } else {
             0.0
         };
-        let repeats = words.get(b'L').map_or(Ok(1), repeats)?;
+        let once = match sticky {
+            Some(kept) if planted(PlantedFault::RepeatsSticky) => kept.repeats,
+            Some(_) | None => 1,
+        };
+        let repeats = words.get(b'L').map_or(Ok(once), repeats)?;
         Ok(Self { retract, bottom, dwell, increment, repeats })
     }
 }

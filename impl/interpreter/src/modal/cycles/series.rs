@@ -6,6 +6,8 @@
 
 use gaugeblock_vocabulary::Motion;
 
+use crate::faults::{PlantedFault, planted};
+
 use super::super::coordinates::{Conversion, Coordinates};
 use super::super::motion_codes::is_cycle;
 use super::numbers::Numbers;
@@ -46,6 +48,9 @@ impl MotionSeries {
     pub(super) fn cycle_series(&self, motion: Motion, position: Coordinates) -> CycleSeries {
         match self.start {
             Some(start) if is_cycle(motion) => CycleSeries { start, sticky: self.sticky },
+            Some(start) if motion == Motion::None && planted(PlantedFault::CancelKeepsLevel) => {
+                CycleSeries { start, sticky: None }
+            }
             Some(_) | None => CycleSeries { start: position, sticky: None },
         }
     }

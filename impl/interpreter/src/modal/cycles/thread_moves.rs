@@ -90,7 +90,7 @@ impl Modal {
             exponent: 1.0 / degression,
             slide: forward * math::tangent(word(b'Q')),
             entry: signed(matches!(tapered, 1 | 3)),
-            exit: signed(matches!(tapered, 2 | 3)),
+            exit: signed(tapered == 2 || tapered == 3 && !planted(PlantedFault::BothIsEntry)),
             pass: 0,
             depth: 0.0,
             springs,
