@@ -125,7 +125,7 @@ impl Interpreter {
             self.parameters.numbered.set(number, *value);
         }
         self.parameters.value = 0.0;
-        self.parameters.value_returned = false;
+        self.parameters.value_returned &= planted(PlantedFault::ReturnedFlagKept);
         Ok(())
     }
 
@@ -226,6 +226,9 @@ impl Interpreter {
         let kept = if planted(PlantedFault::ValueLost) { None } else { value };
         self.parameters.value = kept.unwrap_or(0.0);
         self.parameters.value_returned = value.is_some();
+        if o_word.keyword == Keyword::Return && planted(PlantedFault::ReturnKeeps) {
+            self.modal.forget_autorestore();
+        }
         self.close_level(&frame, block.line, sink);
         if !planted(PlantedFault::ArgumentsKept) {
             self.parameters.numbered.set_arguments(&frame.arguments);
@@ -363,6 +366,10 @@ impl Interpreter {
             return refuse(FaultKind::MixedStyles, "a sub ends with endsub");
         };
         self.close_level(&frame, block.line, sink);
+        if planted(PlantedFault::ThirtiethLocal) {
+            let [.., last] = frame.arguments;
+            self.parameters.numbered.set(30, last);
+        }
         self.cursor = frame.back;
         if let Some(left) = left.checked_sub(1) {
             let kind = FrameKind::Numbered { left, entry };

@@ -158,6 +158,9 @@ impl Interpreter {
             }
             return self.jump_to(head, false, source);
         }
+        if planted(PlantedFault::ContinueUntested) {
+            return self.jump_to(head, true, source);
+        }
         let target = LabelTarget { label, accept: |keyword| keyword == Keyword::While };
         self.search_label(at, block.line, target, source)?;
         Ok(())

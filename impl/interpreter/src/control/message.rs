@@ -124,6 +124,9 @@ impl View<'_> {
                 Piece::Absent => None,
             };
             self.push_value(value, decimals, &mut text);
+            if planted(PlantedFault::FormatOnce) {
+                decimals = if self.compiler.choices.default_four { 4 } else { 6 };
+            }
         }
         text
     }

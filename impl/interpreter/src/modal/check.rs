@@ -311,6 +311,10 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
             used.axis_codes = used.axis_codes.saturating_add(1);
         }
     }
+    let both = block.g(NON_MODAL) == Some(520) && block.g(MOTION).is_some_and(|code| code != 800);
+    if both && planted(PlantedFault::LocalOffsetMoves) {
+        used.axis_codes = used.axis_codes.saturating_sub(1);
+    }
     Ok(())
 }
 

@@ -15,6 +15,7 @@ impl Modal {
     pub(super) fn coolant(&mut self, code: u16) {
         let modes = self.active.set();
         match code {
+            7 if modes.flood == Switch::On && planted(PlantedFault::MistAfterFlood) => {}
             7 => modes.mist = Switch::On,
             8 => modes.flood = Switch::On,
             _ if planted(PlantedFault::MistStays) => modes.flood = Switch::Off,
@@ -49,7 +50,10 @@ impl Modal {
         match code {
             50 => self.active.put(|modes| &mut modes.feed_override, switch),
             51 => {
-                let which = self.selected(block, without)?;
+                let mut which = self.selected(block, without)?;
+                if block.words.get(b'P').is_none() && planted(PlantedFault::BareIgnoresSpindle) {
+                    which = without;
+                }
                 self.set_speed_override(which, switch);
             }
             52 if !planted(PlantedFault::WrongSwitch) => {

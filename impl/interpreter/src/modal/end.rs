@@ -32,12 +32,17 @@ impl Modal {
             self.active.report(line, sink);
             self.reset_at_end(numbered);
         }
-        if matches!(code, 30 | 60) && !(code == 60 && planted(PlantedFault::NoPallets)) {
+        let late = code == 60 && planted(PlantedFault::PalletsAfter);
+        let none = code == 60 && planted(PlantedFault::NoPallets);
+        if matches!(code, 30 | 60) && !none && !late {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
             let optional = code == 1 && !planted(PlantedFault::NotOptional);
             self.perform(line, &Effect::Stop { optional }, sink)?;
+            if late {
+                self.perform(line, &Effect::PalletShuttle {}, sink)?;
+            }
             return Ok(false);
         }
         if self.controller_mode != mode {
@@ -65,7 +70,10 @@ impl Modal {
             self.motion = Motion::Feed;
         }
         let modes = self.active.set();
-        modes.plane = Plane::Xy;
+        let uvw = matches!(modes.plane, Plane::Uv | Plane::Wu | Plane::Vw);
+        if !(uvw && planted(PlantedFault::UvwPlaneStays)) {
+            modes.plane = Plane::Xy;
+        }
         if !planted(PlantedFault::IncrementalStays) {
             modes.distance = Distance::Absolute;
         }
@@ -73,7 +81,15 @@ impl Modal {
         modes.feed_override = Switch::On;
         let all = self.all_spindles();
         self.set_speed_override(all, Switch::On);
+        let before = self.active.now().spindles;
         self.stop_running(if self.choices.end_stops_first { FIRST } else { all });
+        if planted(PlantedFault::StaysOriented) {
+            for (spindle, before) in self.active.set().spindles.iter_mut().zip(before) {
+                if before.turn == SpindleTurn::Oriented {
+                    spindle.turn = before.turn;
+                }
+            }
+        }
     }
 
     /// Like M5 and M9.

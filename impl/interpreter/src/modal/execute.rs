@@ -155,9 +155,7 @@ impl Modal {
         if let Some(code) = block.g(PATH) {
             self.path(block.words, code)?;
         }
-        if let Some(code) = block.g(DISTANCE) {
-            self.select_distance(code);
-        }
+        self.distance(block, false);
         if let Some(code) = block.g(ARC_DISTANCE) {
             self.select_arc_distance(code);
         }
@@ -171,11 +169,21 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }
+        self.distance(block, true);
         self.execute_motion(block, numbered, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
             self.dwell(block.words, sink)?;
         }
         Ok(())
+    }
+
+    /// Sets the distance mode, before or, as a planted fault, after the reference location.
+    fn distance(&mut self, block: &Block<'_>, after_reference: bool) {
+        if let Some(code) = block.g(DISTANCE)
+            && after_reference == planted(PlantedFault::DistanceAfterReference)
+        {
+            self.select_distance(code);
+        }
     }
 
     /// Set feed rate mode, then the feed rate: the first phases.

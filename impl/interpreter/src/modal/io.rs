@@ -85,7 +85,8 @@ impl Modal {
             3 => WaitMode::High,
             _ => WaitMode::Low,
         };
-        if analog.is_some() && mode != WaitMode::Immediate {
+        let low = mode == WaitMode::Low && planted(PlantedFault::AnalogLow);
+        if analog.is_some() && mode != WaitMode::Immediate && !low {
             return refuse(FaultKind::WordOutOfRange, "M66 waits for no analog input");
         }
         let timeout = self.wait_timeout(mode, words.get(b'Q'))?;
@@ -100,8 +101,9 @@ impl Modal {
 
     /// Q of M66, which is ignored where nothing is waited for.
     fn wait_timeout(&self, mode: WaitMode, q: Option<f64>) -> Result<Option<f64>, Refusal> {
+        let checked = planted(PlantedFault::TimeoutChecked) && q.is_some_and(|q| q <= 0.0);
         match q {
-            _ if mode == WaitMode::Immediate => Ok(None),
+            _ if mode == WaitMode::Immediate && !checked => Ok(None),
             Some(timeout)
                 if not_negative(timeout, "Q")? > 0.0 || planted(PlantedFault::ZeroTimeout) =>
             {
@@ -125,7 +127,10 @@ impl Modal {
             None if self.choices.empty_argument => String::new(),
             None => "-1".to_owned(),
         };
-        let (p, q) = (argument(block.words.get(b'P')), argument(block.words.get(b'Q')));
+        let (p, q) = (block.words.get(b'P'), block.words.get(b'Q'));
+        let closed = p.is_none() && planted(PlantedFault::GapClosed);
+        let (p, q) = if closed { (q, None) } else { (p, q) };
+        let (p, q) = (argument(p), argument(q));
         let (p, q) = if planted(PlantedFault::SwappedArguments) { (q, p) } else { (p, q) };
         let effect = Effect::UserCode { code: u32::from(code), p, q };
         self.perform(block.words.line, &effect, sink)

@@ -9,6 +9,8 @@ use crate::faults::{PlantedFault, planted};
 use crate::parameters::Predefined;
 
 use super::Modal;
+use super::coordinates::Coordinates;
+use super::modes::Modes;
 use super::motion_codes::code_of;
 use super::state::NO_TOOL;
 
@@ -61,6 +63,10 @@ impl Modal {
             Predefined::Feed => now.feed_rate,
             Predefined::Rpm => spindle.speed,
             Predefined::Position(axis) => self.position.coordinate_of(axis),
+            Predefined::MachinePosition(axis) if planted(PlantedFault::AbsoluteWithTool) => {
+                let without = Modes { tool_offset: Coordinates::default(), ..*now };
+                without.machine_of(self.position).coordinate_of(axis)
+            }
             Predefined::MachinePosition(axis) => now.machine_of(self.position).coordinate_of(axis),
             Predefined::CurrentTool => f64::from(self.tool),
             Predefined::CurrentPocket => f64::from(self.tool_index(self.tool)),

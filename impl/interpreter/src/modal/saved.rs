@@ -49,6 +49,11 @@ impl Modal {
         self.saved.level = self.saved.level.saturating_sub(1);
     }
 
+    /// Forgets that the end of the sub restores anything: a planted fault.
+    pub(crate) fn forget_autorestore(&mut self) {
+        self.saved.here().for_each(|place| place.autorestore = false);
+    }
+
     /// M70 to M73.
     pub(super) fn saved_state(
         &mut self,
@@ -75,7 +80,11 @@ impl Modal {
             _ => {
                 let needs_m70 = self.choices.restore_needs_m70;
                 let saved = self.saved.here().find(|place| place.by_m70 || !needs_m70);
-                let Some(state) = saved.filter(|place| place.valid).map(|place| place.state) else {
+                let taken = saved.filter(|place| place.valid).map(|place| {
+                    place.valid = !(place.by_m70 && planted(PlantedFault::RestoredOnce));
+                    place.state
+                });
+                let Some(state) = taken else {
                     return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
                 };
                 self.restore(&state, numbered);
@@ -87,6 +96,10 @@ impl Modal {
     /// M71: the states that were saved at this call level can no longer be restored.
     fn invalidate(&mut self) -> Result<(), Refusal> {
         if planted(PlantedFault::NotInvalidated) {
+            return Ok(());
+        }
+        if planted(PlantedFault::InvalidatesAll) {
+            self.saved.places.iter_mut().for_each(|place| place.valid = false);
             return Ok(());
         }
         let mut any = false;
@@ -133,6 +146,13 @@ impl Modal {
         let mut spindles = modes.spindles;
         for (saved, now) in spindles.iter_mut().zip(&now.spindles) {
             saved.turn = restored_turn(saved.turn, now.turn);
+        }
+        if planted(PlantedFault::FirstSpindleRestored) {
+            let [first, ..] = spindles;
+            spindles = now.spindles;
+            if let Some(spindle) = spindles.first_mut() {
+                *spindle = first;
+            }
         }
         *now = Modes {
             spindles,

@@ -91,6 +91,8 @@ impl Modal {
         let all = self.choices.minus_one_all
             && block.words.dollar.is_some_and(|number| math::near_integer(number) == Some(-1));
         let which = if all { self.all_spindles() } else { self.selected(block, without)? };
+        let last_out = all && self.spindles > 1 && planted(PlantedFault::LastSpindleLeftOut);
+        let which = if last_out { which >> 1 } else { which };
         let turn = match code {
             3 => SpindleTurn::Clockwise,
             4 if planted(PlantedFault::OneDirection) => SpindleTurn::Clockwise,
@@ -130,6 +132,8 @@ impl Modal {
         // The sum is the value of the pin (11.6.8); it may be more than a turn.
         let offset = if planted(PlantedFault::NoOrientOffset) { 0.0 } else { self.orient_offset };
         let angle = angle + offset;
+        let over = angle > 360.0 && planted(PlantedFault::AngleWithinTurn);
+        let angle = if over { angle - 360.0 } else { angle };
         if turns && !planted(PlantedFault::OrientTurnsOn) {
             self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Oriented);
         }

@@ -84,7 +84,8 @@ impl Modal {
             None if self.choices.change_unselected => self.tool,
             None => return refuse(FaultKind::MissingWord, "M6 without a T since the last change"),
         };
-        if !self.tool_change.with_spindle_on && !planted(PlantedFault::SpindleTurnsOn) {
+        let same = tool == self.tool && planted(PlantedFault::SameToolTurns);
+        if !self.tool_change.with_spindle_on && !planted(PlantedFault::SpindleTurnsOn) && !same {
             let all = self.all_spindles();
             self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
@@ -157,6 +158,9 @@ impl Modal {
         }
         self.perform(block.words.line, &Effect::SetToolNumber { tool }, sink)?;
         self.tool = tool;
+        if planted(PlantedFault::SetForgetsSelection) {
+            self.prepared = None;
+        }
         self.publish_tool(numbered);
         Ok(())
     }

@@ -83,6 +83,9 @@ pub(crate) fn binary_inline(
         Binary::Modulus => modulus(left, right, choices),
         Binary::Power => power(left, right),
         Binary::And => Ok(truth(holds(left) && holds(right), choices)),
+        Binary::Or if planted(PlantedFault::OrOnIntegers) => {
+            Ok(truth(holds(math::truncate(left)) || holds(math::truncate(right)), choices))
+        }
         Binary::Or => Ok(truth(holds(left) || holds(right), choices)),
         Binary::Xor if planted(PlantedFault::XorAsOr) => {
             Ok(truth(holds(left) || holds(right), choices))

@@ -59,7 +59,8 @@ impl LineCompiler {
             return LineKind::Percent;
         }
         let slash = cursor.take(b'/');
-        if slash && self.block_delete && !planted(PlantedFault::NothingDeleted) {
+        let behind = line.first() != Some(&b'/') && planted(PlantedFault::SlashBehindBlank);
+        if slash && self.block_delete && !planted(PlantedFault::NothingDeleted) && !behind {
             return LineKind::Nothing;
         }
         let alone = cursor.is_at_end();

@@ -163,8 +163,10 @@ impl LineCompiler {
             self.value(cursor, into, depth.wrapping_sub(1))?;
             let operator = operator(cursor)?;
             let lowest = operator.map_or(0, group);
+            let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
             while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
                 && group(last) >= lowest
+                && !from_right
             {
                 self.emit_operator(last, into);
                 count = count.wrapping_sub(1);

@@ -209,7 +209,11 @@ fn read_spaced_or_long(cursor: &mut Cursor<'_>) -> Parsed<f64> {
             b'.' => point = true,
             _ => break,
         }
+        let tab = cursor.rest().get(1) == Some(&b'\t');
         cursor.step();
+        if tab && begins(cursor) && planted(PlantedFault::TabInNumber) {
+            return cursor.refuse(FaultKind::BadNumber, "a tab in a number");
+        }
     }
     if digits == 0 && !planted(PlantedFault::PointAlone) {
         return start.refuse(FaultKind::BadNumber, "a number has a digit");

@@ -25,7 +25,8 @@ impl<M: Machine> TaskState<M> {
         let reply = perform(&mut self.machine);
         if !matches!(reply, Reply::Failed(_) | Reply::Aborted | Reply::ReadOnly) {
             let digital = self.digital.begin_motion();
-            if self.analog.begin_motion() || digital {
+            let held = motion == Motion::Rapid && planted(PlantedFault::AnalogAtFeed);
+            if !held && self.analog.begin_motion() || digital {
                 self.update_pins();
             }
         }
@@ -49,7 +50,12 @@ impl<M: Machine> TaskState<M> {
     fn stop(&mut self, optional: bool, effect: &Effect) -> Reply {
         let pallets = core::mem::take(&mut self.pallets_exchanged);
         let reply = self.machine.perform(self.line, effect);
-        let ignores = optional && !self.panel.optional_stop;
+        let switch = if planted(PlantedFault::SwitchAtStart) {
+            self.optional_stop_before
+        } else {
+            self.panel.optional_stop
+        };
+        let ignores = optional && !switch;
         if ignores || reply != Reply::Done {
             return reply;
         }

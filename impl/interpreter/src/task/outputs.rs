@@ -30,6 +30,9 @@ impl Outputs {
 
     /// Sets an output. Of several settings that wait the last one counts (11.6.15).
     pub(super) fn set(&mut self, number: i32, value: f64, timing: OutputTiming, replaces: bool) {
+        if timing == OutputTiming::WithMotion && planted(PlantedFault::OneOutputWaits) {
+            self.forget_waiting();
+        }
         let place = usize::try_from(number).ok();
         let Some(output) = place.and_then(|place| self.outputs.get_mut(place)) else { return };
         match timing {

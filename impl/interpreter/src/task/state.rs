@@ -59,6 +59,8 @@ pub(super) enum AbortCause {
 pub(super) struct TaskState<M> {
     pub(super) machine: M,
     pub(super) panel: Panel,
+    /// The optional stop switch when the run began.
+    pub(super) optional_stop_before: bool,
     pub(super) mode: ControllerMode,
     pub(super) run_kind: RunKind,
     pub(super) pause: Option<Pause>,
@@ -103,6 +105,7 @@ impl<M: Machine> TaskState<M> {
         let mut state = Self {
             machine,
             panel: Panel::new(),
+            optional_stop_before: false,
             mode: ControllerMode::Auto,
             run_kind: RunKind::Program,
             pause: None,
@@ -185,6 +188,7 @@ impl<M: Machine> TaskState<M> {
     /// Begins a program or an MDI block, without the state of the one before.
     pub(super) fn begin(&mut self, run_kind: RunKind) {
         self.run_kind = run_kind;
+        self.optional_stop_before = self.panel.optional_stop;
         self.pause = None;
         self.abort_cause = None;
         self.reading_ahead = false;

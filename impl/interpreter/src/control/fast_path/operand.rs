@@ -4,6 +4,7 @@
 //! Reading a value changes nothing, so that whatever is unusual or wrong is left to the complete path, which starts
 //! again.
 
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Parameters;
 use crate::syntax::bytecode::{Binary, Function};
 use crate::syntax::{
@@ -143,7 +144,8 @@ impl Values<'_> {
             let (mut value, behind) = self.value(text, depth)?;
             let (operator, behind) = operator(behind)?;
             let lowest = operator.map_or(1, group);
-            while highest >= lowest {
+            let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
+            while highest >= lowest && !from_right {
                 count = count.wrapping_sub(1);
                 let (left, last, before) = *waiting.get(count)?;
                 value =
