@@ -120,6 +120,9 @@ impl Interpreter {
         if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
+        if o_word.values == 0 && planted(PlantedFault::NoArgumentsZeroed) {
+            self.parameters.numbered.set_arguments(&[0.0; 30]);
+        }
         let first = if planted(PlantedFault::ArgumentsShifted) { 2 } else { 1_u32 };
         for (number, value) in (first..).zip(self.evaluator.stack.iter()) {
             self.parameters.numbered.set(number, *value);
@@ -292,6 +295,7 @@ impl Interpreter {
         };
         let number = narrowed(PlantedFault::SubprogramWraps, count(number)?, 65_536.0);
         let turns = math::to_count(count(self.words.get(b'L').unwrap_or(1.0))?);
+        let turns = if planted(PlantedFault::ZeroIsOnce) { turns.max(1) } else { turns };
         if turns == 0 && self.compiler.choices.uncalled_free {
             return Ok(Progress::More);
         }

@@ -256,7 +256,11 @@ impl Evaluator {
                 let y = self.pop();
                 self.stack.push(arithmetic::arctangent(y, x, &compiler.choices));
             }
-            Op::ExistsLocal(id) => self.push_truth(parameters.named.local(id).is_some()),
+            Op::ExistsLocal(id) => {
+                let sees_all = planted(PlantedFault::ExistsSeesCaller);
+                let outside = sees_all && parameters.named.exists_anywhere(id);
+                self.push_truth(parameters.named.local(id).is_some() || outside);
+            }
             Op::ExistsGlobal(id) => self.push_truth(parameters.named.global(id).is_some()),
             Op::ExistsNumbered => {
                 let number = self.pop();

@@ -137,6 +137,32 @@ impl Interpreter {
         self.jump_to(head, true, source)
     }
 
+    /// `break`.
+    pub(crate) fn break_loop<S: Source>(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        label: NameId,
+        source: &mut S,
+    ) -> Result<(), ControlError> {
+        let loops = |keyword| {
+            matches!(keyword, Keyword::While | Keyword::Do)
+                || keyword == Keyword::Repeat && planted(PlantedFault::RepeatBreaks)
+        };
+        let head = self.find_structure(label, loops, NO_LOOP)?.keyword;
+        if head == Keyword::Do && planted(PlantedFault::BreakTestsDo) {
+            return self.continue_loop(at, block, label, source);
+        }
+        let end: fn(Keyword) -> bool = if head == Keyword::Do {
+            |keyword| keyword == Keyword::While
+        } else if head == Keyword::Repeat {
+            |keyword| keyword == Keyword::EndRepeat
+        } else {
+            |keyword| keyword == Keyword::EndWhile
+        };
+        self.leave_loop(at, block, label, end, source)
+    }
+
     /// `continue`.
     pub(crate) fn continue_loop<S: Source>(
         &mut self,

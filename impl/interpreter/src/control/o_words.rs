@@ -128,15 +128,7 @@ impl Interpreter {
             Keyword::Do => self.begin_do(at, block, label, source),
             Keyword::Repeat => self.begin_repeat(at, block, o_word, label, source),
             Keyword::EndRepeat => self.end_repeat(label, source),
-            Keyword::Break => {
-                let loops = |keyword| matches!(keyword, Keyword::While | Keyword::Do);
-                let end = if self.find_structure(label, loops, NO_LOOP)?.keyword == Keyword::Do {
-                    |keyword| keyword == Keyword::While
-                } else {
-                    |keyword| keyword == Keyword::EndWhile
-                };
-                self.leave_loop(at, block, label, end, source)
-            }
+            Keyword::Break => self.break_loop(at, block, label, source),
             Keyword::Continue => self.continue_loop(at, block, label, source),
             Keyword::Sub
             | Keyword::EndSub

@@ -103,7 +103,8 @@ impl Tolerances {
     fn of(units: LengthUnit) -> Self {
         match units {
             LengthUnit::Inch => {
-                Self { coarse: 0.05, fine: 0.0005, radius: 0.000_05, of_larger: false, least: 0.0 }
+                let fine = if planted(PlantedFault::FineLimitUnit) { 0.005 } else { 0.0005 };
+                Self { coarse: 0.05, fine, radius: 0.000_05, of_larger: false, least: 0.0 }
             }
             LengthUnit::Millimetre => {
                 Self { coarse: 0.5, fine: 0.005, radius: 0.001_27, of_larger: false, least: 0.0 }

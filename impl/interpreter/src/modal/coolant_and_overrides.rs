@@ -35,6 +35,9 @@ impl Modal {
             if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
                 self.active.put(|modes| &mut modes.feed_override, switch);
             }
+            if code == 49 && planted(PlantedFault::DisablesAdaptive) {
+                self.active.put(|modes| &mut modes.adaptive_feed, Switch::Off);
+            }
             if code == 48 || !planted(PlantedFault::SpeedUntouched) {
                 self.set_speed_override(which, switch);
             }

@@ -1,7 +1,7 @@
 //! Stops and ends: M0, M1, M60 (11.6.2, 11.6.4), M2, M30 (11.6.3), and the operator's abort.
 
 use gaugeblock_vocabulary::{
-    Compensation, ControllerMode, Distance, Effect, Motion, Plane, SpindleTurn, Switch,
+    Compensation, ControllerMode, Distance, Effect, FeedMode, Motion, Plane, SpindleTurn, Switch,
 };
 
 use crate::canon::Sink;
@@ -38,7 +38,8 @@ impl Modal {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
-            let optional = code == 1 && !planted(PlantedFault::NotOptional);
+            let optional = code == 1 && !planted(PlantedFault::NotOptional)
+                || code == 60 && planted(PlantedFault::PalletStopOptional);
             self.perform(line, &Effect::Stop { optional }, sink)?;
             if late {
                 self.perform(line, &Effect::PalletShuttle {}, sink)?;
@@ -61,7 +62,10 @@ impl Modal {
             self.use_work_offset(1, numbered);
         }
         let feed = self.active.now().feed_rate;
-        self.select_feed_mode(940);
+        let per_revolution = self.active.now().feed_mode == FeedMode::PerRevolution;
+        if !(per_revolution && planted(PlantedFault::PerRevolutionStays)) {
+            self.select_feed_mode(940);
+        }
         if self.choices.feed_kept_at_end {
             self.active.set_feed_rate(feed);
         }

@@ -69,17 +69,25 @@ impl Modal {
         Ok(())
     }
 
+    /// Whether the X word of a move is a diameter (11.5.10).
+    pub(super) fn halves_x(&self, machine_coordinates: bool) -> bool {
+        let absolute = machine_coordinates || !self.is_incremental();
+        self.active.now().lathe == Lathe::Diameter
+            && (absolute || !planted(PlantedFault::DiameterAbsoluteOnly))
+    }
+
     /// Where the block's move ends, in program coordinates.
     pub(super) fn block_end_point(&self, block: &Block<'_>) -> Result<Coordinates, Refusal> {
         let radius;
-        let diameter = self.active.now().lathe == Lathe::Diameter;
+        let machine_coordinates = block.g(NON_MODAL) == Some(G53);
+        let diameter = self.halves_x(machine_coordinates);
         let words = if diameter && !planted(PlantedFault::DiameterAsRadius) {
             radius = with_radius(block.words);
             &radius
         } else {
             block.words
         };
-        if block.g(NON_MODAL) == Some(G53) {
+        if machine_coordinates {
             return self.machine_end_point(words);
         }
         let incremental = self.active.now().distance == Distance::Incremental;

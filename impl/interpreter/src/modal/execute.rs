@@ -149,9 +149,7 @@ impl Modal {
         if let Some(code) = block.g(TOOL_LENGTH) {
             self.tool_length(block.words, code)?;
         }
-        if let Some(code) = block.g(WORK_OFFSET) {
-            self.select_work_offset(code, numbered)?;
-        }
+        self.coordinate_system(block, false, numbered)?;
         if let Some(code) = block.g(PATH) {
             self.path(block.words, code)?;
         }
@@ -169,6 +167,7 @@ impl Modal {
                 _ => self.local_offset(block.words, code, numbered)?,
             }
         }
+        self.coordinate_system(block, true, numbered)?;
         self.distance(block, true);
         self.execute_motion(block, numbered, sink)?;
         if block.g(NON_MODAL) == Some(40) && late {
@@ -183,6 +182,20 @@ impl Modal {
             && after_reference == planted(PlantedFault::DistanceAfterReference)
         {
             self.select_distance(code);
+        }
+    }
+
+    /// Selects a coordinate system, before or, as a planted fault, after G10.
+    fn coordinate_system(
+        &mut self,
+        block: &Block<'_>,
+        after_data: bool,
+        numbered: &mut Numbered,
+    ) -> Result<(), Refusal> {
+        let late = planted(PlantedFault::DataBeforeSelection) && block.g(NON_MODAL) == Some(100);
+        match block.g(WORK_OFFSET) {
+            Some(code) if after_data == late => self.select_work_offset(code, numbered),
+            Some(_) | None => Ok(()),
         }
     }
 

@@ -43,7 +43,9 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         self.check_output()?;
-        let output = number(block.words.get(b'E'), self.analog_io)?;
+        let digital = planted(PlantedFault::AnalogByDigitalCount);
+        let count = if digital { self.digital_io } else { self.analog_io };
+        let output = number(block.words.get(b'E'), count)?;
         let to = block.words.get(b'Q').unwrap_or(0.0);
         let waits = code == 67 || planted(PlantedFault::AnalogWaits);
         let timing = if waits { OutputTiming::WithMotion } else { OutputTiming::AtOnce };
@@ -69,7 +71,10 @@ impl Modal {
             self.refuse_under_compensation("M66")?;
         }
         let words = block.words;
-        let (digital, analog) = match (words.get(b'P'), words.get(b'E')) {
+        let waits = words.get(b'L').is_some_and(|l| l > 0.0);
+        let ignored = words.has(b'P') && !waits && planted(PlantedFault::BothImmediate);
+        let e = words.get(b'E').filter(|_| !ignored);
+        let (digital, analog) = match (words.get(b'P'), e) {
             (Some(_), Some(_)) => {
                 return refuse(FaultKind::ModalConflict, "M66 with both P and E");
             }

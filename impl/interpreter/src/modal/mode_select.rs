@@ -140,6 +140,9 @@ impl Modal {
             }
             (None, naive) => (0.0, naive.unwrap_or(0.0)),
             (Some(blend), None) if planted(PlantedFault::NoNaiveTolerance) => (blend, 0.0),
+            (Some(blend), Some(naive)) if naive <= 0.0 && planted(PlantedFault::ZeroQIsP) => {
+                (blend, blend)
+            }
             (Some(blend), naive) => (blend, naive.unwrap_or(blend)),
         };
         let modes = self.active.set();

@@ -1,6 +1,6 @@
 //! Motion codes other than G0 to G3 and G80, each handed to where it is done.
 
-use gaugeblock_vocabulary::{Distance, Effect, Lathe};
+use gaugeblock_vocabulary::{Distance, Effect};
 
 use crate::canon::Sink;
 use crate::parameters::Numbered;
@@ -55,7 +55,7 @@ impl Modal {
     /// The point of axis words, incremental ones from a point.
     pub(super) fn point_from(&self, from: Coordinates, words: &Words) -> Coordinates {
         let radius;
-        let words = if self.active.now().lathe == Lathe::Diameter {
+        let words = if self.halves_x(false) {
             radius = with_radius(words);
             &radius
         } else {

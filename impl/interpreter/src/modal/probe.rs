@@ -69,6 +69,8 @@ impl Modal {
         }
         self.position = contact.map_or(end, Into::into);
         let changed = contact.is_some() && !planted(PlantedFault::NoProbeResult);
+        let stale = contact.is_none() && planted(PlantedFault::MissKeepsFlag);
+        let changed = changed || stale && offsets::probe_succeeded(numbered);
         let kept = contact.is_none() && planted(PlantedFault::MissKeepsPoint);
         let found = if kept { offsets::probed(numbered) } else { self.position };
         offsets::store_probe(numbered, found, changed);

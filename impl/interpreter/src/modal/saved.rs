@@ -191,7 +191,13 @@ fn with_overrides(saved: &Modes, now: &Modes) -> Modes {
 /// The list of restored modes has M3, M4 and M5 only. A spindle that was oriented at the save is stopped, not oriented
 /// again.
 fn restored_turn(saved: SpindleTurn, now: SpindleTurn) -> SpindleTurn {
+    use SpindleTurn::{Clockwise, Counterclockwise};
     match (saved, now) {
+        (Clockwise, Counterclockwise) | (Counterclockwise, Clockwise)
+            if planted(PlantedFault::DirectionNotRestored) =>
+        {
+            now
+        }
         (SpindleTurn::Oriented, SpindleTurn::Oriented) => SpindleTurn::Oriented,
         (SpindleTurn::Oriented, _) => SpindleTurn::Stopped,
         (turn, _) => turn,

@@ -86,7 +86,8 @@ impl Modal {
 
     /// M3, M4, M5.
     pub(super) fn turn_spindle(&mut self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
-        let without = if self.choices.turn_first { FIRST } else { self.all_spindles() };
+        let first = self.choices.turn_first && !(code == 5 && planted(PlantedFault::StopStopsAll));
+        let without = if first { FIRST } else { self.all_spindles() };
         // That -1 means all spindles is said of these codes only (11.6.5), also together with S or another code.
         let all = self.choices.minus_one_all
             && block.words.dollar.is_some_and(|number| math::near_integer(number) == Some(-1));
@@ -99,7 +100,12 @@ impl Modal {
             4 => SpindleTurn::Counterclockwise,
             _ => SpindleTurn::Stopped,
         };
-        self.for_spindles(which, |spindle| spindle.turn = turn);
+        let keeps = code == 5 && planted(PlantedFault::StopKeepsOrientation);
+        self.for_spindles(which, |spindle| {
+            if !(keeps && spindle.turn == SpindleTurn::Oriented) {
+                spindle.turn = turn;
+            }
+        });
         Ok(())
     }
 

@@ -59,6 +59,7 @@ impl Modal {
             0 if follows => Ok(()),
             0 => refuse(FaultKind::MissingWord, "the first G5 of a series without I and J"),
             _ if given == I | J => Ok(()),
+            _ if follows && planted(PlantedFault::HalfOffsetInSeries) => Ok(()),
             _ => refuse(FaultKind::MissingWord, "just one of I and J"),
         }
     }

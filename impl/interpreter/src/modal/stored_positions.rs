@@ -6,6 +6,7 @@ use crate::parameters::Numbered;
 
 use super::Modal;
 use super::check::Block;
+use super::coordinates::Coordinates;
 use super::letters::{X, Y, Z};
 use super::offsets::{self, G28_POSITION, G30_POSITION};
 use super::refusal::Refusal;
@@ -26,7 +27,11 @@ impl Modal {
             G30_POSITION
         };
         if matches!(code, 281 | 301) {
-            let machine = self.active.now().machine_of(self.position);
+            let mut frame = *self.active.now();
+            if code == 301 && planted(PlantedFault::StoredWithoutTool) {
+                frame.tool_offset = Coordinates::default();
+            }
+            let machine = frame.machine_of(self.position);
             // All nine axes are stored (11.4.3.1), although 11.5.20 lists parameters only up to #5166.
             offsets::set_row(numbered, first, machine.converted(self.active_to_stored()));
             return Ok(());

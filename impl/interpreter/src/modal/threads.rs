@@ -69,7 +69,8 @@ impl Modal {
     fn turning_spindle(&self, block: &Block<'_>) -> Result<u32, Refusal> {
         self.check_compensated_move(false)?;
         let spindle = self.selected(block, FIRST)?;
-        if !self.spindle_of(spindle).turns() && !planted(PlantedFault::StandingSpindle) {
+        let asked = if planted(PlantedFault::ChecksFirst) { FIRST } else { spindle };
+        if !self.spindle_of(asked).turns() && !planted(PlantedFault::StandingSpindle) {
             return refuse(
                 FaultKind::ZeroSpeed,
                 "a synchronised move while the spindle is stopped",

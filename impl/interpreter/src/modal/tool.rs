@@ -93,6 +93,10 @@ impl Modal {
         let reply = self.perform_with_reply(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);
         self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
+        if self.tool == 0 && planted(PlantedFault::UnloadCancelsLength) {
+            let none = (Switch::Off, Coordinates::default());
+            self.offset_by(|modes| (modes.tool_length, modes.tool_offset) = none);
+        }
         if !planted(PlantedFault::StaysSelected) {
             self.prepared = None;
         }
@@ -180,6 +184,9 @@ impl Modal {
         let offset = match code {
             490 => Coordinates::default(),
             430 => self.table_offset(words.get(b'H'))?,
+            431 if planted(PlantedFault::DynamicClearsOthers) => {
+                Coordinates::default().replaced(&self.offset_words(words))
+            }
             431 => old.replaced(&self.offset_words(words)),
             _ => match words.get(b'H') {
                 Some(tool) => old.plus(self.table_offset(Some(tool))?),

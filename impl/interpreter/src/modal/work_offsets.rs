@@ -3,7 +3,7 @@
 
 use alloc::format;
 
-use gaugeblock_vocabulary::{FaultKind, Lathe};
+use gaugeblock_vocabulary::{FaultKind, Lathe, Motion};
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, narrowed, planted};
@@ -151,6 +151,9 @@ impl Modal {
         let kind = words.get(b'L').unwrap_or(0.0);
         let kind = narrowed(PlantedFault::OffsetKindWraps, kind, 256.0);
         let kind = integer_in(kind, 0, 20, "L of G10")?;
+        if words.has_axes() && planted(PlantedFault::StaysSuspended) {
+            self.motion = Motion::None;
+        }
         match kind {
             0 => self.reload_tools(numbered),
             1 | 10 | 11 => self.set_tool_entry(words, kind, numbered, sink),
@@ -202,7 +205,10 @@ impl Modal {
     /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
     fn new_origin(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
         let machine = self.active.now().machine_of(self.position);
-        let there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
+        let mut there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
+        if planted(PlantedFault::CalculatedWithoutLocal) {
+            there.g92_offset = Coordinates::default();
+        }
         let target = there.program_of(machine).replaced(&self.offset_words(words));
         origin
             .taking(there.letters_moved_together(words.present), there.origin_for(machine, target))

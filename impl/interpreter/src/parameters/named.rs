@@ -131,6 +131,11 @@ impl Named {
         self.slot(id).filter(|slot| slot.scope == self.scope).map(|slot| slot.value)
     }
 
+    /// Whether a parameter exists at any call level.
+    pub(crate) fn exists_anywhere(&self, id: NameId) -> bool {
+        self.slot(id).is_some_and(|slot| slot.scope != NOWHERE)
+    }
+
     /// Sets a global parameter, which exists from then on. Returns the previous slot.
     #[inline]
     pub(crate) fn set_global(&mut self, id: NameId, value: f64) -> Slot {

@@ -60,7 +60,9 @@ impl LineCompiler {
         }
         let slash = cursor.take(b'/');
         let behind = line.first() != Some(&b'/') && planted(PlantedFault::SlashBehindBlank);
-        if slash && self.block_delete && !planted(PlantedFault::NothingDeleted) && !behind {
+        let stays = cursor.peek() == b'o' && planted(PlantedFault::OWordsNotDeleted);
+        let skips = !planted(PlantedFault::NothingDeleted) && !stays;
+        if slash && self.block_delete && skips && !behind {
             return LineKind::Nothing;
         }
         let alone = cursor.is_at_end();
@@ -381,6 +383,9 @@ pub(crate) fn g_number(value: f64) -> Option<u16> {
 /// An M code, where a number is one.
 #[inline]
 pub(crate) fn m_number(value: f64) -> Option<u16> {
+    if planted(PlantedFault::MCodeExactly) && math::whole(value).is_none() {
+        return None;
+    }
     code_number(narrowed(PlantedFault::McodeWraps, value, 65_536.0), u16::MAX)
 }
 

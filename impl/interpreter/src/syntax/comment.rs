@@ -1,5 +1,6 @@
 //! Active comments (11.4.14 to 11.4.20): messages, logs, and an abort by the program.
 
+use crate::faults::{PlantedFault, planted};
 use crate::syntax::bytecode::{Act, CodeSegment, Comment, NONE, ParameterRef, Piece};
 use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
@@ -154,6 +155,7 @@ fn format(compiler: &LineCompiler, text: &[u8]) -> Option<(Piece, usize)> {
         (b'l', Some(b'f'), _) => {
             Some((Piece::Decimals(if compiler.choices.default_four { 4 } else { 6 }), 3))
         }
+        (b'.', Some(b'0'), Some(b'f')) if planted(PlantedFault::ZeroDecimals) => None,
         (b'.', Some(digit @ b'0'..=b'9'), Some(b'f')) => Some((Piece::Decimals(digit & 15), 4)),
         _ => None,
     }

@@ -55,6 +55,7 @@ pub(crate) fn group(operator: Binary) -> u8 {
         | Binary::GreaterOrEqual
         | Binary::Less
         | Binary::LessOrEqual => 2,
+        Binary::Modulus if planted(PlantedFault::ModulusAmongSums) => 3,
         Binary::Add | Binary::Subtract => 3,
         Binary::Multiply | Binary::Divide | Binary::Modulus => 4,
         Binary::Power => 5,

@@ -89,7 +89,8 @@ impl Modal {
         let series = self.series.cycle_series(self.motion, self.position);
         let sticky = series.sticky(code).filter(|_| !planted(PlantedFault::NothingSticky));
         let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
-        let numbers = Numbers::read(words, code, axes.normal, sticky, (&self.choices, tap))?;
+        let other = (&self.choices, tap, series.foreign_depth());
+        let numbers = Numbers::read(words, code, axes.normal, sticky, other)?;
         let mut levels = self.levels(&numbers, axes.normal, series.start());
         if code == 730 && !self.choices.break_returns {
             levels.clear = levels.retract;

@@ -42,13 +42,13 @@ pub(super) fn axis_word(words: &Words, axis: Axis) -> Option<f64> {
 
 impl Numbers {
     /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle. `tap` is
-    /// the P of a tap that has none.
+    /// the P of a tap that has none; a foreign depth is there as a planted fault only.
     pub(super) fn read(
         words: &Words,
         code: u16,
         normal: Axis,
         sticky: Option<Self>,
-        (choices, tap): (&Choices, f64),
+        (choices, tap, foreign_depth): (&Choices, f64, Option<f64>),
     ) -> Result<Self, Refusal> {
         let word = |here: Option<f64>, kept: Option<f64>, missing: &str| match here.or(kept) {
             Some(number) => Ok(number),
@@ -61,7 +61,7 @@ impl Numbers {
         )?;
         let bottom = word(
             axis_word(words, normal),
-            sticky.map(|kept| kept.bottom),
+            sticky.map(|kept| kept.bottom).or(foreign_depth),
             "a cycle without its depth, and none to keep",
         )?;
         let kept = sticky.filter(|_| !choices.arguments_each_block);

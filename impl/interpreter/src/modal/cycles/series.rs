@@ -103,6 +103,12 @@ impl CycleSeries {
         self.sticky.filter(|(kept, _)| *kept == code).map(|(_, numbers)| numbers)
     }
 
+    /// The depth of the cycle before, whichever it is: a planted fault.
+    pub(super) fn foreign_depth(&self) -> Option<f64> {
+        let kept = self.sticky.filter(|_| planted(PlantedFault::DepthAcrossCycles));
+        kept.map(|(_, numbers)| numbers.bottom)
+    }
+
     /// The series with the numbers of this block.
     pub(super) fn with_sticky(&self, code: u16, numbers: Numbers) -> MotionSeries {
         MotionSeries {
