@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
 use crate::instrumentation::host::{is_ini_name, reaches_host};
-use crate::instrumentation::source::{LAST_PARAMETER, Source, is_sub_file};
+use crate::instrumentation::source::{LAST_PARAMETER, Source, code, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
@@ -23,6 +23,9 @@ const OWN_ENVIRONMENT: &str = "whole controller";
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
+    if names_parallel_axes(scenario) {
+        return Err("it does not show where U, V and W are".to_owned());
+    }
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
         return Err(format!("an operator's event after a delay of {} s", event.when.offset));
@@ -117,6 +120,18 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
+/// Whether the machine has U, V or W, and the program a word of one.
+fn names_parallel_axes(scenario: &Scenario) -> bool {
+    let is_parallel = |axis: &Axis| matches!(axis, Axis::U | Axis::V | Axis::W);
+    let begins_number =
+        |rest: &str| rest.starts_with(|next: char| next.is_ascii_digit() || "-+.#[".contains(next));
+    let source = Source::new(&scenario.program);
+    let names = |letter: char| {
+        source.all().any(|(_, _, line)| code(line).split(letter).skip(1).any(begins_number))
+    };
+    scenario.machine.axes.iter().any(is_parallel) && ['u', 'v', 'w'].into_iter().any(names)
+}
+
 fn program(program: &Program) -> Result<(), String> {
     if program.language != Language::Rs274 {
         return Err(format!("the language {} is not supported", program.language));
@@ -135,9 +150,6 @@ fn program(program: &Program) -> Result<(), String> {
     }
     if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
         return Err("it reports a spline as the arcs that it is divided into".to_owned());
-    }
-    if source.has_g_code(&["g17.1", "g18.1", "g19.1"]) && source.has_g_code(&["g81"]) {
-        return Err("it does not show where U, V and W are".to_owned());
     }
     if source.leaves_block_order() {
         return Err("it would be on its way for longer than anybody waits".to_owned());
