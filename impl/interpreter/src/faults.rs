@@ -285,7 +285,7 @@ faults! {
     "text.slash-behind-blank" SlashBehindBlank "A block delete character after a blank deletes nothing.",
     "text.tab-in-number" TabInNumber "A tab between the digits of a number is refused.",
     "threading.both-is-entry" BothIsEntry "L3 of G76 tapers the entry only.",
-    "threading.checks-first" ChecksFirst "A synchronised move asks whether spindle 0 turns, whatever $ says.",
+    "threading.checks-first" ChecksFirst "A synchronised move needs spindle 0 to turn, whatever $ says.",
     "threading.depth-as-radius" DepthAsRadius "Depths of G76 are radii under G7.",
     "threading.limit-number" LimitNumber "The velocity limit of G33 and G33.1 is compared without converting the unit.",
     "threading.no-spring-passes" NoSpringPasses "G76 makes no spring passes.",
