@@ -6,8 +6,8 @@ use gaugeblock_adapter::HarnessError;
 use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_vocabulary::scenario::Budget;
 use gaugeblock_vocabulary::{
-    BlockLocation, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State, State,
-    Step,
+    BlockLocation, Bound, ControllerMode, Effect, End, Event, Indexed, Outcome, Rs274State,
+    Scenario, State, Step,
 };
 
 use super::checkpoint::Checkpoint;
@@ -21,6 +21,8 @@ pub(crate) struct Steps<'a> {
     source: &'a Source,
     plan: &'a Plan,
     block_delete: bool,
+    /// Whether tools change places, so that T0 selects a tool like any other.
+    tools_change_places: bool,
     known: Rs274State,
     /// Depth of calls at the last checkpoint.
     level: i64,
@@ -41,12 +43,13 @@ pub(crate) struct Steps<'a> {
 
 impl<'a> Steps<'a> {
     /// No blocks: the run has not begun.
-    pub(crate) fn new(source: &'a Source, plan: &'a Plan, block_delete: bool) -> Self {
+    pub(crate) fn new(source: &'a Source, plan: &'a Plan, scenario: &Scenario) -> Self {
         let known = Rs274State::default();
         Self {
             source,
             plan,
-            block_delete,
+            block_delete: scenario.program.block_delete,
+            tools_change_places: scenario.machine.random_tool_changer,
             known,
             level: 0,
             at: None,
@@ -230,7 +233,10 @@ impl<'a> Steps<'a> {
 
     fn state_of(&self, checkpoint: &Checkpoint, tool: i32) -> Result<Rs274State, HarnessError> {
         let observed = state::state(checkpoint, tool, self.plan)?;
-        let prepared_tool = if self.changed { Some(-1) } else { observed.prepared_tool };
+        // While a tool is in the spindle, or once the table was written, T0 appears as tool 0.
+        let selects_none = observed.prepared_tool == Some(0) && !self.tools_change_places;
+        let prepared_tool =
+            if self.changed || selects_none { Some(-1) } else { observed.prepared_tool };
         Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..observed })
     }
 

@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_vocabulary::{
-    Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings, State, Step,
-};
+use gaugeblock_vocabulary::{Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings};
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
@@ -61,7 +59,7 @@ pub(super) fn outcome(
         plan,
         canon: Canon::new(&scenario.machine),
         start: Settings::default(),
-        steps: Steps::new(source, plan, scenario.program.block_delete),
+        steps: Steps::new(source, plan, scenario),
         end: None,
     };
     for line in captured.lines {
@@ -71,7 +69,6 @@ pub(super) fn outcome(
         }
     }
     let end = assembly.end(captured)?;
-    assembly.steps.taken.iter_mut().for_each(select_none);
     let mut outcome = Outcome {
         language: Language::Rs274,
         start: assembly.start,
@@ -107,16 +104,6 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 /// Why a block is not judged that has a spline and a tool change or the program end.
 const HIDDEN_SPLINE: &str =
     "where a spline ends that has a tool change or the program end in its block";
-
-/// T0 selects no tool, since tools do not change places here; after a tool was selected, or the table written, it
-/// appears as tool 0.
-fn select_none(step: &mut Step) {
-    if let Some(State::Rs274(state)) = &mut step.state
-        && state.prepared_tool == Some(0)
-    {
-        state.prepared_tool = Some(-1);
-    }
-}
 
 impl Assembly<'_> {
     fn line(&mut self, line: &Line, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {

@@ -98,7 +98,7 @@ impl<'a> Assembly<'a> {
             source,
             plan,
             canon: Canon::new(&scenario.machine),
-            steps: Steps::new(source, plan, scenario.program.block_delete),
+            steps: Steps::new(source, plan, scenario),
             trace: Trace::new(source, plan),
             start: Settings::default(),
             printed: Vec::new(),
