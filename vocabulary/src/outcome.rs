@@ -97,7 +97,7 @@ pub enum End {
     PercentEnd,
     /// All blocks were executed, and no block ended the program: what a controller reports that only reads a stream.
     StreamEnd,
-    /// M99 in the main program has repeated it [`Self::TURNS`] times, and no operator event is left.
+    /// M99 in the main program would repeat it for ever.
     Endless,
     /// Waiting for the operator, and no operator event is left.
     Paused,
