@@ -83,7 +83,7 @@ pub struct Counts {
     pub harness_error: usize,
     /// Cases that nobody has run.
     pub not_run: usize,
-    /// Cases that could not be judged, as expectations, a baseline or a waiver accept, or without any assertion.
+    /// Cases without an assertion, or not judged as expectations, a baseline or a waiver accept.
     pub not_judged_accepted: usize,
 }
 

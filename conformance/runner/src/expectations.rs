@@ -236,6 +236,7 @@ impl Expectations {
     /// TOML cannot hold the text.
     pub fn to_text(&self) -> Result<String, String> {
         let text = toml::to_string(self).map_err(|error| error.to_string())?;
+        let text: String = text.lines().map(wrapped).collect();
         if self.reasons.is_empty() {
             return Ok(text);
         }
@@ -315,6 +316,21 @@ fn joined(explanation: &[String]) -> Option<String> {
 
 fn parts(explanation: &str) -> impl Iterator<Item = &str> {
     explanation.split(AND)
+}
+
+/// A line `key = "text"` of TOML, with a long text as a paragraph where that is the same text.
+fn wrapped(line: &str) -> String {
+    const COLUMNS_MAX: usize = 120;
+    let texts = toml::from_str::<BTreeMap<String, String>>(line).unwrap_or_default();
+    match texts.first_key_value() {
+        Some((key, text))
+            if line.chars().count() > COLUMNS_MAX
+                && text.split_whitespace().collect::<Vec<_>>().join(" ") == *text =>
+        {
+            format!("{key} = {}\n", paragraph(text))
+        }
+        _ => format!("{line}\n"),
+    }
 }
 
 /// A text of TOML in lines of 120 columns at most, as far as its words allow; TOML joins them again.

@@ -12,7 +12,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::page::{Case, Grid, GridItem, GridList, GridLists};
+use gaugeblock_vocabulary::Axis;
+
+use crate::page::{Case, Grid, GridItem, GridList, GridLists, Setup};
 
 impl Grid {
     /// The cases, in the order of the lists' names and of their items.
@@ -80,8 +82,21 @@ impl Grid {
                 .or(self.needs.as_ref())
                 .cloned(),
             grid: None,
-            setup: self.setup.clone(),
+            setup: self.setup_of(combination)?,
         })
+    }
+
+    /// The setup, with the axes of an item that has some.
+    fn setup_of(&self, combination: &BTreeMap<&str, &GridItem>) -> Result<Setup, String> {
+        let mut setup = self.setup.clone();
+        if let Some(letters) = combination.values().find_map(|item| item.get(AXES)) {
+            let axis = |word: char| {
+                let found = Axis::ALL.iter().find(|axis| axis.word().starts_with(word));
+                found.copied().ok_or_else(|| format!("unknown axis `{word}` in `{AXES}`"))
+            };
+            setup.machine.axes = letters.chars().map(axis).collect::<Result<_, _>>()?;
+        }
+        Ok(setup)
     }
 }
 
@@ -90,6 +105,9 @@ const NAME: &str = "name";
 
 /// The text of an item that is the option which its cases need.
 const NEEDS: &str = "needs";
+
+/// The text of an item that is the axes of its machine, such as `xyzabcuvw`.
+const AXES: &str = "axes";
 
 /// What begins a placeholder that names its line.
 const MARK: &str = "mark ";

@@ -248,10 +248,10 @@ fn ledger_with_unknown_page_is_reported_with_its_line() {
     let output = gaugeblock(&["--suite", here.to_str().expect("UTF-8"), "suite", "check"]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    let told = said.lines().filter(|line| line.ends_with(": there is no rule `coolant.off`"));
-    let told: Vec<_> = told.collect();
-    assert!(!told.is_empty(), "{said}");
-    for line in told {
+    let unknown = said.lines().filter(|line| line.ends_with(": unknown rule `coolant.off`"));
+    let unknown: Vec<_> = unknown.collect();
+    assert!(!unknown.is_empty(), "{said}");
+    for line in unknown {
         let mut place = line.splitn(3, ':');
         let document = place.next().expect("a file");
         let number: usize = place.next().and_then(|line| line.parse().ok()).expect("a line");

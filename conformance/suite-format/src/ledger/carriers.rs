@@ -15,6 +15,13 @@ struct Names {
 #[derive(Deserialize)]
 struct Section {
     items: Vec<Item>,
+    #[serde(default)]
+    grids: Vec<Grid>,
+}
+
+#[derive(Deserialize)]
+struct Grid {
+    name: Spanned<String>,
 }
 
 #[derive(Deserialize)]
@@ -22,15 +29,13 @@ struct Item {
     #[serde(default)]
     rules: Vec<Spanned<String>>,
     #[serde(default)]
-    grids: Vec<Spanned<String>>,
-    #[serde(default)]
     choices: Vec<Spanned<String>>,
     #[serde(default)]
     quirks: Vec<Spanned<String>>,
 }
 
-/// Each rule, grid, choice or quirk that the text of a ledger names and the suite does not have, with its line. A text that
-/// is not a ledger names none.
+/// The rules, grids, choices and quirks that a ledger names and the suite does not have, each with its line. A text
+/// that is not a ledger has none.
 pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let Ok(names) = toml::from_str::<Names>(text) else { return Vec::new() };
     let is_choice = |id: &str, kind: ChoiceKind| {
@@ -51,12 +56,14 @@ pub fn absent(text: &str, suite: &Suite) -> Vec<(usize, String)> {
     let mut look = |what: &str, ids: &[Spanned<String>], is_there: &dyn Fn(&str) -> bool| {
         for id in ids.iter().filter(|id| !is_there(id.get_ref())) {
             let line = text[..id.span().start].matches('\n').count() + 1;
-            absent.push((line, format!("there is no {what} `{}`", id.get_ref())));
+            absent.push((line, format!("unknown {what} `{}`", id.get_ref())));
         }
     };
+    for grid in names.sections.iter().flat_map(|section| &section.grids) {
+        look("grid or case", std::slice::from_ref(&grid.name), &is_grid);
+    }
     for item in names.sections.iter().flat_map(|section| &section.items) {
         look("rule", &item.rules, &is_rule);
-        look("grid or case", &item.grids, &is_grid);
         look("choice", &item.choices, &|id| is_choice(id, ChoiceKind::Choice));
         look("quirk", &item.quirks, &|id| is_choice(id, ChoiceKind::Quirk));
     }
@@ -84,17 +91,19 @@ name = "Feed"
 items = [
   { n = 1, rules = ["saved-state.feed", "trajectory.motion-start"] },
   { n = 2, rules = ["saved-state.feed", "no.such"], choices = ["pause.pallet-codes"] },
-  { n = 4, grids = ["saved-state.feed / a case that there is not", "saved-state.nothing-else"] },
   { n = 3, choices = ["rs274.feed-zero-at-end"], quirks = ["rs274.feed-zero-at-end", "pause.pallet-codes"] },
+]
+grids = [
+  { n = [1], name = "saved-state.feed / with decimals" },
+  { n = [2], name = "saved-state.feed / unknown" },
 ]
 "#;
         let found = absent(text, &suite);
         let expected = [
-            (6, "there is no rule `no.such`"),
-            (7, "there is no grid or case `saved-state.feed / a case that there is not`"),
-            (7, "there is no grid or case `saved-state.nothing-else`"),
-            (8, "there is no choice `rs274.feed-zero-at-end`"),
-            (8, "there is no quirk `pause.pallet-codes`"),
+            (11, "unknown grid or case `saved-state.feed / unknown`"),
+            (6, "unknown rule `no.such`"),
+            (7, "unknown choice `rs274.feed-zero-at-end`"),
+            (7, "unknown quirk `pause.pallet-codes`"),
         ];
         assert_eq!(found, expected.map(|(line, fault)| (line, fault.to_owned())));
     }
@@ -111,6 +120,6 @@ items = [
         suite.rules.retain(|rule| rule.id != "saved-state.feed");
         let left = absent(&suite);
         assert!(!left.is_empty());
-        assert!(left.iter().all(|(_, fault)| fault == "there is no rule `saved-state.feed`"));
+        assert!(left.iter().all(|(_, fault)| fault == "unknown rule `saved-state.feed`"));
     }
 }

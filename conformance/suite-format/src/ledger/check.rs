@@ -45,7 +45,7 @@ pub enum Mismatch {
         /// The item in the document.
         text: String,
     },
-    /// The item speaks of *all*, *any*, *every* or *each*, and the ledger names no grid or case that runs over all of it.
+    /// The item contains *all*, *any*, *every* or *each*, and the ledger names no grid or case for it.
     NoGrid {
         /// The section.
         section: String,
@@ -88,7 +88,10 @@ impl fmt::Display for Mismatch {
                 write!(out, "\"{section}\" {ordinal}: the ledger's section ends before it: {text}")
             }
             Self::NoGrid { section, ordinal, text } => {
-                write!(out, "\"{section}\" {ordinal}: no grid or case runs over all of it: {text}")
+                write!(
+                    out,
+                    "\"{section}\" {ordinal}: the ledger names no grid or case for it: {text}"
+                )
             }
             Self::OtherItem { section, ordinal, ledger, document, text } => write!(
                 out,
@@ -98,8 +101,7 @@ impl fmt::Display for Mismatch {
     }
 }
 
-/// Compares each item of the ledger with the document. A ledger of some sections need not name a grid for each sentence
-/// about all of something.
+/// Compares each item of the ledger with the document. Only a complete ledger must name grids.
 ///
 /// # Errors
 /// Every mismatch, in the order of the document.
@@ -147,7 +149,8 @@ fn compare_section(ledger: &Section, document: &TextSection, mismatches: &mut Ve
         match (ledger.items.get(place), document.items.get(place)) {
             (Some(item), Some(found)) => {
                 mismatches.extend(compare_item(section, ordinal, item, found));
-                if !item.rules.is_empty() && item.grids.is_empty() && speaks_of_all(&found.text) {
+                let has_grid = ledger.grids.iter().any(|grid| grid.n.contains(&ordinal));
+                if !item.rules.is_empty() && !has_grid && is_about_all(&found.text) {
                     let text = found.text.clone();
                     mismatches.push(Mismatch::NoGrid { section: section.clone(), ordinal, text });
                 }
@@ -165,8 +168,8 @@ fn compare_section(ledger: &Section, document: &TextSection, mismatches: &mut Ve
     }
 }
 
-/// Whether a sentence says something of more than one thing at once.
-fn speaks_of_all(text: &str) -> bool {
+/// Whether a sentence contains a word for all values of something.
+fn is_about_all(text: &str) -> bool {
     let mut words = text.split(|character: char| !character.is_alphabetic());
     words.any(|word| matches!(word.to_lowercase().as_str(), "all" | "any" | "every" | "each"))
 }
@@ -185,7 +188,7 @@ fn compare_item(section: &str, ordinal: usize, item: &Item, found: &TextItem) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ledger::Form;
+    use crate::ledger::{Form, ItemGrid};
 
     const TEXT: &str =
         "== Speed\n\nS is the speed. It may be zero.\n\n== Feed\n\n* F is the feed\n";
@@ -218,9 +221,10 @@ mod tests {
         let found = messages(text, &ledger);
         assert_eq!(
             found,
-            ["\"Speed\" 1: no grid or case runs over all of it: Any speed is taken."]
+            ["\"Speed\" 1: the ledger names no grid or case for it: Any speed is taken."]
         );
-        ledger.sections[0].items[0].grids = vec!["spindle.speed / each".to_owned()];
+        let name = "spindle.speed / each".to_owned();
+        ledger.sections[0].grids = vec![ItemGrid { n: vec![1], name }];
         assert_eq!(check(text, &ledger), Ok(()));
     }
 

@@ -65,6 +65,19 @@ pub struct Section {
     pub name: String,
     /// Its items in order.
     pub items: Vec<Item>,
+    /// Grids and cases that check every value of an item.
+    #[serde(default)]
+    pub grids: Vec<ItemGrid>,
+}
+
+/// A grid, or a case, that checks every value of some items.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ItemGrid {
+    /// The ordinals of the items.
+    pub n: Vec<usize>,
+    /// Its rule and its name, as `RULE / NAME`.
+    pub name: String,
 }
 
 /// What became of one item.
@@ -80,9 +93,6 @@ pub struct Item {
     /// The rules that carry it.
     #[serde(default)]
     pub rules: Vec<String>,
-    /// Where it says *all*, *any*, *every* or *each*: the grids and cases that run over all of it, each as `RULE / NAME`.
-    #[serde(default)]
-    pub grids: Vec<String>,
     /// The choices that it is a source of.
     #[serde(default)]
     pub choices: Vec<String>,
@@ -158,7 +168,7 @@ impl Ledger {
 impl Section {
     fn unclassified(section: &TextSection) -> Self {
         let items = section.items.iter().zip(1..).map(|(item, n)| Item::unclassified(item, n));
-        Self { name: section.name.clone(), items: items.collect() }
+        Self { name: section.name.clone(), items: items.collect(), grids: Vec::new() }
     }
 }
 
@@ -169,7 +179,6 @@ impl Item {
             kind: item.kind,
             digest: digest(item.kind, &item.text),
             rules: Vec::new(),
-            grids: Vec::new(),
             choices: Vec::new(),
             quirks: Vec::new(),
             not_observable: None,

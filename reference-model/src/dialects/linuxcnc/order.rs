@@ -21,8 +21,8 @@ impl OrderRules for LinuxCnc {
     ///
     /// Quirk linuxcnc.modes-of-last-motion. The modes at each motion are recorded.
     ///
-    /// Quirk linuxcnc.point-read-back. G28 and G30 lead to a point that the interpreter knows. The interpreter waits for
-    /// the machine at M6, M61 and M66, and reads back where that is.
+    /// Quirk linuxcnc.point-read-back. G28 and G30 lead to a point that the interpreter knows. At M6, M61 and M66 it
+    /// waits for the machine and reads the point back.
     fn goes_on_after(
         &self,
         phase: Phase,
