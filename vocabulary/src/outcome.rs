@@ -184,8 +184,7 @@ impl End {
         }
     }
 
-    /// How often a main program that ends with M99 is run: once nothing is left for the operator to do, a run that
-    /// meets it so often is endless.
+    /// Turns of a main program that M99 repeats, after the last operator event; the last one ends as [`Self::Endless`].
     pub const TURNS: u32 = 10;
 
     /// The end's name as in JSON and text.

@@ -318,7 +318,7 @@ fn parts(explanation: &str) -> impl Iterator<Item = &str> {
     explanation.split(AND)
 }
 
-/// A line `key = "text"` of TOML, with a long text as a paragraph where that is the same text.
+/// Wraps a long line `key = "text"` of TOML, if that keeps each blank of the text.
 fn wrapped(line: &str) -> String {
     const COLUMNS_MAX: usize = 120;
     let texts = toml::from_str::<BTreeMap<String, String>>(line).unwrap_or_default();

@@ -86,7 +86,7 @@ impl Grid {
         })
     }
 
-    /// The setup, with the axes of an item that has some.
+    /// The setup of a case; an item can name the axes of its machine.
     fn setup_of(&self, combination: &BTreeMap<&str, &GridItem>) -> Result<Setup, String> {
         let mut setup = self.setup.clone();
         if let Some(letters) = combination.values().find_map(|item| item.get(AXES)) {
@@ -103,10 +103,10 @@ impl Grid {
 /// The text of an item that is its name.
 const NAME: &str = "name";
 
-/// The text of an item that is the option which its cases need.
+/// Text of an item: the option that its cases need.
 const NEEDS: &str = "needs";
 
-/// The text of an item that is the axes of its machine, such as `xyzabcuvw`.
+/// Text of an item: the axes of the machine of its cases, for example `xyzabcuvw`.
 const AXES: &str = "axes";
 
 /// What begins a placeholder that names its line.

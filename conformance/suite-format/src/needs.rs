@@ -1,9 +1,9 @@
-//! Cases that need an option: in which editions they are.
+//! Selects the editions of cases that need an option.
 
 use crate::{Edition, Rule, Suite};
 
 impl Suite {
-    /// Leaves each case that needs an option the editions of its language that have it.
+    /// Limits each case that needs an option to the editions of its language with that option.
     pub(crate) fn resolve_needs(&mut self, errors: &mut Vec<String>) {
         let mut rules = std::mem::take(&mut self.rules);
         for rule in &mut rules {
@@ -18,7 +18,10 @@ impl Suite {
         for case in &mut rule.cases {
             let Some(needs) = &case.needs else { continue };
             let (id, option) = needs.split_once(" = ").ok_or_else(|| {
-                format!("case `{}` needs `{needs}`: expected `choice = option`", case.name)
+                format!(
+                    "case `{}`: invalid `needs`: {needs}; expected `choice = option`",
+                    case.name
+                )
             })?;
             let has = |edition: &&Edition| {
                 edition.language == rule.language && self.options(edition).get(id) == Some(option)
@@ -28,7 +31,10 @@ impl Suite {
             let left: Vec<String> =
                 with_option.filter(|id| given.is_empty() || given.contains(id)).collect();
             if left.is_empty() {
-                return Err(format!("case `{}`: none of its editions has `{needs}`", case.name));
+                return Err(format!(
+                    "case `{}`: no edition has the option that it needs: {needs}",
+                    case.name
+                ));
             }
             case.editions = left;
         }

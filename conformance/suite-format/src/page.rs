@@ -148,7 +148,7 @@ pub struct Case {
     /// The whole outcome in text form, blessed from the model.
     #[serde(default)]
     pub golden: Option<String>,
-    /// Only in these editions; all when empty. Those that `needs` leaves, once the suite is read.
+    /// Only in these editions; all when empty. Reading the suite applies `needs`.
     #[serde(default)]
     pub editions: Vec<String>,
     /// Only in editions with this option, `choice = option`.
@@ -230,7 +230,7 @@ pub struct Grid {
     /// Only in these editions; all when empty.
     #[serde(default)]
     pub editions: Vec<String>,
-    /// Only in editions with this option, as an item can say of its cases with a text `needs`.
+    /// Only in editions with this option. The text `needs` of an item replaces it.
     #[serde(default)]
     pub needs: Option<String>,
     /// What else the runs depend on.

@@ -19,7 +19,7 @@ pub(super) struct Run<'a> {
     pub(super) modal_calls: Vec<ModalCall>,
     /// The programs in progress, the main program first.
     pub(super) frames: Vec<Frame>,
-    /// How often the main program has begun.
+    /// Turns of the main program, this one included.
     pub(super) turns: u32,
     pub(super) modes: Modes,
     pub(super) machine: &'a Machine,

@@ -99,8 +99,8 @@ impl FaultResult<'_> {
     }
 }
 
-/// Certifies production once with each fault whose name begins with one of `prefixes`, or with all. Fails if one is
-/// not noticed, or if its first finding names another rule than its own and no exception says why.
+/// Certifies production with each fault whose name begins with one of `prefixes`; with every fault if there are none.
+/// Fails if a fault is not caught, or if its first finding names another rule and no exception lists the fault.
 ///
 /// With assertions only, it fails if no assertion of a rule of a fault fails.
 pub(crate) fn faults(
@@ -147,15 +147,18 @@ pub(crate) fn faults(
     Ok(u8::from(results.iter().any(is_wrong)))
 }
 
-/// The faults whose names begin with one of the prefixes; each prefix is that of a fault.
+/// Selects the faults whose names begin with one of the prefixes.
+///
+/// # Errors
+/// A prefix of no fault.
 fn chosen(prefixes: &[String]) -> Result<Vec<PlantedFault>, CliError> {
     let all = PlantedFault::ALL.iter().copied();
     let is_named =
         |prefix: &String| all.clone().any(|fault| fault.name().starts_with(prefix.as_str()));
     if let Some(unknown) = prefixes.iter().find(|prefix| !is_named(prefix)) {
         return Err(CliError::usage(
-            format!("no planted fault begins with {unknown:?}"),
-            "`gaugeblock suite faults` without a name tries them all, and prints their names",
+            format!("unknown planted fault: {unknown}"),
+            "`gaugeblock suite faults` prints the names of all faults",
         ));
     }
     let begins = |fault: &PlantedFault| {

@@ -137,7 +137,7 @@ impl<'a> Recorder<'a> {
         self.idle = true;
     }
 
-    /// Blocks are executed again: what follows belongs to the next one.
+    /// Records later events in the next block.
     pub(super) fn go_on(&mut self) {
         self.idle = false;
     }

@@ -22,7 +22,7 @@ thread_local! {
 struct Run<'a> {
     scenario: &'a Scenario,
     task: Task<Recorder<'a>>,
-    /// How often M99 has repeated the main program since nothing was left for the operator to do.
+    /// How often M99 has ended the main program since the last operator event.
     turns: u32,
 }
 
@@ -110,8 +110,7 @@ impl Run<'_> {
         }
     }
 
-    /// Whether the main program begins again: as long as the operator has something left to do, and then
-    /// [`End::TURNS`] times in all.
+    /// Whether M99 repeats the main program: while operator events are left, and then up to [`End::TURNS`] turns.
     fn begins_again(&mut self) -> bool {
         if !self.task.machine().operator_is_waiting() {
             self.turns += 1;

@@ -21,7 +21,7 @@ pub(crate) struct Steps<'a> {
     source: &'a Source,
     plan: &'a Plan,
     block_delete: bool,
-    /// Whether tools change places, so that T0 selects a tool like any other.
+    /// Whether tools change places: then T0 selects a tool.
     tools_change_places: bool,
     known: Rs274State,
     /// Depth of calls at the last checkpoint.
@@ -31,9 +31,9 @@ pub(crate) struct Steps<'a> {
     changed: bool,
     /// Whether a file for probed points is open.
     probe_log: bool,
-    /// How often M99 has repeated the main program since the operator did something.
+    /// How often M99 has ended the main program since the last operator event.
     turns: u32,
-    /// How many blocks there were after the last of [`End::TURNS`] such turns.
+    /// Number of blocks after [`End::TURNS`] of them.
     turned: Option<usize>,
     /// Mode of the controller, if it has modes.
     pub(crate) mode: Option<ControllerMode>,
@@ -147,12 +147,12 @@ impl<'a> Steps<'a> {
         Ok(())
     }
 
-    /// The operator has done something: the turns of an endless program count from here.
+    /// Counts the turns of an endless program from here: an operator event has happened.
     pub(crate) fn count_turns_again(&mut self) {
         (self.turns, self.turned) = (0, None);
     }
 
-    /// What an endless program has done in the turns that count.
+    /// Removes the blocks of an endless program after its last counted turn.
     pub(crate) fn leave_out_more_turns(&mut self) {
         self.taken.truncate(self.turned.unwrap_or(usize::MAX));
     }
@@ -233,7 +233,7 @@ impl<'a> Steps<'a> {
 
     fn state_of(&self, checkpoint: &Checkpoint, tool: i32) -> Result<Rs274State, HarnessError> {
         let observed = state::state(checkpoint, tool, self.plan)?;
-        // While a tool is in the spindle, or once the table was written, T0 appears as tool 0.
+        // With a tool in the spindle, or after a change of the table, the controller reports T0 as tool 0.
         let selects_none = observed.prepared_tool == Some(0) && !self.tools_change_places;
         let prepared_tool =
             if self.changed || selects_none { Some(-1) } else { observed.prepared_tool };

@@ -24,7 +24,7 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
     if names_parallel_axes(scenario) {
-        return Err("it does not show where U, V and W are".to_owned());
+        return Err("it does not report positions of U, V and W".to_owned());
     }
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
@@ -120,7 +120,7 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether the machine has U, V or W, and the program a word of one.
+/// Whether the machine has U, V or W and the program uses one.
 fn names_parallel_axes(scenario: &Scenario) -> bool {
     let is_parallel = |axis: &Axis| matches!(axis, Axis::U | Axis::V | Axis::W);
     let begins_number =

@@ -101,7 +101,7 @@ impl fmt::Display for Mismatch {
     }
 }
 
-/// Compares each item of the ledger with the document. Only a complete ledger must name grids.
+/// Compares each item of the ledger with the document. A partial ledger need not name grids.
 ///
 /// # Errors
 /// Every mismatch, in the order of the document.
@@ -168,7 +168,7 @@ fn compare_section(ledger: &Section, document: &TextSection, mismatches: &mut Ve
     }
 }
 
-/// Whether a sentence contains a word for all values of something.
+/// Whether a sentence contains *all*, *any*, *every* or *each*.
 fn is_about_all(text: &str) -> bool {
     let mut words = text.split(|character: char| !character.is_alphabetic());
     words.any(|word| matches!(word.to_lowercase().as_str(), "all" | "any" | "every" | "each"))

@@ -1,4 +1,4 @@
-//! Writes a ledger as the compact TOML file that [`Ledger::parse`] reads: one item after the other.
+//! Writes a ledger as the compact TOML file that [`Ledger::parse`] reads, one item per entry.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -35,7 +35,7 @@ impl Ledger {
     }
 }
 
-/// The columns of a line, as far as lists can be broken.
+/// Greatest length of a line, if breaking lists can achieve it.
 const COLUMNS: usize = 120;
 
 /// A value of an item.
@@ -57,7 +57,7 @@ fn write_tables(
     line(text, "]");
 }
 
-/// A table on one line, or with its longest lists broken until each line is short enough.
+/// Writes a table on one line, or breaks its longest lists until each line fits.
 fn table(fields: &[(&str, Field)]) -> String {
     let mut broken = BTreeSet::new();
     loop {

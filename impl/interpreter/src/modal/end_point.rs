@@ -127,7 +127,7 @@ impl Modal {
 }
 
 impl Coordinates {
-    /// The end of an incremental move; its rotary axes where their words say, if that fault is planted.
+    /// The end of an incremental move. With a planted fault words of rotary axes are absolute.
     #[inline]
     pub(super) fn rotary_fault(self, words: &Words) -> Self {
         if planted(PlantedFault::RotaryAbsolute) {

@@ -79,12 +79,12 @@ pub(crate) fn store_probe(numbered: &mut Numbered, position: Coordinates, change
     numbered.set(PROBE_SUCCESS, f64::from(u8::from(changed)));
 }
 
-/// Whether the straight probe before has succeeded.
+/// Whether the last straight probe succeeded.
 pub(crate) fn probe_succeeded(numbered: &Numbered) -> bool {
     numbered.get(PROBE_SUCCESS) > 0.0
 }
 
-/// What the straight probe before has stored.
+/// What the last straight probe stored.
 pub(crate) fn probed(numbered: &Numbered) -> Coordinates {
     row(numbered, PROBE_RESULT)
 }

@@ -49,7 +49,7 @@ impl Modal {
         self.saved.level = self.saved.level.saturating_sub(1);
     }
 
-    /// Forgets that the end of the sub restores anything: a planted fault.
+    /// Disables the restore at the end of the sub: a planted fault.
     pub(crate) fn forget_autorestore(&mut self) {
         self.saved.here().for_each(|place| place.autorestore = false);
     }

@@ -269,7 +269,7 @@ impl Runner {
         }
     }
 
-    /// The next block is the first one of the program in progress.
+    /// Continues at the first block of the program in progress.
     fn begin_again(&mut self) {
         let programs = &self.code.programs;
         if let Some(frame) = self.frames.last_mut() {
@@ -277,7 +277,7 @@ impl Runner {
         }
     }
 
-    /// The program in progress begins again, and has one turn less to make.
+    /// Repeats the program in progress and counts the turn.
     fn repeat(&mut self) {
         self.begin_again();
         if let Some(frame) = self.frames.last_mut() {

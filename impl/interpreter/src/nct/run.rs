@@ -50,7 +50,7 @@ pub(super) struct Runner {
     pub(super) tool: i32,
     /// Programs in progress, the main program first.
     pub(super) frames: Vec<Frame>,
-    /// How often M99 may still begin the main program again.
+    /// How often M99 may still repeat the main program.
     pub(super) turns_left: u32,
     /// The modal calls in force, the one that was commanded last at the end.
     pub(super) modal_calls: Vec<ModalCall>,

@@ -141,9 +141,9 @@ pub(super) fn record_modes_at_motion(state: &mut State) {
     }
 }
 
-/// The interpreter has waited for the machine.
+/// Updates the state after the interpreter has waited for the machine.
 ///
-/// Quirk linuxcnc.spindle-mode-read-back. Every spindle is in the mode of revolutions then.
+/// Quirk linuxcnc.spindle-mode-read-back. Every spindle is then in revolutions mode.
 pub(super) fn synchronise(state: &mut State) {
     read_point_back(state);
     if state.has_quirk(quirk::linuxcnc::SPINDLE_MODE_READ_BACK) {
@@ -153,7 +153,7 @@ pub(super) fn synchronise(state: &mut State) {
     }
 }
 
-/// Quirk linuxcnc.point-read-back. The interpreter reads back where the machine is.
+/// Quirk linuxcnc.point-read-back. Sets the controlled point from the machine.
 pub(super) fn read_point_back(state: &mut State) {
     if let Some(machine) = state.memory.machine_point.take()
         && state.has_quirk(quirk::linuxcnc::POINT_READ_BACK)

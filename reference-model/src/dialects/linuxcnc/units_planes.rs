@@ -11,7 +11,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl UnitsAndPlanesRules for LinuxCnc {
-    /// Quirk linuxcnc.feed-per-revolution-unit. The number of a feed per revolution stays.
+    /// Quirk linuxcnc.feed-per-revolution-unit. A feed per revolution keeps its number.
     fn rescales_feed(&self, state: &State) -> bool {
         let keeps = state.modes.feed_mode == FeedMode::PerRevolution
             && state.has_quirk(quirk::linuxcnc::FEED_PER_REVOLUTION_UNIT);

@@ -12,7 +12,7 @@ quirks! {
     /// A block that is refused while it is read ahead ends the program at once, although blocks before it
     /// have not been executed.
     FAULT_READ_AHEAD = "linuxcnc.fault-read-ahead",
-    /// Under G95 a change of the length unit leaves the number of F.
+    /// Under G95 a change of the length unit does not convert F.
     FEED_PER_REVOLUTION_UNIT = "linuxcnc.feed-per-revolution-unit",
     /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
@@ -31,8 +31,8 @@ quirks! {
     OUTPUT_NUMBER_WITH_MOTION = "linuxcnc.output-number-with-motion",
     /// What M62, M63 and M67 set changes although the next motion is held where it begins.
     OUTPUT_WHILE_HELD = "linuxcnc.output-while-held",
-    /// At the program end, and after M6, M61 and M66, the controlled point is read back from the machine,
-    /// where the interpreter took it to be elsewhere.
+    /// At the program end, and after M6, M61 and M66, the interpreter reads the controlled point back from
+    /// the machine, where it has lost it.
     POINT_READ_BACK = "linuxcnc.point-read-back",
     /// M49 and M50 P0 disable the rapid override, too.
     RAPID_OVERRIDE_DISABLED = "linuxcnc.rapid-override-disabled",
@@ -40,7 +40,7 @@ quirks! {
     RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
     /// A speed releases the brake of a spindle that is stopped; the next stop applies it again.
     SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
-    /// M6, M61 and M66 leave each spindle in the mode of revolutions, though its speed still follows G96.
+    /// M6, M61 and M66 set the mode of each spindle to revolutions, although its speed still follows G96.
     SPINDLE_MODE_READ_BACK = "linuxcnc.spindle-mode-read-back",
     /// A rapid override of zero does not hold the move to where the tool is changed.
     TOOL_CHANGE_MOVE = "linuxcnc.tool-change-move",

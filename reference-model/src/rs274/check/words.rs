@@ -118,7 +118,7 @@ fn axes(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule modal-groups.unused-word. A word needs a code of its block that uses it, or the motion mode where axis words
 /// alone repeat it; $ serves S too.
 ///
-/// Choice modal-groups.later-codes. Without the later codes nothing uses $.
+/// Choice modal-groups.later-codes. Without the later codes no code uses $.
 fn is_used(letter: char, words: &Words, state: &State) -> bool {
     if letter == '$' && !has_later_codes(state) {
         return false;

@@ -211,8 +211,8 @@ impl Control {
 
     /// M99: the end of a numbered subprogram.
     ///
-    /// Rule fanuc-subs.endless. M99 in the main program begins the program again at its first block. What runs it
-    /// counts how often.
+    /// Rule fanuc-subs.endless. M99 in the main program repeats it from its first block. The run counts the
+    /// repeats.
     ///
     /// Rule fanuc-subs.mixed-m99. M99 cannot end a sub that begins with sub.
     fn end_numbered(&mut self, state: &mut State, record: &mut Record) -> Result<Next, StepError> {

@@ -139,7 +139,7 @@ pub fn select_distance(words: &Words, state: &mut State) {
 
 /// Operations on these modes that a dialect can replace.
 pub(crate) trait UnitsAndPlanesRules {
-    /// Choice units-planes.feed-over-unit-change. Whether a feed that is a length is the same feed in another unit.
+    /// Choice units-planes.feed-over-unit-change. Whether a change of the unit converts the feed.
     fn rescales_feed(&self, state: &State) -> bool {
         state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled)
     }

@@ -68,14 +68,14 @@ impl ModelRun<'_> {
         self.read_from_the_beginning();
     }
 
-    /// The text of the program is read from its first line: what it has defined is not defined any more.
+    /// Reads the program from its first line and forgets its definitions.
     pub(super) fn read_from_the_beginning(&mut self) {
         self.control = Control::new(&self.scenario.program, &mut self.state);
         self.entries = open_entries(self.scenario, &mut self.control, &mut self.state);
         self.forget_structures();
     }
 
-    /// The conditions and loops of the main program, open or over, are forgotten.
+    /// Forgets the conditions and loops of the main program.
     fn forget_structures(&mut self) {
         let main = &mut self.state.frames[0];
         *main = Frame {

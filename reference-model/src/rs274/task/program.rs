@@ -60,8 +60,7 @@ impl ModelRun<'_> {
         Ok(None)
     }
 
-    /// Whether a main program that M99 repeats begins again: as long as the operator has something left to do, and then
-    /// so often that a program which counts its turns can end.
+    /// Whether M99 repeats the main program: while operator events are left, and then up to a fixed number of turns.
     fn is_repeated(&mut self) -> bool {
         if self.operator.is_done() {
             self.turns += 1;

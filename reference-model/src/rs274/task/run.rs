@@ -28,7 +28,7 @@ pub(super) struct ModelRun<'a> {
     pub(super) by_hand: bool,
     /// Whether this run only reads ahead of another one: nothing waits, and no operator acts.
     pub(super) ahead: bool,
-    /// How often M99 has repeated the main program since nothing was left for the operator to do.
+    /// How often M99 has ended the main program since the last operator event.
     pub(super) turns: u32,
     /// Whether the operator has requested a pause at which the program has not stopped yet.
     pub(super) pause_asked: bool,

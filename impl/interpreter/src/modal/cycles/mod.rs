@@ -138,7 +138,7 @@ impl Modal {
         Ok(())
     }
 
-    /// The feed and speed override as a cycle finds them.
+    /// The feed and speed override before a cycle.
     fn overrides_before(&self, code: u16, turning: Spindle) -> (Switch, Switch) {
         if code == 840 && planted(PlantedFault::TapEnables) {
             return (Switch::On, Switch::On);

@@ -42,7 +42,7 @@ pub(super) fn axis_word(words: &Words, axis: Axis) -> Option<f64> {
 
 impl Numbers {
     /// Reads the words of a cycle; `sticky` are those of the block before, where it was of the same cycle. `tap` is
-    /// the P of a tap that has none; a foreign depth is there as a planted fault only.
+    /// the P of a tap that has none; the depth of another cycle only as a planted fault.
     pub(super) fn read(
         words: &Words,
         code: u16,

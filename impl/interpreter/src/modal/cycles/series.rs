@@ -103,7 +103,7 @@ impl CycleSeries {
         self.sticky.filter(|(kept, _)| *kept == code).map(|(_, numbers)| numbers)
     }
 
-    /// The depth of the cycle before, whichever it is: a planted fault.
+    /// The depth of any earlier cycle: a planted fault.
     pub(super) fn foreign_depth(&self) -> Option<f64> {
         let kept = self.sticky.filter(|_| planted(PlantedFault::DepthAcrossCycles));
         kept.map(|(_, numbers)| numbers.bottom)
