@@ -114,7 +114,7 @@ fn every_kind_is_in_a_share_of_programs() {
     let mut programs_with: BTreeMap<StatementKind, u32> = BTreeMap::new();
     for number in 0..KIND_PROGRAMS {
         let mut entropy = Entropy::from_seed(1, u64::from(number));
-        for kind in scenario_and_kinds(&mut entropy, &config).1 {
+        for kind in scenario_and_kinds(&mut entropy, &config, None).1 {
             *programs_with.entry(kind).or_default() += 1;
         }
     }
@@ -157,7 +157,7 @@ fn every_code_is_in_a_share_of_the_programs_of_its_kind() {
     let mut with_code: BTreeMap<(String, StatementKind), u32> = BTreeMap::new();
     for number in 0..KIND_PROGRAMS {
         let mut entropy = Entropy::from_seed(1, u64::from(number));
-        let (scenario, kinds) = scenario_and_kinds(&mut entropy, &config);
+        let (scenario, kinds) = scenario_and_kinds(&mut entropy, &config, None);
         let codes = codes(&scenario.program.main);
         for kind in kinds {
             *programs_with.entry(kind).or_default() += 1;

@@ -1,7 +1,7 @@
 //! Scenarios from [entropy](Entropy): a program and its subroutine files, a machine, an environment, an operator.
 //!
 //! A program is written from a [table](TABLE) of statements. Each statement knows where it is allowed, so that most
-//! programs are accepted; a share of them is mutated. [`malformed`] writes programs that are mostly refused, [`gpp`]
+//! programs are accepted; a share of them is mutated. [`readable`] leaves out what controllers do not know. [`malformed`] writes programs that are mostly refused, [`gpp`]
 //! post-processors, [`nct`] custom macros; [`splice`] joins parts of the suite's cases; [`metamorphic`] writes pairs of
 //! programs with equal effects.
 
@@ -13,6 +13,7 @@ pub mod malformed;
 pub mod metamorphic;
 mod mutate;
 pub mod nct;
+pub mod readable;
 mod setup;
 pub mod splice;
 mod state;
@@ -22,7 +23,7 @@ mod ulp_perturbation;
 mod values;
 mod writer;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{Language, Program, Scenario};
@@ -35,13 +36,26 @@ pub use table::TABLE;
 pub use ulp_perturbation::ulp_perturbed;
 pub use writer::Statement;
 
+use readable::Readable;
 use state::{State, Sub};
 use writer::Writer;
 
+/// A machine is drawn so often for controllers that cannot be any; then it is the default one.
+const MACHINES: usize = 8;
+
 /// A scenario. Its options are empty: the caller knows which documents apply.
 pub fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario {
+    scenario_within(entropy, config, None)
+}
+
+/// A scenario that is mostly `readable`, if its language is RS-274.
+pub fn scenario_within(
+    entropy: &mut Entropy<'_>,
+    config: &GeneratorConfig,
+    readable: Option<Readable<'_>>,
+) -> Scenario {
     match config.language {
-        Language::Rs274 => scenario_and_kinds(entropy, config).0,
+        Language::Rs274 => scenario_and_kinds(entropy, config, readable).0,
         Language::Gpp => gpp::scenario(entropy, config),
         Language::Nct => nct::scenario(entropy, config),
     }
@@ -51,28 +65,55 @@ pub fn scenario(entropy: &mut Entropy<'_>, config: &GeneratorConfig) -> Scenario
 pub fn scenario_and_kinds(
     entropy: &mut Entropy<'_>,
     config: &GeneratorConfig,
+    readable: Option<Readable<'_>>,
 ) -> (Scenario, BTreeSet<StatementKind>) {
-    let mut scenario = setup::scenario(entropy, config.setups);
+    let mut scenario = setup(entropy, config, readable);
+    let supports = |scenario: &Scenario, change: &dyn Fn(&mut Program)| {
+        let Some(readable) = readable else { return true };
+        let mut changed = scenario.clone();
+        changed.program.main.push_str("m2\n");
+        change(&mut changed.program);
+        (readable.supports)(&changed)
+    };
     let mut state = State::of(&scenario);
-    let mut files = BTreeMap::new();
     if config.only.is_empty() && entropy.chance(15) {
         let name = *entropy.pick(&["cave", "drill_row", "x1"]);
         let blocks = entropy.range(1, 6);
-        let text = Writer::new(entropy, config, TABLE, state.clone()).sub_file(name, blocks);
-        files.insert(format!("{name}.ngc"), text);
-        state.subs.push(Sub { label: format!("<{name}>"), numbered: false });
+        let mut writer = Writer::new(entropy, config, state.clone(), (&scenario, readable));
+        let file = (format!("{name}.ngc"), writer.sub_file(name, blocks));
+        if supports(&scenario, &|program| program.files.extend([file.clone()])) {
+            scenario.program.files.extend([file]);
+            state.subs.push(Sub { label: format!("<{name}>"), numbered: false });
+        }
     }
-    let block_delete = entropy.chance(30);
-    let mut writer = Writer::new(entropy, config, TABLE, state);
+    let block_delete =
+        entropy.chance(30) && supports(&scenario, &|program| program.block_delete = true);
+    let mut writer = Writer::new(entropy, config, state, (&scenario, readable));
     let main = writer.main();
     let kinds = writer.into_kinds();
     let by_hand = matches!(config.setups, Setups::Any | Setups::Operated)
         && scenario.operator.is_empty()
-        && entropy.chance(4);
+        && entropy.chance(4)
+        && supports(&scenario, &|program| program.start = Start::Mdi);
     let start = if by_hand { Start::Mdi } else { Start::Program };
-    scenario.program = Program { main, files, block_delete, start, ..scenario.program };
+    scenario.program = Program { main, block_delete, start, ..scenario.program };
     scenario.budget = BUDGET;
     (scenario, kinds)
+}
+
+/// A machine, an environment and an operator, that the controllers support.
+fn setup(
+    entropy: &mut Entropy<'_>,
+    config: &GeneratorConfig,
+    readable: Option<Readable<'_>>,
+) -> Scenario {
+    for _ in 0..MACHINES {
+        let scenario = setup::scenario(entropy, config.setups);
+        if readable.is_none_or(|readable| readable.has(&scenario, "m2\n".to_owned())) {
+            return scenario;
+        }
+    }
+    Scenario::default()
 }
 
 /// A scenario from the bytes of a fuzzing engine.

@@ -2,11 +2,15 @@
 
 use std::collections::BTreeSet;
 
+use gaugeblock_vocabulary::Scenario;
+
 use super::config::GeneratorConfig;
 use super::entropy::Entropy;
 use super::kind::StatementKind;
 use super::mutate;
+use super::readable::Readable;
 use super::state::{State, Sub};
+use super::table::TABLE;
 
 /// Room for the text of most programs.
 const MOST_TEXT: usize = 1024;
@@ -81,15 +85,17 @@ pub(crate) struct Writer<'d, 'b> {
     left: u32,
     last_label: u32,
     after_end: String,
+    /// The machine of the program, and what controllers can read.
+    readable: (&'d Scenario, Option<Readable<'d>>),
 }
 
 impl<'d, 'b> Writer<'d, 'b> {
-    /// Before the first block; `table` has the statements to choose from.
+    /// Before the first block.
     pub(crate) fn new(
         entropy: &'d mut Entropy<'b>,
         config: &GeneratorConfig,
-        table: &[&'static [Statement]],
         state: State,
+        readable: (&'d Scenario, Option<Readable<'d>>),
     ) -> Self {
         let left = entropy.range(config.blocks.0, config.blocks.1);
         let sloppy = entropy.chance(config.mutated_programs);
@@ -105,7 +111,7 @@ impl<'d, 'b> Writer<'d, 'b> {
             (total, statement)
         };
         let statements =
-            chosen_statements(entropy, config, table).into_iter().map(with_sum).collect();
+            chosen_statements(entropy, config, readable.1).into_iter().map(with_sum).collect();
         let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
         Self {
             entropy,
@@ -118,6 +124,7 @@ impl<'d, 'b> Writer<'d, 'b> {
             left,
             last_label: 100,
             after_end,
+            readable,
         }
     }
 
@@ -133,14 +140,15 @@ impl<'d, 'b> Writer<'d, 'b> {
             self.text.push_str("%\n");
         }
         if self.entropy.chance(85) {
-            self.feed_first();
+            self.written(Self::feed_first);
         }
         while self.left > 0 && !self.entropy.is_exhausted() {
             self.statement();
         }
         let end = *self.entropy.pick(&["m2", "m2", "m2", "m2", "m2", "m2", "m30", "m30"]);
-        if !(percent && self.entropy.chance(50)) {
-            self.block(end);
+        let open_end = percent && self.entropy.chance(50);
+        if !(open_end || self.written(|writer| writer.block(end))) {
+            self.block("m2");
         }
         let after_end = std::mem::take(&mut self.after_end);
         self.text.push_str(&after_end);
@@ -177,13 +185,33 @@ impl<'d, 'b> Writer<'d, 'b> {
             let place = self.statements.partition_point(|(sum, _)| *sum <= at);
             let Some(&(_, statement)) = self.statements.get(place) else { break };
             let too_deep = statement.kind.nests() && self.state.depth >= DEEPEST;
-            if (statement.possible)(&self.state) && !too_deep {
+            let possible = (statement.possible)(&self.state) && !too_deep;
+            if possible && self.written(statement.write) {
                 self.kinds.insert(statement.kind);
-                (statement.write)(self);
                 return;
             }
         }
         self.left = self.left.saturating_sub(1);
+    }
+
+    /// Writes a statement, and takes it back if the controllers cannot read it.
+    fn written(&mut self, write: impl FnOnce(&mut Self)) -> bool {
+        let (base, Some(readable)) = self.readable else {
+            write(self);
+            return true;
+        };
+        let (state, left) = (self.state.clone(), self.left);
+        let (text, after_end) = (self.text.len(), self.after_end.len());
+        write(self);
+        let added = |whole: &str, from: usize| whole.get(from..).unwrap_or_default().to_owned();
+        let blocks = added(&self.text, text) + &added(&self.after_end, after_end);
+        let is_readable = readable.has(base, blocks);
+        if !is_readable {
+            (self.state, self.left) = (state, left);
+            self.text.truncate(text);
+            self.after_end.truncate(after_end);
+        }
+        is_readable
     }
 
     /// A body of a loop or branch, of a few statements; `times` is how often it may run.
@@ -294,16 +322,22 @@ impl<'d, 'b> Writer<'d, 'b> {
 fn chosen_statements(
     entropy: &mut Entropy<'_>,
     config: &GeneratorConfig,
-    table: &[&'static [Statement]],
+    readable: Option<Readable<'_>>,
 ) -> Vec<&'static Statement> {
-    let all = || table.iter().copied().flatten();
+    let is_readable = |statement: &&Statement| {
+        readable.is_none_or(|readable| !readable.unreadable.contains(statement.name))
+    };
+    let all = || TABLE.iter().copied().flatten().filter(is_readable);
     if !config.only.is_empty() {
         let named = |name: &str| config.only.iter().any(|only| name.starts_with(only.as_str()));
         return all().filter(|statement| named(statement.name)).collect();
     }
     let unsupported = entropy.chance(config.unsupported_programs);
     let is_allowed = |kind: &StatementKind| unsupported || !kind.is_unsupported();
-    let kinds: Vec<StatementKind> = StatementKind::ALL.iter().copied().filter(is_allowed).collect();
+    let is_known =
+        |kind: &StatementKind| readable.is_none() || all().any(|statement| statement.kind == *kind);
+    let kinds: Vec<StatementKind> =
+        StatementKind::ALL.iter().copied().filter(is_allowed).filter(is_known).collect();
     let chosen: Vec<StatementKind> = if entropy.chance(config.single_kind_programs) {
         vec![*entropy.pick(&kinds)]
     } else {

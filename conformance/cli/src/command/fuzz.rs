@@ -78,7 +78,7 @@ pub(crate) struct Arguments {
     /// Number of programs of all shards together [default: until --seconds have passed]
     #[arg(long, value_name = "N")]
     programs: Option<u64>,
-    /// Duration, seconds [default: 60, or unlimited with --programs]
+    /// Duration, seconds, with the time of shrinking [default: 60, or unlimited with --programs]
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..))]
     seconds: Option<u64>,
     /// Number of programs that run at once [default: number of processors, or what suits the controller]
@@ -136,22 +136,20 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     controller::check_options(against.as_ref(), &options)?;
     let options = without_defaults(options, suite);
     let mut plan = Plan {
-        iut: iut.as_ref(),
-        against: against.as_ref(),
         config: GeneratorConfig {
             language: edition.language,
             old_words: options.is("gpp.old-words", "accepted"),
             ..config(arguments, edition)?
         },
         seed: arguments.seed,
-        spliced: 0,
         seeds: Seeds { all: seeds(suite, edition, &options), ..Seeds::default() },
         random: random
             .then(|| undeclared(suite, edition, &declared))
             .map_or_else(Vec::new, |all| Random::all(all, &options)),
-        options,
         environment: edition.environment.clone(),
+        ..Plan::new(iut.as_ref(), against.as_ref(), options)
     };
+    plan.leave_out_unreadable();
     if arguments.only.is_empty() && arguments.spliced != Some(0) {
         let share = plan.coverage_pass(outcomes(suite, edition), arguments.programs);
         plan.spliced = arguments.spliced.unwrap_or(share);
@@ -173,9 +171,11 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         None => None,
     };
     let begun = now();
-    generate(arguments, &plan, journal, &mut so_far)?;
+    let duration = duration(arguments);
+    generate(arguments, &plan, journal, &mut so_far, duration)?;
     let seconds = begun.elapsed().as_secs_f64();
-    let findings = shrink_all(&plan, so_far.groups.findings(), arguments.shrink);
+    let is_over = || duration.is_some_and(|duration| begun.elapsed() >= duration);
+    let findings = shrink_all(&plan, so_far.groups.findings(), arguments.shrink, &is_over);
     let (findings, known): (Vec<Finding>, Vec<Finding>) =
         findings.into_iter().partition(|finding| !known.iter().any(|known| known.is_as(finding)));
     let (rare, not_shown) = rarely_reached(suite, edition, &plan, &so_far.statistics);
@@ -222,21 +222,27 @@ impl FuzzProgress {
     }
 }
 
+/// How long the run may take, shrinking included.
+fn duration(arguments: &Arguments) -> Option<Duration> {
+    let seconds = match (arguments.seconds, arguments.programs) {
+        (None, None) => Some(60),
+        (seconds, _) => seconds,
+    };
+    seconds.map(Duration::from_secs)
+}
+
+/// Runs programs. After a divergence a quarter of the duration is left for shrinking.
 fn generate(
     arguments: &Arguments,
     plan: &Plan<'_>,
     mut journal: Option<Journal>,
     so_far: &mut FuzzProgress,
+    duration: Option<Duration>,
 ) -> Result<(), CliError> {
-    let seconds = match (arguments.seconds, arguments.programs) {
-        (None, None) => Some(60),
-        (seconds, _) => seconds,
-    };
     let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let best = plan.iut.best_jobs().or(plan.against.best_jobs());
     let bar = indicatif::ProgressBar::new_spinner();
-    let (end, stop) =
-        (seconds.map(|seconds| now() + Duration::from_secs(seconds)), AtomicBool::new(false));
+    let (begun, stop) = (now(), AtomicBool::new(false));
     let mut mismatch = None;
     let done = so_far.done.clone();
     let extent = Extent {
@@ -255,7 +261,9 @@ fn generate(
         let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
         bar.set_message(format!("{programs} programs, {groups} kinds of divergences"));
         bar.tick();
-        mismatch.is_none() && end.is_none_or(|end| now() < end)
+        let share = if groups == 0 || arguments.shrink == 0 { 1.0 } else { 0.75 };
+        let is_over = duration.is_some_and(|duration| begun.elapsed() >= duration.mul_f64(share));
+        mismatch.is_none() && !is_over
     });
     bar.finish_and_clear();
     so_far.statistics.settle();
@@ -271,7 +279,13 @@ fn generate(
 /// Divergences beyond this number stay as they were generated.
 const SHRUNK_AT_MOST: usize = 150;
 
-fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec<Finding> {
+/// Shrinks the findings until time is over; what is left stays as it was generated.
+fn shrink_all(
+    plan: &Plan<'_>,
+    mut findings: Vec<Finding>,
+    attempts: u32,
+    is_over: &dyn Fn() -> bool,
+) -> Vec<Finding> {
     if attempts == 0 {
         return merged(findings);
     }
@@ -282,7 +296,10 @@ fn shrink_all(plan: &Plan<'_>, mut findings: Vec<Finding>, attempts: u32) -> Vec
     );
     bar.set_message("shrinking");
     for finding in findings.iter_mut().take(SHRUNK_AT_MOST) {
-        *finding = shrunk(plan, finding, attempts);
+        if is_over() {
+            break;
+        }
+        *finding = shrunk(plan, finding, attempts, is_over);
         bar.inc(1);
     }
     bar.finish_and_clear();

@@ -3,8 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use gaugeblock_fuzz::generate::GeneratorConfig;
-use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_runner::fuzz::groups::{Finding, shrunk};
 use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::fuzz::{FuzzResult, Plan};
@@ -61,17 +59,7 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
     let scenario = arguments.how.scenario(suite, &arguments.file, &both_sides)?;
     let inputs = arguments.how.inputs(&arguments.file, &scenario);
     user_files::check_outputs_spare_inputs(&inputs, &[("--output", arguments.output.as_deref())])?;
-    let plan = Plan {
-        iut: iut.as_ref(),
-        against: against.as_ref(),
-        config: GeneratorConfig::default(),
-        seed: 0,
-        spliced: 0,
-        seeds: Seeds::default(),
-        options: scenario.options.clone(),
-        random: Vec::new(),
-        environment: scenario.environment.name.clone(),
-    };
+    let plan = Plan::new(iut.as_ref(), against.as_ref(), scenario.options.clone());
     let mut statistics = Statistics::default();
     let name = user_files::program_name(&arguments.file);
     for side in both_sides {
@@ -109,7 +97,8 @@ pub(crate) fn shrink(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErro
             ));
         }
     };
-    let finding = shrunk(&plan, &Finding::of(0, scenario, difference), arguments.attempts);
+    let finding =
+        shrunk(&plan, &Finding::of(0, scenario, difference), arguments.attempts, &|| false);
     if let Some(output) = &arguments.output {
         user_files::write_whole(output, &finding.scenario.program.main)?;
     }

@@ -2,8 +2,6 @@
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_controllers::Reference;
-use gaugeblock_fuzz::generate::GeneratorConfig;
-use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_vocabulary::Scenario;
 
 use crate::fuzz::groups::{Finding, shrunk};
@@ -18,21 +16,12 @@ pub(super) fn smallest(
     attempts: u32,
 ) -> Option<String> {
     let reference = Reference::default();
-    let plan = Plan {
-        iut: controller,
-        against: &reference,
-        config: GeneratorConfig::default(),
-        seed: 0,
-        spliced: 0,
-        seeds: Seeds::default(),
-        options: scenario.options.clone(),
-        random: Vec::new(),
-        environment: scenario.environment.name.clone(),
-    };
+    let plan = Plan::new(controller, &reference, scenario.options.clone());
     let FuzzResult::Differs(difference) = plan.judge(scenario, &mut Statistics::default()) else {
         return None;
     };
-    let finding = shrunk(&plan, &Finding::of(0, scenario.clone(), *difference), attempts);
+    let finding =
+        shrunk(&plan, &Finding::of(0, scenario.clone(), *difference), attempts, &|| false);
     let program = finding.scenario.program.main;
     (program.len() < scenario.program.main.len()).then_some(program)
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::RangeFrom;
 
+use gaugeblock_fuzz::generate::Entropy;
 use gaugeblock_fuzz::generate::splice::{self, Rare};
-use gaugeblock_fuzz::generate::{self, Entropy};
 use gaugeblock_reference::{RuleOutcome, Tally, run};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{End, Program, Scenario};
@@ -96,8 +96,7 @@ impl Plan<'_> {
     fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
         for number in 0..PROGRAMS {
-            let mut scenario =
-                generate::scenario(&mut Entropy::from_seed(SEED, number), &self.config);
+            let mut scenario = self.generated(SEED, number);
             scenario.options.clone_from(&self.options);
             if self.is_run(&scenario) {
                 reached.add(&run(&scenario).1);
@@ -162,11 +161,6 @@ impl Plan<'_> {
             }
         }
         (rare, made)
-    }
-
-    /// Whether both sides run a scenario.
-    fn is_run(&self, scenario: &Scenario) -> bool {
-        [self.iut, self.against].iter().all(|side| side.supports(scenario).is_ok())
     }
 }
 

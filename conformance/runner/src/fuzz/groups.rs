@@ -122,8 +122,13 @@ fn is_left_of(shape: &str, larger: &str) -> bool {
 }
 
 /// Shrinks a finding to the smallest program that still differs in the same way and at the same block, and names the
-/// rules of that.
-pub fn shrunk(plan: &Plan<'_>, finding: &Finding, attempts: u32) -> Finding {
+/// rules of that. Ends early when `stop` is true.
+pub fn shrunk(
+    plan: &Plan<'_>,
+    finding: &Finding,
+    attempts: u32,
+    stop: &dyn Fn() -> bool,
+) -> Finding {
     let mut unused = Statistics::default();
     let mut differs = |scenario: &Scenario| {
         let FuzzResult::Differs(difference) = plan.judge(scenario, &mut unused) else {
@@ -135,7 +140,7 @@ pub fn shrunk(plan: &Plan<'_>, finding: &Finding, attempts: u32) -> Finding {
         };
         same.then_some(*difference)
     };
-    let mut holds = |scenario: &Scenario| differs(scenario).is_some();
+    let mut holds = |scenario: &Scenario| !stop() && differs(scenario).is_some();
     let smallest = shrink(&finding.scenario, &plan.options, attempts, &mut holds);
     let Some(difference) = differs(&smallest.scenario) else { return finding.clone() };
     let rules = rules(&smallest.scenario, &difference.divergence);
@@ -143,7 +148,7 @@ pub fn shrunk(plan: &Plan<'_>, finding: &Finding, attempts: u32) -> Finding {
     let chosen = chosen.filter(|(id, option)| !plan.options.is(id, option));
     let options = chosen.map(|(id, option)| format!("{id} = {option}")).collect();
     let found = Finding::of(finding.number, smallest.scenario, difference);
-    Finding { count: finding.count, rules, options, shrunk: smallest.finished, ..found }
+    Finding { count: finding.count, rules, options, shrunk: smallest.finished && !stop(), ..found }
 }
 
 /// Groups that turn out to have one cause: the same signature and rules, or the same program.

@@ -1,14 +1,22 @@
 //! The plan of a fuzzing run: its controllers, and the scenario of each number.
 
+use std::collections::BTreeSet;
+
 use gaugeblock_adapter::Adapter;
+use gaugeblock_fuzz::generate::readable::{Readable, unreadable};
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig};
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
-use gaugeblock_vocabulary::{Options, Scenario};
+use gaugeblock_vocabulary::{Language, Options, Scenario};
 
 /// Consecutive programs that share their options. New options for each would add 6 % to the time of a program.
 pub const ALIKE: u64 = 8;
+
+/// Programs that are drawn to find out whether the controllers support most of them.
+const SAMPLE: u64 = 200;
+/// More unsupported ones than this are too many.
+const MANY: usize = 100;
 
 /// The controllers of a fuzzing run, and how its programs are generated.
 #[derive(Debug)]
@@ -31,6 +39,8 @@ pub struct Plan<'a> {
     pub random: Vec<Random<'a>>,
     /// The environment of scenarios that have none.
     pub environment: Option<String>,
+    /// Whether statements that the controllers cannot read are left out, and the names of those that they never can.
+    pub readable: Option<BTreeSet<&'static str>>,
 }
 
 /// A choice whose option is selected at random for each group of programs.
@@ -50,7 +60,48 @@ impl<'a> Random<'a> {
     }
 }
 
+impl<'a> Plan<'a> {
+    /// Compares two controllers on programs of the default settings, as these options read the documents.
+    pub fn new(iut: &'a dyn Adapter, against: &'a dyn Adapter, options: Options) -> Self {
+        Self {
+            iut,
+            against,
+            config: GeneratorConfig::default(),
+            seed: 0,
+            spliced: 0,
+            seeds: Seeds::default(),
+            options,
+            random: Vec::new(),
+            environment: None,
+            readable: None,
+        }
+    }
+}
+
 impl Plan<'_> {
+    /// Leaves out what the controllers cannot read, if they support fewer than half of all programs.
+    pub fn leave_out_unreadable(&mut self) {
+        let numbers = 0..SAMPLE;
+        let unsupported = numbers.filter(|number| !self.is_run(&self.generated(0, *number)));
+        if self.config.language == Language::Rs274 && unsupported.count() > MANY {
+            self.readable = Some(unreadable(&self.config, &|scenario| self.is_run(scenario)));
+        }
+    }
+
+    /// The generated scenario of a number under a seed, without options.
+    pub(super) fn generated(&self, seed: u64, number: u64) -> Scenario {
+        let mut entropy = Entropy::from_seed(seed, number);
+        let supports = |scenario: &Scenario| self.is_run(scenario);
+        let readable =
+            self.readable.as_ref().map(|unreadable| Readable { supports: &supports, unreadable });
+        generate::scenario_within(&mut entropy, &self.config, readable)
+    }
+
+    /// Whether both sides run a scenario.
+    pub(super) fn is_run(&self, scenario: &Scenario) -> bool {
+        [self.iut, self.against].iter().all(|side| side.supports(scenario).is_ok())
+    }
+
     /// The scenario of a number.
     pub fn scenario(&self, number: u64) -> Scenario {
         self.scenario_under(number, self.options_of(number / ALIKE))
@@ -58,10 +109,11 @@ impl Plan<'_> {
 
     /// The scenario of a number, with the options of its group.
     pub(super) fn scenario_under(&self, number: u64, options: Options) -> Scenario {
-        let mut entropy = Entropy::from_seed(self.seed, number);
         let mut scenario = match self.splice(number) {
-            Some(splice) => splice::spliced(&mut entropy, &self.seeds, splice),
-            None => generate::scenario(&mut entropy, &self.config),
+            Some(splice) => {
+                splice::spliced(&mut Entropy::from_seed(self.seed, number), &self.seeds, splice)
+            }
+            None => self.generated(self.seed, number),
         };
         scenario.options = options;
         if scenario.environment == Environment::default() {

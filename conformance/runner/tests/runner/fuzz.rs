@@ -8,7 +8,6 @@ use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_fuzz::generate::nct::{Counted, Pair, count, locals};
-use gaugeblock_fuzz::generate::splice::Seeds;
 use gaugeblock_fuzz::generate::{Entropy, GeneratorConfig, Setups};
 use gaugeblock_reference::RuleOutcome;
 use gaugeblock_runner::fuzz::groups::{Finding, Groups, merged, shrunk};
@@ -48,15 +47,9 @@ impl Adapter for SlowDwell {
 
 fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
     Plan {
-        iut,
-        against,
         config: GeneratorConfig { setups: Setups::Any, ..GeneratorConfig::default() },
         seed: 1,
-        spliced: 0,
-        seeds: Seeds::default(),
-        options: Options::default(),
-        random: Vec::new(),
-        environment: None,
+        ..Plan::new(iut, against, Options::default())
     }
 }
 
@@ -97,7 +90,7 @@ fn a_planted_fault_is_found_and_shrunk() {
     let findings: Vec<Finding> = findings.into_iter().filter(of_dwell).take(3).collect();
     assert!(!findings.is_empty());
     for finding in findings {
-        let small = shrunk(&plan, &finding, 2_000);
+        let small = shrunk(&plan, &finding, 2_000, &|| false);
         assert_eq!(small.scenario.program.main.trim_end(), "g4 p1", "{finding:?}");
         assert_eq!(small.scenario.machine, gaugeblock_vocabulary::Machine::default());
         assert!(small.shrunk);
