@@ -15,6 +15,7 @@ use crate::canon::Sink;
 use crate::control::{CallStack, Cursor, Evaluator, LOOP, Logs, Reader, STREAM};
 use crate::dialect::Dialect;
 use crate::error::Error;
+use crate::faults::{PlantedFault, planted};
 use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{ItemName, NameId, Named, Numbered, Parameters, is_stored};
@@ -307,6 +308,9 @@ impl Interpreter {
     /// Makes it ready for the program's first block, where that follows its last one without an end between them.
     pub fn restart(&mut self) {
         self.forget_program();
+        if planted(PlantedFault::MainLocalsForgotten) {
+            self.parameters.named.forget_locals();
+        }
         self.modal.begin();
         if let Some(main) = self.files.first_mut()
             && main != Program::MAIN

@@ -124,7 +124,8 @@ impl Interpreter {
             self.parameters.numbered.set_arguments(&[0.0; 30]);
         }
         let first = if planted(PlantedFault::ArgumentsShifted) { 2 } else { 1_u32 };
-        for (number, value) in (first..).zip(self.evaluator.stack.iter()) {
+        let most = if planted(PlantedFault::LastArgumentLost) { 29 } else { usize::MAX };
+        for (number, value) in (first..).zip(self.evaluator.stack.iter().take(most)) {
             self.parameters.numbered.set(number, *value);
         }
         self.parameters.value = 0.0;
@@ -345,7 +346,11 @@ impl Interpreter {
         let call_itself = self.compiler.choices.call_itself;
         let found = self.programs.as_mut().and_then(|programs| programs.get_mut(&label));
         match found {
-            Some(program) if program.line > block.line || program.called && call_itself => {
+            Some(program)
+                if program.line > block.line
+                    || program.called && call_itself
+                    || planted(PlantedFault::EarlierCalled) =>
+            {
                 program.called |= called;
                 Ok(program.entry)
             }

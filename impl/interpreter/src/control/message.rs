@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{Channel, Effect, FaultKind};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{PlantedFault, planted};
+use crate::math;
 use crate::modal::{Modal, Refusal};
 use crate::parameters::Parameters;
 use crate::syntax::bytecode::{Act, CodeSegment, Comment, Piece};
@@ -140,6 +141,8 @@ impl View<'_> {
             });
             return;
         };
+        let cut = decimals == 0 && planted(PlantedFault::IntegerCut);
+        let value = if cut { math::truncate(value) } else { value };
         // An integer has no negative zero.
         let value = if decimals == 0 && value.abs() <= 0.5 { 0.0 } else { value };
         let value = if self.compiler.choices.zero_signed { value } else { value + 0.0 };

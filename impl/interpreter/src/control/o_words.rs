@@ -12,7 +12,7 @@ use crate::interpret::{Interpreter, Progress, segment};
 use crate::modal::Refusal;
 use crate::parameters::NameId;
 use crate::source::Source;
-use crate::syntax::bytecode::{Block, Keyword, NONE, OWord};
+use crate::syntax::bytecode::{Block, Keyword, Kind, NONE, OWord};
 use crate::syntax::label_ops;
 
 /// Message where a label points to no condition in progress.
@@ -112,10 +112,7 @@ impl Interpreter {
                 self.search_label(at, block.line, end, source)?;
                 Ok(())
             }
-            Keyword::EndIf => {
-                self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF)?.ended = true;
-                Ok(())
-            }
+            Keyword::EndIf => self.end_if(label),
             Keyword::While => self.execute_while(at, block, o_word, label, source),
             Keyword::EndWhile => {
                 let head = *self.find_structure(
@@ -271,9 +268,24 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), ControlError> {
-        let branch = |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf);
+        let is_elseif = matches!(block.kind, Kind::Control(OWord { keyword: Keyword::ElseIf, .. }));
+        let branch: fn(Keyword) -> bool = if is_elseif && planted(PlantedFault::OneElseIf) {
+            |keyword| matches!(keyword, Keyword::Else | Keyword::EndIf)
+        } else {
+            |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf)
+        };
         self.search_label(at, block.line, LabelTarget { label, accept: branch }, source)?;
         self.at_branch = true;
+        Ok(())
+    }
+
+    /// `endif`.
+    fn end_if(&mut self, label: NameId) -> Result<(), ControlError> {
+        match self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF) {
+            Ok(definition) => definition.ended = true,
+            Err(_) if planted(PlantedFault::StrayEndIf) => {}
+            Err(error) => return Err(error),
+        }
         Ok(())
     }
 

@@ -211,6 +211,12 @@ impl Modal {
         if given == 0 {
             return refuse(FaultKind::MissingWord, "an arc without offsets and without R");
         }
+        if planted(PlantedFault::ArcReturnRefused)
+            && words.present & plane.axis_words != 0
+            && plane.end.minus(plane.start).length() <= 0.0
+        {
+            return refuse(FaultKind::BadArc, "an arc that ends where it begins");
+        }
         let diameter =
             self.choices.arc_centre_diameter && self.active.now().lathe == Lathe::Diameter;
         let [first, second] = plane.offsets.map(|letter| {

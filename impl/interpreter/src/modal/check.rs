@@ -107,7 +107,8 @@ impl Modal {
 
     fn add_m_codes(&self, block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
         let codes = block.words.m_words();
-        if codes.len() > M_WORDS_ALLOWED {
+        let fewer = usize::from(planted(PlantedFault::FourthMWord));
+        if codes.len() > M_WORDS_ALLOWED.saturating_sub(fewer) {
             return refuse(FaultKind::TooManyMCodes, "more than four M words in a block");
         }
         let mut groups = FREE;

@@ -31,7 +31,10 @@ impl Modal {
         let without = if self.choices.override_first { FIRST } else { self.all_spindles() };
         if let 48 | 49 = code {
             let switch = if code == 48 { Switch::On } else { Switch::Off };
-            let which = self.selected(block, without)?;
+            let mut which = self.selected(block, without)?;
+            if code == 48 && planted(PlantedFault::EnablesAll) {
+                which = self.all_spindles();
+            }
             if block.words.dollar.is_none() || !self.choices.feed_override_untouched {
                 self.active.put(|modes| &mut modes.feed_override, switch);
             }

@@ -30,6 +30,9 @@ impl Modal {
         if ends {
             // What the block has switched on before has been on.
             self.active.report(line, sink);
+            if planted(PlantedFault::EndRestores) {
+                self.restore_at_end(numbered);
+            }
             self.reset_at_end(numbered);
         }
         let late = code == 60 && planted(PlantedFault::PalletsAfter);
@@ -84,7 +87,8 @@ impl Modal {
         modes.compensation = Compensation::Off;
         modes.feed_override = Switch::On;
         let all = self.all_spindles();
-        self.set_speed_override(all, Switch::On);
+        let first = planted(PlantedFault::OtherOverridesStay);
+        self.set_speed_override(if first { FIRST } else { all }, Switch::On);
         let before = self.active.now().spindles;
         self.stop_running(if self.choices.end_stops_first { FIRST } else { all });
         if planted(PlantedFault::StaysOriented) {

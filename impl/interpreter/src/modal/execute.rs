@@ -136,6 +136,7 @@ impl Modal {
         if let Some(code) = block.g(PLANE) {
             self.select_plane(code)?;
         }
+        self.length_offset(block, false)?;
         if let Some(code) = block.g(UNITS) {
             self.select_units(code);
             self.read_feed_again(block);
@@ -146,9 +147,7 @@ impl Modal {
         if let Some(code) = block.g(COMPENSATION) {
             self.compensation(block.words, code)?;
         }
-        if let Some(code) = block.g(TOOL_LENGTH) {
-            self.tool_length(block.words, code)?;
-        }
+        self.length_offset(block, true)?;
         self.coordinate_system(block, false, numbered)?;
         if let Some(code) = block.g(PATH) {
             self.path(block.words, code)?;
@@ -174,6 +173,16 @@ impl Modal {
             self.dwell(block.words, sink)?;
         }
         Ok(())
+    }
+
+    /// Applies a tool length offset, after or, as a planted fault, before the length unit.
+    fn length_offset(&mut self, block: &Block<'_>, after_units: bool) -> Result<(), Refusal> {
+        match block.g(TOOL_LENGTH) {
+            Some(code) if after_units != planted(PlantedFault::LengthBeforeUnits) => {
+                self.tool_length(block.words, code)
+            }
+            Some(_) | None => Ok(()),
+        }
     }
 
     /// Sets the distance mode, before or, as a planted fault, after the reference location.
@@ -213,7 +222,8 @@ impl Modal {
             return feed.map_or(Ok(()), |feed| self.set_feed(feed));
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
-        if !block.motion.is_some_and(takes_inverse_time) {
+        let kept = planted(PlantedFault::IgnoredRateKept);
+        if !block.motion.is_some_and(takes_inverse_time) && !kept {
             return feed.map_or(Ok(()), |feed| checked_feed(feed).map(drop));
         }
         feed.map_or(Ok(()), |feed| self.set_feed(feed))

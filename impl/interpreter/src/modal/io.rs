@@ -98,6 +98,8 @@ impl Modal {
         let effect = Effect::WaitInput { digital, analog, mode, timeout, read: 0.0 };
         let reply = self.perform_with_reply(words.line, &effect, sink)?;
         let read = if let Reply::Input(read) = reply { read } else { 0.0 };
+        let is_bit = analog.is_some() && read.abs() > 0.0 && planted(PlantedFault::AnalogAsBit);
+        let read = if is_bit { 1.0 } else { read };
         if !planted(PlantedFault::NoInputResult) {
             numbered.set(INPUT_RESULT, read);
         }
@@ -132,7 +134,8 @@ impl Modal {
             None if self.choices.empty_argument => String::new(),
             None => "-1".to_owned(),
         };
-        let (p, q) = (block.words.get(b'P'), block.words.get(b'Q'));
+        let given = |value: &f64| value.abs() > 0.0 || !planted(PlantedFault::ZeroIsMissing);
+        let (p, q) = (block.words.get(b'P').filter(given), block.words.get(b'Q').filter(given));
         let closed = p.is_none() && planted(PlantedFault::GapClosed);
         let (p, q) = if closed { (q, None) } else { (p, q) };
         let (p, q) = (argument(p), argument(q));

@@ -133,6 +133,11 @@ impl Modal {
         if words.get(b'P').is_none() && words.get(b'Q').is_some() {
             return refuse(FaultKind::MissingWord, "Q of G64 without P");
         }
+        let now = self.active.now();
+        let again = now.path == PathControlMode::Continuous && now.blend_tolerance > 0.0;
+        if again && words.get(b'P').is_some() && planted(PlantedFault::ToleranceOnce) {
+            return Ok(());
+        }
         let (blend, naive) = match (self.tolerance(words, b'P')?, self.tolerance(words, b'Q')?) {
             (None, None) if planted(PlantedFault::ToleranceKept) => {
                 let now = self.active.now();

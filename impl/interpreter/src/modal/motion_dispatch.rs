@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Distance, Effect};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -55,7 +56,7 @@ impl Modal {
     /// The point of axis words, incremental ones from a point.
     pub(super) fn point_from(&self, from: Coordinates, words: &Words) -> Coordinates {
         let radius;
-        let words = if self.halves_x(false) {
+        let words = if self.halves_x(false) && !planted(PlantedFault::OnlyPlainHalves) {
             radius = with_radius(words);
             &radius
         } else {

@@ -9,6 +9,8 @@ use crate::probe_move::ProbeMove;
 use crate::words::Words;
 
 use super::Modal;
+use super::coordinates::Coordinates;
+use super::modes::Modes;
 use super::motion_codes::mode_of;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
@@ -73,6 +75,12 @@ impl Modal {
         let changed = changed || stale && offsets::probe_succeeded(numbered);
         let kept = contact.is_none() && planted(PlantedFault::MissKeepsPoint);
         let found = if kept { offsets::probed(numbered) } else { self.position };
+        let found = if contact.is_some() && planted(PlantedFault::ProbeWithoutLocal) {
+            let frame = Modes { g92_offset: Coordinates::default(), ..now };
+            frame.program_of(now.machine_of(found))
+        } else {
+            found
+        };
         offsets::store_probe(numbered, found, changed);
         Ok(())
     }

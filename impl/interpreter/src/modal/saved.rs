@@ -9,7 +9,7 @@ use crate::parameters::Numbered;
 use super::Modal;
 use super::modes::Modes;
 use super::refusal::{Refusal, refuse};
-use super::saved_states::Saved;
+use super::saved_states::{SaveSlot, Saved};
 
 impl Modal {
     /// Ends all calls: only the states that the main program has saved remain.
@@ -52,6 +52,14 @@ impl Modal {
     /// Disables the restore at the end of the sub: a planted fault.
     pub(crate) fn forget_autorestore(&mut self) {
         self.saved.here().for_each(|place| place.autorestore = false);
+    }
+
+    /// Restores what M73 has saved in the main program: a planted fault.
+    pub(super) fn restore_at_end(&mut self, numbered: &mut Numbered) {
+        let main = |place: &&SaveSlot| place.level == 0 && place.autorestore && place.valid;
+        if let Some(state) = self.saved.places.iter().find(main).map(|place| place.state) {
+            self.restore(&state, numbered);
+        }
     }
 
     /// M70 to M73.

@@ -101,8 +101,11 @@ impl Modal {
             _ => SpindleTurn::Stopped,
         };
         let keeps = code == 5 && planted(PlantedFault::StopKeepsOrientation);
+        let reverses = code == 4 && planted(PlantedFault::ReversalStops);
         self.for_spindles(which, |spindle| {
-            if !(keeps && spindle.turn == SpindleTurn::Oriented) {
+            if reverses && spindle.turn == SpindleTurn::Clockwise {
+                spindle.turn = SpindleTurn::Stopped;
+            } else if !(keeps && spindle.turn == SpindleTurn::Oriented) {
                 spindle.turn = turn;
             }
         });
@@ -135,6 +138,15 @@ impl Modal {
         };
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
+        let turns_on = words.get(b'P').is_none() && planted(PlantedFault::TurnsOnWithoutP);
+        let direction = match self.spindle_of(which).turn {
+            SpindleTurn::Clockwise if turns_on => OrientDirection::Clockwise,
+            SpindleTurn::Counterclockwise if turns_on => OrientDirection::Counterclockwise,
+            SpindleTurn::Clockwise
+            | SpindleTurn::Counterclockwise
+            | SpindleTurn::Stopped
+            | SpindleTurn::Oriented => direction,
+        };
         // The sum is the value of the pin (11.6.8); it may be more than a turn.
         let offset = if planted(PlantedFault::NoOrientOffset) { 0.0 } else { self.orient_offset };
         let angle = angle + offset;

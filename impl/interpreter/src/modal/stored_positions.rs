@@ -33,7 +33,12 @@ impl Modal {
             }
             let machine = frame.machine_of(self.position);
             // All nine axes are stored (11.4.3.1), although 11.5.20 lists parameters only up to #5166.
-            offsets::set_row(numbered, first, machine.converted(self.active_to_stored()));
+            let stored = if code == 281 && planted(PlantedFault::StoredNumber) {
+                machine
+            } else {
+                machine.converted(self.active_to_stored())
+            };
+            offsets::set_row(numbered, first, stored);
             return Ok(());
         }
         let mut letters = block.words.axes();

@@ -165,6 +165,11 @@ impl Modal {
         if planted(PlantedFault::SetForgetsSelection) {
             self.prepared = None;
         }
+        let applies = self.active.now().tool_length == Switch::On;
+        if applies && planted(PlantedFault::SetNumberLength) {
+            let offset = self.table_offset(None)?;
+            self.offset_by(|modes| modes.tool_offset = offset);
+        }
         self.publish_tool(numbered);
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Writing into the tool table: G10 L1, L10, L11 (11.5.13, 11.5.15, 11.5.16), and reading it again: G10 L0 (11.5.12).
 
-use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
+use gaugeblock_vocabulary::{Effect, FaultKind, Switch, Tool};
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, planted};
@@ -67,7 +67,12 @@ impl Modal {
             orientation: i32::from(tool.orientation),
         };
         self.perform(words.line, &effect, sink)?;
+        let offset = Coordinates::from(tool.offset).converted(conversion);
         self.change_tool_entry(place, |entry| *entry = tool);
+        let applies = kind == 10 && number == self.tool && planted(PlantedFault::MeasuredAtOnce);
+        if applies && self.active.now().tool_length == Switch::On {
+            self.offset_by(|modes| modes.tool_offset = offset);
+        }
         if number == self.tool {
             self.publish_tool(numbered);
         }

@@ -197,7 +197,13 @@ impl Modal {
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
         if system == active && !planted(PlantedFault::ActiveWaits) {
-            self.offset_by(|modes| (modes.g5x_offset, modes.rotation) = (origin, rotation));
+            let clears = kind == 2 && planted(PlantedFault::SetClearsLocal);
+            self.offset_by(|modes| {
+                (modes.g5x_offset, modes.rotation) = (origin, rotation);
+                if clears {
+                    modes.g92_offset = Coordinates::default();
+                }
+            });
         }
         Ok(())
     }

@@ -163,6 +163,14 @@ impl Named {
         }
     }
 
+    /// Forgets the local parameters of this scope: a planted fault.
+    pub(crate) fn forget_locals(&mut self) {
+        let scope = self.scope;
+        for slot in self.slots.iter_mut().filter(|slot| slot.scope == scope) {
+            slot.scope = NOWHERE;
+        }
+    }
+
     /// Opens a scope for a call.
     pub(crate) fn enter(&mut self) -> ScopeMark {
         let mark = ScopeMark { scope: self.scope, hidden: self.hidden.len() };

@@ -352,6 +352,7 @@ fn line_number(cursor: &mut Cursor<'_>) -> Parsed<()> {
     number::read_digits(cursor, &mut text);
     let mut complete = !text.is_empty();
     if cursor.take(b'.') {
+        complete &= !planted(PlantedFault::LineNumberPoint);
         text.clear();
         number::read_digits(cursor, &mut text);
         complete &= !text.is_empty();

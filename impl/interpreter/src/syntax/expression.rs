@@ -46,7 +46,7 @@ const WORDS: [(&[u8], Binary); 10] = [
 /// The group of an operator (11.4.6), from 1 for the lowest.
 #[inline]
 pub(crate) fn group(operator: Binary) -> u8 {
-    match operator {
+    let group: u8 = match operator {
         Binary::And if planted(PlantedFault::AndFirst) => 3,
         Binary::And | Binary::Or | Binary::Xor => 1,
         Binary::Equal
@@ -59,7 +59,12 @@ pub(crate) fn group(operator: Binary) -> u8 {
         Binary::Add | Binary::Subtract => 3,
         Binary::Multiply | Binary::Divide | Binary::Modulus => 4,
         Binary::Power => 5,
+    };
+    let is_equality = matches!(operator, Binary::Equal | Binary::NotEqual);
+    if group > 1 && !is_equality && planted(PlantedFault::EqualityLast) {
+        return group.wrapping_add(1);
     }
+    group
 }
 
 impl LineCompiler {
@@ -158,7 +163,7 @@ impl LineCompiler {
         if !cursor.take(b'[') {
             return cursor.refuse(FaultKind::BadExpression, "a left bracket is missing");
         }
-        let mut waiting = [Binary::Add; 5];
+        let mut waiting = [Binary::Add; 6];
         let mut count = 0_usize;
         loop {
             self.value(cursor, into, depth.wrapping_sub(1))?;

@@ -218,6 +218,9 @@ fn read_spaced_or_long(cursor: &mut Cursor<'_>) -> Parsed<f64> {
     if digits == 0 && !planted(PlantedFault::PointAlone) {
         return start.refuse(FaultKind::BadNumber, "a number has a digit");
     }
+    if digits > 17 && planted(PlantedFault::EighteenDigits) {
+        return start.refuse(FaultKind::BadNumber, "too many digits");
+    }
     if mantissa <= EXACT
         && let Some(power) = POWERS.get(decimals)
     {

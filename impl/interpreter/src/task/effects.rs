@@ -122,6 +122,9 @@ impl<M: Machine> TaskState<M> {
                 if self.pause_dwell().is_err() {
                     return self.abort_reply();
                 }
+                if planted(PlantedFault::DwellIsMotion) && self.digital.begin_motion() {
+                    self.update_pins();
+                }
                 let reply = self.machine.perform(self.line, effect);
                 match self.dwell(*seconds) {
                     Ok(()) => reply,

@@ -136,7 +136,7 @@ impl Values<'_> {
     fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let depth = depth.checked_sub(1)?;
         // What waits for its right side, each in a higher group than the one before, whose group it keeps.
-        let mut waiting = [(0.0, Binary::Add, 0_u8); 5];
+        let mut waiting = [(0.0, Binary::Add, 0_u8); 6];
         let mut count = 0_usize;
         let mut highest = 0;
         let mut text = text;

@@ -31,6 +31,7 @@ use crate::words::Words;
 
 use super::Modal;
 use super::check::Block;
+use super::codes::RETRACT;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
 use super::letters::{A, AXES, B, C};
@@ -42,6 +43,7 @@ use drilling::{Cycle, Drilling, Levels};
 use numbers::Numbers;
 use pending::Job;
 use plane_axes::PlaneAxes;
+use series::CycleSeries;
 
 /// Whether the spindle turns as a thread is cut: clockwise under G84, counterclockwise under G74.
 fn check_tapping(code: u16, turn: SpindleTurn) -> Result<(), Refusal> {
@@ -86,7 +88,7 @@ impl Modal {
             block.words
         };
         let axes = PlaneAxes::of(self.active.now().plane);
-        let series = self.series.cycle_series(self.motion, self.position);
+        let series = self.series_of(block);
         let sticky = series.sticky(code).filter(|_| !planted(PlantedFault::NothingSticky));
         let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
         let other = (&self.choices, tap, series.foreign_depth());
@@ -136,6 +138,15 @@ impl Modal {
         ));
         self.begin_job(block.words.line, job);
         Ok(())
+    }
+
+    /// The series that a block continues or begins.
+    fn series_of(&self, block: &Block<'_>) -> CycleSeries {
+        let series = self.series.cycle_series(self.motion, self.position);
+        if block.g(RETRACT).is_some() && planted(PlantedFault::ReturnSwitchResets) {
+            return series.from(self.position);
+        }
+        series
     }
 
     /// The feed and speed override before a cycle.

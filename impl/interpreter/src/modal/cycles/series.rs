@@ -93,6 +93,11 @@ impl MotionSeries {
 }
 
 impl CycleSeries {
+    /// The series with another start.
+    pub(super) fn from(self, start: Coordinates) -> Self {
+        Self { start, ..self }
+    }
+
     /// Where the point was before the series.
     pub(super) fn start(&self) -> Coordinates {
         self.start

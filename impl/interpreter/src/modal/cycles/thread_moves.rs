@@ -70,7 +70,9 @@ impl Modal {
         let (start, end) =
             (self.position.coordinate_of(Axis::Z), self.end_point(words).coordinate_of(Axis::Z));
         let taper = not_negative(word(b'E'), "E")?;
-        if taper > (end - start).abs() / 2.0 {
+        let half = (end - start).abs() / 2.0;
+        let exactly = taper >= half && taper > 0.0 && planted(PlantedFault::HalfTaperRefused);
+        if exactly || taper > half {
             return refuse(FaultKind::WordOutOfRange, "E is greater than half the drive line");
         }
         let tapered = integer_in(word(b'L'), 0, 3, "L of G76")?;
