@@ -8,7 +8,10 @@ use gaugeblock_vocabulary::{Program, Scenario};
 use super::{Entropy, GeneratorConfig, TABLE, scenario_and_kinds};
 
 /// Programs of one statement that are tried before it counts as one that is never readable.
-const TRIES: u64 = 6;
+const TRIES: u64 = 8;
+
+/// Their fewest and most blocks.
+const BLOCKS: (u32, u32) = (1, 2);
 
 /// What controllers can read. Without it everything is readable.
 #[derive(Clone, Copy)]
@@ -41,8 +44,12 @@ pub fn unreadable(
     let none = BTreeSet::new();
     let readable = Readable { supports, unreadable: &none };
     let is_readable = |name: &str| {
-        let config =
-            GeneratorConfig { only: vec![name.to_owned()], mutated_programs: 0, ..config.clone() };
+        let config = GeneratorConfig {
+            only: vec![name.to_owned()],
+            blocks: BLOCKS,
+            mutated_programs: 0,
+            ..config.clone()
+        };
         let written = |number| {
             let mut entropy = Entropy::from_seed(0, number);
             !scenario_and_kinds(&mut entropy, &config, Some(readable)).1.is_empty()

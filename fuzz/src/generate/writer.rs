@@ -196,7 +196,8 @@ impl<'d, 'b> Writer<'d, 'b> {
 
     /// Writes a statement, and takes it back if the controllers cannot read it.
     fn written(&mut self, write: impl FnOnce(&mut Self)) -> bool {
-        let (base, Some(readable)) = self.readable else {
+        // What a statement contains is judged with it.
+        let Some(readable) = self.readable.1.take() else {
             write(self);
             return true;
         };
@@ -205,7 +206,8 @@ impl<'d, 'b> Writer<'d, 'b> {
         write(self);
         let added = |whole: &str, from: usize| whole.get(from..).unwrap_or_default().to_owned();
         let blocks = added(&self.text, text) + &added(&self.after_end, after_end);
-        let is_readable = readable.has(base, blocks);
+        let is_readable = readable.has(self.readable.0, blocks);
+        self.readable.1 = Some(readable);
         if !is_readable {
             (self.state, self.left) = (state, left);
             self.text.truncate(text);

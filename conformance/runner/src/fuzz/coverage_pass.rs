@@ -13,6 +13,8 @@ use super::Plan;
 
 /// Programs of a coverage pass.
 const PROGRAMS: u64 = 16_000;
+/// The same where each statement is compared with what the controllers can read: that takes longer.
+const FEW_PROGRAMS: u64 = 2_000;
 /// After so many splices it is judged whether those before a case hinder it.
 const TRIALS: u64 = 16;
 /// So many splices are made for the same rare thing at most.
@@ -95,14 +97,15 @@ impl Plan<'_> {
     /// How many of so many programs are likely to reach each outcome, by what those of a coverage pass reach.
     fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
-        for number in 0..PROGRAMS {
+        let sample = if self.readable.is_some() { FEW_PROGRAMS } else { PROGRAMS };
+        for number in 0..sample {
             let mut scenario = self.generated(SEED, number);
             scenario.options.clone_from(&self.options);
             if self.is_run(&scenario) {
                 reached.add(&run(&scenario).1);
             }
         }
-        let times = number(programs * (100 - SPLICED.1)) / number(100 * PROGRAMS);
+        let times = number(programs * (100 - SPLICED.1)) / number(100 * sample);
         let chances = reached.iter().map(|(rule, outcome, programs)| {
             let mean = number(programs) * times;
             // Both the coverage pass and the plan are random.

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::num::NonZero;
 use std::sync::atomic::AtomicBool;
 
+use gaugeblock_adapter::protocol::DeclaredLanguage;
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::{Production, Reference};
@@ -14,6 +15,7 @@ use gaugeblock_runner::fuzz::groups::{Finding, Groups, merged, shrunk};
 use gaugeblock_runner::fuzz::journal::Chunk;
 use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::fuzz::{Extent, FuzzResult, Plan, Shard, run};
+use gaugeblock_runner::language::check_program;
 use gaugeblock_vocabulary::{
     Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
 };
@@ -304,4 +306,47 @@ fn incomparable_outcomes_follow_from_declarations() {
             of("order.dwell-before-distance", "restless: it does not dwell"),
         ]
     );
+}
+
+/// The model, of which only a part of the language may be used.
+#[derive(Debug)]
+struct Lathe(Capabilities, DeclaredLanguage);
+
+impl Adapter for Lathe {
+    fn capabilities(&self) -> &Capabilities {
+        &self.0
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        check_program(&self.1, scenario)
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        Ok(gaugeblock_reference::run(scenario).0)
+    }
+}
+
+#[test]
+fn programs_are_drawn_from_the_language_that_a_controller_declares() {
+    let language = r#"{"g":["0","1","2","3","4","18","20","21","90","91"],"m":["2","3","5","30"],"axes":"XZ",
+        "letters":"FS","parameters":[],"expressions":false,"o_words":false,"comments":["parentheses"]}"#;
+    let language = serde_json::from_str(language).expect("a language");
+    let lathe = Lathe(Capabilities::everything("lathe", "1"), language);
+    let reference = Reference::default();
+    let mut plan = plan(&lathe, &reference);
+    let supported = |plan: &Plan<'_>| {
+        let programs = (0..200).map(|number| plan.scenario(number));
+        let supported = programs.filter(|program| lathe.supports(program).is_ok());
+        let texts: Vec<String> = supported.map(|scenario| scenario.program.main).collect();
+        (texts.len(), texts.iter().map(|text| text.lines().count()).sum::<usize>())
+    };
+    let before = supported(&plan);
+    plan.leave_out_unreadable();
+    let (programs, lines) = supported(&plan);
+    assert!(programs > 170 && programs > 3 * before.0, "{programs} of 200, {} before", before.0);
+    assert!(lines > 10 * before.1, "{lines} lines, {} before", before.1);
+    for code in ["g2", "g18", "g4", "m3", "x", "z", "(a comment)"] {
+        let has = |number| plan.scenario(number).program.main.to_lowercase().contains(code);
+        assert!((0..200).any(has), "{code}");
+    }
 }
