@@ -17,7 +17,7 @@ use gaugeblock_runner::fuzz::journal::{Header, NotJudged};
 use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::fuzz::{ALIKE, Extent, Plan, Random, Shard, run};
 use gaugeblock_runner::journal::Journal;
-use gaugeblock_suite::{Choice, Edition, Suite, options_of};
+use gaugeblock_suite::{Choice, ChoiceKind, Edition, Suite, options_of};
 use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
@@ -175,7 +175,9 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     generate(arguments, &plan, journal, &mut so_far, duration)?;
     let seconds = begun.elapsed().as_secs_f64();
     let is_over = || duration.is_some_and(|duration| begun.elapsed() >= duration);
-    let findings = shrink_all(&plan, so_far.groups.findings(), arguments.shrink, &is_over);
+    let choices = causes(suite, edition, iut.as_ref());
+    let findings =
+        shrink_all(&plan, so_far.groups.findings(), arguments.shrink, &choices, &is_over);
     let (findings, known): (Vec<Finding>, Vec<Finding>) =
         findings.into_iter().partition(|finding| !known.iter().any(|known| known.is_as(finding)));
     let (rare, not_shown) = rarely_reached(suite, edition, &plan, &so_far.statistics);
@@ -279,11 +281,12 @@ fn generate(
 /// Divergences beyond this number stay as they were generated.
 const SHRUNK_AT_MOST: usize = 150;
 
-/// Shrinks the findings until time is over; what is left stays as it was generated.
+/// Shrinks the findings and finds their causes until time is over; what is left stays as it was generated.
 fn shrink_all(
     plan: &Plan<'_>,
     mut findings: Vec<Finding>,
     attempts: u32,
+    choices: &[&Choice],
     is_over: &dyn Fn() -> bool,
 ) -> Vec<Finding> {
     if attempts == 0 {
@@ -300,6 +303,7 @@ fn shrink_all(
             break;
         }
         *finding = shrunk(plan, finding, attempts, is_over);
+        finding.causes = plan.causes(&finding.scenario, choices);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -333,6 +337,16 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, C
         setups,
         ..GeneratorConfig::default()
     })
+}
+
+/// What can explain a divergence: the choices in the language of an edition, and the quirks of a controller.
+fn causes<'a>(suite: &'a Suite, edition: &Edition, iut: &dyn Adapter) -> Vec<&'a Choice> {
+    let own = format!("{}.", iut.capabilities().name);
+    let can_explain = |choice: &&Choice| {
+        choice.language == edition.language
+            && (choice.kind == ChoiceKind::Choice || choice.id.starts_with(&own))
+    };
+    suite.choices.iter().filter(can_explain).collect()
 }
 
 /// The options that apply, with those that the controller declares, and whether each program changes some of them.

@@ -61,7 +61,7 @@ impl Report<'_> {
         let findings: Vec<_> = self.findings.iter().map(|finding| {
             json!({
                 "signature": finding.signature, "shape": finding.shape, "rules": finding.rules, "options": finding.options, "count": finding.count, "number": finding.number,
-                "divergence": finding.divergence, "shrunk": finding.shrunk, "scenario": finding.scenario,
+                "divergence": finding.divergence, "shrunk": finding.shrunk, "causes": finding.causes, "scenario": finding.scenario,
             })
         }).collect();
         json!({
@@ -287,6 +287,11 @@ pub(crate) fn body(finding: &Finding) -> String {
     let mut text = String::new();
     if !finding.rules.is_empty() && finding.rules.len() <= 8 {
         let _infallible = writeln!(text, "  rules: {}", finding.rules.join(", "));
+    }
+    match finding.causes.as_slice() {
+        [] => {}
+        [cause] => text.push_str(&format!("  looks like {cause}\n")),
+        causes => text.push_str(&format!("  looks like one of: {}\n", causes.join(", "))),
     }
     let program = &finding.scenario.program;
     for (at, line) in program.language.lines(&program.main).enumerate() {

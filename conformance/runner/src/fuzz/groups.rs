@@ -36,6 +36,9 @@ pub struct Finding {
     /// Whether nothing smaller was left to try.
     #[serde(default)]
     pub shrunk: bool,
+    /// Quirks and options that explain it, each of them alone ([`Plan::causes`]).
+    #[serde(default)]
+    pub causes: Vec<String>,
 }
 
 impl Finding {
@@ -54,6 +57,7 @@ impl Finding {
             rules: Vec::new(),
             options: Vec::new(),
             shrunk: false,
+            causes: Vec::new(),
         }
     }
 
@@ -151,15 +155,20 @@ pub fn shrunk(
     Finding { count: finding.count, rules, options, shrunk: smallest.finished && !stop(), ..found }
 }
 
-/// Groups that turn out to have one cause: the same signature and rules, or the same program.
+/// Groups that turn out to have one cause: the same quirk or option, the same signature and rules, or the same program.
 pub fn merged(findings: Vec<Finding>) -> Vec<Finding> {
     let mut merged: Vec<Finding> = Vec::new();
     for finding in findings {
         let same = |known: &&mut Finding| {
             let same_rules = !finding.rules.is_empty() && known.rules == finding.rules;
             let same_shape = finding.rules.is_empty() && known.shape == finding.shape;
-            known.signature == finding.signature
-                && (same_rules || same_shape || known.scenario.program == finding.scenario.program)
+            let same_cause = !finding.causes.is_empty() && known.causes == finding.causes;
+            same_cause
+                || known.signature == finding.signature
+                    && known.causes == finding.causes
+                    && (same_rules
+                        || same_shape
+                        || known.scenario.program == finding.scenario.program)
         };
         match merged.iter_mut().find(same) {
             Some(known) => {

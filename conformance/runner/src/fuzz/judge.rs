@@ -141,7 +141,8 @@ impl Plan<'_> {
         }
     }
 
-    fn divergence(
+    /// The first difference between two outcomes of a scenario, of what both sides show.
+    pub(super) fn divergence(
         &self,
         scenario: &Scenario,
         expected: Outcome,

@@ -5,6 +5,7 @@
 //! order and on any machine. Each finished chunk is written to a [journal]. The findings are merged in the order of
 //! numbers, so that the same plan gives the same report, whether it was interrupted or not.
 
+mod causes;
 pub mod comparability;
 mod comparable;
 pub mod coverage_pass;

@@ -1,0 +1,39 @@
+//! Options of choices, and quirks, under which the model does what a controller does on a program.
+
+use gaugeblock_suite::{Choice, ChoiceKind};
+use gaugeblock_vocabulary::{Options, Scenario};
+
+use super::plan::Plan;
+
+impl Plan<'_> {
+    /// The quirks and options of `choices` that explain how the controller differs from the model on a scenario, each
+    /// of them alone. None if it is compared with another controller.
+    ///
+    /// Costs a run of the model for each option.
+    pub fn causes(&self, scenario: &Scenario, choices: &[&Choice]) -> Vec<String> {
+        if self.against.capabilities().name != "reference" {
+            return Vec::new();
+        }
+        let Ok(found) = self.iut.run(scenario) else { return Vec::new() };
+        let explains = |options: Options| {
+            let under = Scenario { options, ..scenario.clone() };
+            let (expected, _) = gaugeblock_reference::run(&under);
+            expected.end.undetermined().is_none()
+                && self.divergence(&under, expected, found.clone()).is_none()
+        };
+        let mut causes = Vec::new();
+        for choice in choices {
+            for option in choice.options.iter().map(|option| &option.name) {
+                let mut options = scenario.options.clone();
+                options.0.insert(choice.id.clone(), option.clone());
+                if !scenario.options.is(&choice.id, option) && explains(options) {
+                    causes.push(match choice.kind {
+                        ChoiceKind::Quirk => choice.id.clone(),
+                        ChoiceKind::Choice => format!("{} = {option}", choice.id),
+                    });
+                }
+            }
+        }
+        causes
+    }
+}
