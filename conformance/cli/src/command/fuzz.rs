@@ -156,20 +156,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     }
     let header = header(arguments, &plan, edition);
     let mut so_far = FuzzProgress::default();
-    let journal = match &arguments.report {
-        Some(folder) => {
-            let journal = Journal::open(folder, &header, arguments.resume, &mut |chunk| {
-                so_far.add(chunk);
-            });
-            Some(journal.map_err(|why| {
-                CliError::usage(
-                    why,
-                    "--resume continues the same call; another run needs another folder",
-                )
-            })?)
-        }
-        None => None,
-    };
+    let journal = journal(arguments, &header, &mut so_far)?;
     let begun = now();
     let duration = duration(arguments);
     generate(arguments, &plan, journal, &mut so_far, duration)?;
@@ -200,6 +187,20 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
         Format::Json => write_out(&format!("{:#}\n", report.json())),
     }
     Ok(report.exit_status())
+}
+
+/// The journal of the run, and in `so_far` what it has of a run that is resumed.
+fn journal(
+    arguments: &Arguments,
+    header: &Header,
+    so_far: &mut FuzzProgress,
+) -> Result<Option<Journal>, CliError> {
+    let Some(folder) = &arguments.report else { return Ok(None) };
+    let journal = Journal::open(folder, header, arguments.resume, &mut |chunk| so_far.add(chunk));
+    let opened = journal.map_err(|why| {
+        CliError::usage(why, "--resume continues the same call; another run needs another folder")
+    });
+    opened.map(Some)
 }
 
 /// What was done so far, in this call and the ones before.
