@@ -107,7 +107,12 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
             other.when == event.when && matches!(event.action, Action::Abort | Action::Mdi(_))
         })
     });
-    if twice || events.iter().any(|event| ends(event) || begins(event)) {
+    let inputs = &scenario.environment.inputs;
+    let changes_twice = inputs.iter().enumerate().any(|(place, change)| {
+        let mut earlier = inputs.iter().take(place);
+        earlier.any(|other| other.input == change.input && (other.time - change.time).abs() < 1e-6)
+    });
+    if twice || changes_twice || events.iter().any(|event| ends(event) || begins(event)) {
         return Err("its clock is that of the wall: nothing happens at one time".to_owned());
     }
     let pauses = events.iter().rposition(|event| event.action == Action::Pause);
