@@ -40,6 +40,10 @@ use readable::Readable;
 use state::{State, Sub};
 use writer::Writer;
 
+/// Programs of one statement that are tried before it counts as one that is never readable.
+const TRIES: u64 = 8;
+/// Their fewest and most blocks.
+const BLOCKS: (u32, u32) = (1, 2);
 /// A machine is drawn so often for controllers that cannot be any; then it is the default one.
 const MACHINES: usize = 8;
 
@@ -79,7 +83,7 @@ pub fn scenario_and_kinds(
     if config.only.is_empty() && entropy.chance(15) {
         let name = *entropy.pick(&["cave", "drill_row", "x1"]);
         let blocks = entropy.range(1, 6);
-        let mut writer = Writer::new(entropy, config, state.clone(), (&scenario, readable));
+        let mut writer = Writer::new(entropy, config, TABLE, state.clone(), (&scenario, readable));
         let file = (format!("{name}.ngc"), writer.sub_file(name, blocks));
         if supports(&scenario, &|program| program.files.extend([file.clone()])) {
             scenario.program.files.extend([file]);
@@ -88,7 +92,7 @@ pub fn scenario_and_kinds(
     }
     let block_delete =
         entropy.chance(30) && supports(&scenario, &|program| program.block_delete = true);
-    let mut writer = Writer::new(entropy, config, state, (&scenario, readable));
+    let mut writer = Writer::new(entropy, config, TABLE, state, (&scenario, readable));
     let main = writer.main();
     let kinds = writer.into_kinds();
     let by_hand = matches!(config.setups, Setups::Any | Setups::Operated)
@@ -99,6 +103,30 @@ pub fn scenario_and_kinds(
     scenario.program = Program { main, block_delete, start, ..scenario.program };
     scenario.budget = BUDGET;
     (scenario, kinds)
+}
+
+/// Names of the statements that controllers never can read: they support no program of any.
+pub fn unreadable(
+    config: &GeneratorConfig,
+    supports: &dyn Fn(&Scenario) -> bool,
+) -> BTreeSet<&'static str> {
+    let none = BTreeSet::new();
+    let readable = Readable { supports, unreadable: &none };
+    let is_readable = |name: &str| {
+        let config = GeneratorConfig {
+            only: vec![name.to_owned()],
+            blocks: BLOCKS,
+            mutated_programs: 0,
+            ..config.clone()
+        };
+        let written = |number| {
+            let mut entropy = Entropy::from_seed(0, number);
+            !scenario_and_kinds(&mut entropy, &config, Some(readable)).1.is_empty()
+        };
+        (0..TRIES).any(written)
+    };
+    let names = TABLE.iter().copied().flatten().map(|statement| statement.name);
+    names.filter(|name| !is_readable(name)).collect()
 }
 
 /// A machine, an environment and an operator, that the controllers support.

@@ -10,7 +10,6 @@ use super::kind::StatementKind;
 use super::mutate;
 use super::readable::Readable;
 use super::state::{State, Sub};
-use super::table::TABLE;
 
 /// Room for the text of most programs.
 const MOST_TEXT: usize = 1024;
@@ -90,10 +89,11 @@ pub(crate) struct Writer<'d, 'b> {
 }
 
 impl<'d, 'b> Writer<'d, 'b> {
-    /// Before the first block.
+    /// Before the first block; `table` has the statements to choose from.
     pub(crate) fn new(
         entropy: &'d mut Entropy<'b>,
         config: &GeneratorConfig,
+        table: &[&'static [Statement]],
         state: State,
         readable: (&'d Scenario, Option<Readable<'d>>),
     ) -> Self {
@@ -110,8 +110,10 @@ impl<'d, 'b> Writer<'d, 'b> {
             total += statement.weight;
             (total, statement)
         };
-        let statements =
-            chosen_statements(entropy, config, readable.1).into_iter().map(with_sum).collect();
+        let statements = chosen_statements(entropy, config, table, readable.1)
+            .into_iter()
+            .map(with_sum)
+            .collect();
         let (text, after_end) = (String::with_capacity(MOST_TEXT), String::new());
         Self {
             entropy,
@@ -324,12 +326,13 @@ impl<'d, 'b> Writer<'d, 'b> {
 fn chosen_statements(
     entropy: &mut Entropy<'_>,
     config: &GeneratorConfig,
+    table: &[&'static [Statement]],
     readable: Option<Readable<'_>>,
 ) -> Vec<&'static Statement> {
     let is_readable = |statement: &&Statement| {
         readable.is_none_or(|readable| !readable.unreadable.contains(statement.name))
     };
-    let all = || TABLE.iter().copied().flatten().filter(is_readable);
+    let all = || table.iter().copied().flatten().filter(is_readable);
     if !config.only.is_empty() {
         let named = |name: &str| config.only.iter().any(|only| name.starts_with(only.as_str()));
         return all().filter(|statement| named(statement.name)).collect();

@@ -15,7 +15,6 @@ use crate::canon::Sink;
 use crate::control::{CallStack, Cursor, Evaluator, LOOP, Logs, Reader, STREAM};
 use crate::dialect::Dialect;
 use crate::error::Error;
-use crate::faults::{PlantedFault, planted};
 use crate::limits::Limits;
 use crate::modal::Modal;
 use crate::parameters::{ItemName, NameId, Named, Numbered, Parameters, is_stored};
@@ -308,9 +307,7 @@ impl Interpreter {
     /// Makes it ready for the program's first block, where that follows its last one without an end between them.
     pub fn restart(&mut self) {
         self.forget_program();
-        if planted(PlantedFault::MainLocalsForgotten) {
-            self.parameters.named.forget_locals();
-        }
+        self.parameters.named.begin();
         self.modal.begin();
         if let Some(main) = self.files.first_mut()
             && main != Program::MAIN
@@ -337,8 +334,7 @@ impl Interpreter {
         self.previous_subs.extend(core::mem::take(&mut self.defined_lines).into_keys());
         self.code_bytes = 0;
         self.parameters.numbered.end_notes();
-        self.pending = None;
-        self.ended = None;
+        (self.pending, self.ended) = (None, None);
     }
 
     /// Continues after a refused block: the next step executes the block after it, or, where calls were open, the

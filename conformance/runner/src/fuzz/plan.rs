@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use gaugeblock_adapter::Adapter;
-use gaugeblock_fuzz::generate::readable::{Readable, unreadable};
+use gaugeblock_fuzz::generate::readable::Readable;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
-use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig};
+use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig, unreadable};
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Scenario};

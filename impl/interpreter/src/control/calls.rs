@@ -346,11 +346,8 @@ impl Interpreter {
         let call_itself = self.compiler.choices.call_itself;
         let found = self.programs.as_mut().and_then(|programs| programs.get_mut(&label));
         match found {
-            Some(program)
-                if program.line > block.line
-                    || program.called && call_itself
-                    || planted(PlantedFault::EarlierCalled) =>
-            {
+            Some(program) if planted(PlantedFault::EarlierCalled) => Ok(program.entry),
+            Some(program) if program.line > block.line || program.called && call_itself => {
                 program.called |= called;
                 Ok(program.entry)
             }

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use crate::faults::{PlantedFault, planted};
 use crate::parameters::names::{NameId, Names};
 
 /// Predefined parameters with values of the interpreter's loop. Those with values of the modes are elsewhere.
@@ -163,8 +164,11 @@ impl Named {
         }
     }
 
-    /// Forgets the local parameters of this scope: a planted fault.
-    pub(crate) fn forget_locals(&mut self) {
+    /// A program begins: the parameters stay, but with a planted fault.
+    pub(crate) fn begin(&mut self) {
+        if !planted(PlantedFault::MainLocalsForgotten) {
+            return;
+        }
         let scope = self.scope;
         for slot in self.slots.iter_mut().filter(|slot| slot.scope == scope) {
             slot.scope = NOWHERE;
