@@ -49,6 +49,9 @@ impl Grid {
             }
         }
         combinations.retain(|it| !self.except.iter().any(|exception| is_left_out(exception, it)));
+        if let Some(cases) = self.cover {
+            combinations = covering(combinations, cases.get());
+        }
         combinations.iter().map(|combination| self.case(combination)).collect()
     }
 
@@ -97,6 +100,35 @@ impl Grid {
             setup.machine.axes = letters.chars().map(axis).collect::<Result<_, _>>()?;
         }
         Ok(setup)
+    }
+}
+
+/// The first combinations in which each item is so often, as far as there are any; each one taken has most items that
+/// are still missing.
+fn covering<'a>(
+    combinations: Vec<BTreeMap<&'a str, &'a GridItem>>,
+    cases: usize,
+) -> Vec<BTreeMap<&'a str, &'a GridItem>> {
+    let mut times: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let (mut left, mut taken) = (combinations, Vec::new());
+    loop {
+        let missing = |combination: &BTreeMap<&'a str, &'a GridItem>| {
+            let is_missing = |(list, item): &(&&str, &&GridItem)| {
+                times.get(&(**list, item[NAME].as_str())).is_none_or(|times| *times < cases)
+            };
+            combination.iter().filter(is_missing).count()
+        };
+        // The first of those with most.
+        let most =
+            left.iter().enumerate().rev().max_by_key(|(_, combination)| missing(combination));
+        let Some((place, _)) = most.filter(|(_, combination)| missing(combination) > 0) else {
+            return taken;
+        };
+        let combination = left.remove(place);
+        for (list, item) in &combination {
+            *times.entry((list, item[NAME].as_str())).or_default() += 1;
+        }
+        taken.push(combination);
     }
 }
 
@@ -214,6 +246,17 @@ mod tests {
                 one("mist in g17", "g17\nm7\nm8\nm72 \nm2", "after 4 "),
             ])
         );
+    }
+
+    #[test]
+    fn cover_takes_as_many_combinations_as_each_item_needs() {
+        let names = |text: &str| {
+            let cases = cases(text).expect("cases").into_iter();
+            cases.map(|(name, _, _)| name).collect::<Vec<_>>()
+        };
+        let once = format!("cover = 1\n{TWO}");
+        assert_eq!(names(&once), ["feed in g18", "mist in g17"]);
+        assert_eq!(names(&once.replace("cover = 1", "cover = 2")), names(TWO));
     }
 
     #[test]

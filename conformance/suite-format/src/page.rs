@@ -1,6 +1,7 @@
 //! A rule page and a choice page as they stand in TOML.
 
 use std::collections::BTreeMap;
+use std::num::NonZero;
 
 use gaugeblock_vocabulary::Language;
 use gaugeblock_vocabulary::scenario::{
@@ -222,6 +223,9 @@ pub struct Grid {
     /// Combinations that are left out: the names of the items of some of the lists.
     #[serde(default)]
     pub except: Vec<BTreeMap<String, String>>,
+    /// Only as many combinations as it takes for each item to be in so many cases; all combinations when absent.
+    #[serde(default)]
+    pub cover: Option<NonZero<usize>>,
     /// The main program.
     pub program: String,
     /// What must be observed.
