@@ -250,13 +250,22 @@ mod tests {
 
     #[test]
     fn cover_takes_as_many_combinations_as_each_item_needs() {
-        let names = |text: &str| {
-            let cases = cases(text).expect("cases").into_iter();
+        let names = |cover: usize| {
+            let text = format!(
+                r#"
+                name = "{{item}} in {{plane}}"
+                cover = {cover}
+                each.plane = "planes"
+                each.item = [{{ name = "f5" }}, {{ name = "m7" }}, {{ name = "m8" }}]
+                program = ""
+                assert = []
+                "#
+            );
+            let cases = cases(&text).expect("cases").into_iter();
             cases.map(|(name, _, _)| name).collect::<Vec<_>>()
         };
-        let once = format!("cover = 1\n{TWO}");
-        assert_eq!(names(&once), ["feed in g18", "mist in g17"]);
-        assert_eq!(names(&once.replace("cover = 1", "cover = 2")), names(TWO));
+        assert_eq!(names(1), ["f5 in g17", "m7 in g18", "m8 in g17"]);
+        assert_eq!(names(3).len(), 6);
     }
 
     #[test]
