@@ -126,7 +126,10 @@ impl Judge<'_> {
             return Finding::Fails(format!("block {place} was not executed"));
         };
         let mut entries = step.settings.entries();
-        entries.extend(step.state.iter().flat_map(State::entries));
+        if let Some(state) = &step.state {
+            entries.extend(state.entries());
+            entries.extend(unset_parameters(fields, &entries));
+        }
         self.fields(fields, &entries, |field| self.observables.fields.contains(field))
     }
 
@@ -384,6 +387,24 @@ fn initial(field: &str) -> Option<Value> {
         "modal_call" => Some(Value::Number(0.0)),
         _ => None,
     }
+}
+
+/// Numbered parameters of an assertion that no block has set: they are zero.
+fn unset_parameters(fields: &[Expected], entries: &[Entry]) -> Vec<Entry> {
+    let is_unset = |field: &&Expected| {
+        let index = field.index.as_deref();
+        field.field == "parameter"
+            && index.is_some_and(|index| index.parse::<u32>().is_ok())
+            && value_of(entries, &field.field, index).is_none()
+    };
+    let unset = fields.iter().filter(is_unset);
+    unset
+        .map(|field| Entry {
+            field: "parameter",
+            index: field.index.clone(),
+            value: Value::Number(0.0),
+        })
+        .collect()
 }
 
 /// The value that is written, read as the field's type.

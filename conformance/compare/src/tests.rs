@@ -160,6 +160,17 @@ fn refusal_is_masked_for_a_controller_that_never_refuses() {
 }
 
 #[test]
+fn parameter_that_no_block_has_set_is_zero_after_it() {
+    let run = Observed::of(&run(&Scenario::of("g21\n#31=5\no1 if [0]\no1 endif\nm2\n")).0);
+    let judged = |text: &str| judge(&text.parse().expect("an assertion"), &run, &everything());
+    assert_eq!(judged("after 1 #31 = 0, units = mm"), Finding::Holds);
+    assert_eq!(judged("after 2 #31 = 5, #32 = 0"), Finding::Holds);
+    assert_eq!(judged("after 1 #31 = 5"), Finding::Fails("parameter[31] = 0".to_owned()));
+    // After an O-word no state is reported.
+    assert_eq!(judged("after 3 #31 = 0"), Finding::Masked("parameter".to_owned()));
+}
+
+#[test]
 fn frame_fails_by_a_field_that_changes_and_is_not_named() {
     let scenario = Scenario::of("g21 m8\n#31=1\ng20 g91 #31=2\nm2\n");
     let run = Observed::of(&run(&scenario).0);
