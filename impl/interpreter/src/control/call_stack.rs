@@ -56,6 +56,8 @@ pub(crate) struct Frame {
     pub(crate) back: Cursor,
     /// `#1` to `#30` of the caller.
     pub(crate) arguments: [f64; 30],
+    /// How many of them the call has passed; only a planted fault asks.
+    pub(crate) passed: u8,
     /// The caller's named parameters.
     pub(crate) mark: ScopeMark,
     /// How many labels were defined when it began.

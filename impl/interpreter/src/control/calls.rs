@@ -115,8 +115,11 @@ impl Interpreter {
             }
         };
         self.evaluate_values(at, block, o_word)?;
+        if planted(PlantedFault::ArgumentsInPlace) {
+            self.evaluate_in_place(at, block, o_word)?;
+        }
         let entry = Cursor { segment, place: 0 };
-        self.open_level(entry, FrameKind::Sub, label)?;
+        self.open_level(entry, FrameKind::Sub, (label, o_word.values))?;
         if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
@@ -158,7 +161,7 @@ impl Interpreter {
         &mut self,
         entry: Cursor,
         kind: FrameKind,
-        label: NameId,
+        (label, passed): (NameId, u8),
     ) -> Result<(), ControlError> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
         let most = most.saturating_add(usize::from(planted(PlantedFault::ElevenLevels)));
@@ -174,6 +177,7 @@ impl Interpreter {
             label,
             back: self.cursor,
             arguments: self.parameters.numbered.arguments(),
+            passed,
             mark,
             definitions: self.call_stack.definitions(),
         };
@@ -206,6 +210,42 @@ impl Interpreter {
         self.parameters.call_level = 0;
     }
 
+    /// `#1` to `#30` after a return: those of the caller, or, as a planted fault, only those that it has passed.
+    fn restored_arguments(&self, frame: &Frame) -> [f64; 30] {
+        if !planted(PlantedFault::OnlyPassedRestored) {
+            return frame.arguments;
+        }
+        let mut arguments = self.parameters.numbered.arguments();
+        let passed = usize::from(frame.passed);
+        for (argument, before) in arguments.iter_mut().zip(frame.arguments).take(passed) {
+            *argument = before;
+        }
+        arguments
+    }
+
+    /// Evaluates arguments as if each were set before the next one is evaluated: a planted fault.
+    fn evaluate_in_place(
+        &mut self,
+        at: Cursor,
+        block: &Block,
+        o_word: OWord,
+    ) -> Result<(), ControlError> {
+        let before = self.parameters.numbered.arguments();
+        let mut result = Ok(());
+        for number in 1..=u32::from(o_word.values) {
+            result = self.evaluate_values(at, block, o_word);
+            let place = usize::try_from(number).unwrap_or(1).wrapping_sub(1);
+            let value = self.evaluator.stack.get(place).copied().unwrap_or(0.0);
+            self.parameters.numbered.replace(number, value);
+        }
+        let arguments = self.parameters.numbered.arguments();
+        self.parameters.numbered.set_arguments(&before);
+        result?;
+        self.evaluator.stack.clear();
+        self.evaluator.stack.extend(arguments.iter().take(usize::from(o_word.values)));
+        Ok(())
+    }
+
     /// `return` and `endsub`, with a value or without.
     pub(crate) fn leave_sub<K: Sink>(
         &mut self,
@@ -235,7 +275,8 @@ impl Interpreter {
         }
         self.close_level(&frame, block.line, sink);
         if !planted(PlantedFault::ArgumentsKept) {
-            self.parameters.numbered.set_arguments(&frame.arguments);
+            let arguments = self.restored_arguments(&frame);
+            self.parameters.numbered.set_arguments(&arguments);
         }
         self.cursor = frame.back;
         Ok(())
@@ -311,7 +352,7 @@ impl Interpreter {
             turns => turns.saturating_sub(1),
         };
         let kind = FrameKind::Numbered { left, entry };
-        self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
+        self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, (label, 0))?;
         if !self.compiler.choices.value_kept {
             self.parameters.value = 0.0;
             self.parameters.value_returned = false;
@@ -369,6 +410,12 @@ impl Interpreter {
             return Ok(Progress::Ended(End::Endless));
         };
         let FrameKind::Numbered { left, entry } = frame.kind else {
+            if planted(PlantedFault::ReturnEndsSub) {
+                self.close_level(&frame, block.line, sink);
+                self.parameters.numbered.set_arguments(&frame.arguments);
+                self.cursor = frame.back;
+                return Ok(Progress::More);
+            }
             return refuse(FaultKind::MixedStyles, "a sub ends with endsub");
         };
         self.close_level(&frame, block.line, sink);
@@ -379,7 +426,7 @@ impl Interpreter {
         self.cursor = frame.back;
         if let Some(left) = left.checked_sub(1) {
             let kind = FrameKind::Numbered { left, entry };
-            self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, frame.label)?;
+            self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, (frame.label, 0))?;
         }
         Ok(Progress::More)
     }

@@ -84,7 +84,13 @@ impl Interpreter {
         self.check_label(block, label)?;
         self.evaluate_values(at, block, o_word)?;
         let count = self.evaluator.stack.first().copied().unwrap_or(0.0);
-        let left = self.repeat_count(count)?;
+        let mut left = self.repeat_count(count)?;
+        if let Some(before) = self.call_stack.find(label).filter(|before| before.ended)
+            && before.keyword == Keyword::Repeat
+            && planted(PlantedFault::RepeatKeepsCount)
+        {
+            left = left.min(before.left);
+        }
         let definition = self.definition(at, block, label, Keyword::Repeat);
         self.call_stack.define(Definition { left, ..definition });
         if left != 0 {

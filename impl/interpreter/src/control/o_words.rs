@@ -107,6 +107,9 @@ impl Interpreter {
             }
             Keyword::Else if at_branch => Ok(()),
             Keyword::ElseIf | Keyword::Else => {
+                if o_word.keyword == Keyword::ElseIf && planted(PlantedFault::LaterConditions) {
+                    self.evaluate_condition(at, block, o_word)?;
+                }
                 self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF)?;
                 let end = LabelTarget { label, accept: |keyword| keyword == Keyword::EndIf };
                 self.search_label(at, block.line, end, source)?;

@@ -128,8 +128,7 @@ impl Modal {
             used.uses |= code.uses;
             used.needs |= code.needs;
             used.dollar |= code.dollar;
-            let by_number = planted(PlantedFault::ByNumber) && code.rank < STOP_RANK;
-            *slot = (if by_number { 0 } else { code.rank }, *number);
+            *slot = (rank_of(*number, code.rank), *number);
         }
         if codes.len() > 1 {
             block.m.sort_unstable();
@@ -282,6 +281,14 @@ impl Modal {
         let again = block.g(MOTION).is_none() && used.axis_codes == 0 && moves;
         if again { self.motion_code() } else { None }
     }
+}
+
+/// The place of an M code in the order of execution, which planted faults change.
+fn rank_of(number: u16, rank: u8) -> u8 {
+    if planted(PlantedFault::ByNumber) && rank < STOP_RANK {
+        return 0;
+    }
+    if matches!(number, 70 | 73) && planted(PlantedFault::SaveAfterCoolant) { 55 } else { rank }
 }
 
 fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {

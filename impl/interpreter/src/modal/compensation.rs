@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
 
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
@@ -24,7 +25,8 @@ impl Modal {
         self.compensation_radius = if let 411 | 421 = code {
             if let Some(orientation) = words.get(b'L') {
                 integer_in(orientation, 0, 9, "L of G41.1 and G42.1")?;
-                if plane != Plane::Zx {
+                let none = orientation.abs() < 0.5 && planted(PlantedFault::OrientationZeroFree);
+                if plane != Plane::Zx && !none {
                     return refuse(
                         FaultKind::UnusedWord,
                         "L of dynamic compensation outside of ZX",

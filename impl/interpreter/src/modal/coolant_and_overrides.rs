@@ -32,6 +32,10 @@ impl Modal {
         if let 48 | 49 = code {
             let switch = if code == 48 { Switch::On } else { Switch::Off };
             let mut which = self.selected(block, without)?;
+            let disabled = code == 49 && self.active.now().feed_override == Switch::Off;
+            if disabled && planted(PlantedFault::DisabledAlready) {
+                return Ok(());
+            }
             if code == 48 && planted(PlantedFault::EnablesAll) {
                 which = self.all_spindles();
             }

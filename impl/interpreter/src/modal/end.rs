@@ -84,7 +84,11 @@ impl Modal {
         if !planted(PlantedFault::IncrementalStays) {
             modes.distance = Distance::Absolute;
         }
-        modes.compensation = Compensation::Off;
+        let dynamic =
+            matches!(modes.compensation, Compensation::DynamicLeft | Compensation::DynamicRight);
+        if !(dynamic && planted(PlantedFault::DynamicCompensationStays)) {
+            modes.compensation = Compensation::Off;
+        }
         modes.feed_override = Switch::On;
         let all = self.all_spindles();
         let first = planted(PlantedFault::OtherOverridesStay);

@@ -153,6 +153,8 @@ impl Coordinates {
         // `+ 0.0` makes a negative zero positive: the angle of (−0, −0) would be −180° and not 0.
         let angle = math::arctangent(from_y + 0.0, from_x + 0.0);
         let (distance, angle) = if incremental {
+            let from_zero = words.caret.is_some() && planted(PlantedFault::PolarAngleAbsolute);
+            let angle = if from_zero { 0.0 } else { angle };
             (distance + words.at.unwrap_or(0.0), angle + words.caret.unwrap_or(0.0))
         } else {
             // A distance or angle without a word stays as it is (11.5.1).

@@ -88,8 +88,12 @@ impl Modal {
                 self.active.report(words.line, sink);
             }
         }
+        let mut stop = block.m().find(|(rank, _)| *rank >= STOP_RANK).map(|(_, code)| code);
+        if stop == Some(1) && planted(PlantedFault::OptionalStopFirst) {
+            self.stop(1, words.line, numbered, sink)?;
+            stop = None;
+        }
         self.g_phases(block, numbered, sink)?;
-        let stop = block.m().find(|(rank, _)| *rank >= STOP_RANK).map(|(_, code)| code);
         self.after_motion(words.line, stop, numbered, sink)
     }
 

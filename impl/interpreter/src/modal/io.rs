@@ -129,6 +129,9 @@ impl Modal {
         code: u16,
         sink: &mut K,
     ) -> Result<(), Refusal> {
+        if planted(PlantedFault::UserCodeUncompensated) {
+            self.refuse_under_compensation("a user-defined code")?;
+        }
         let argument = |value: Option<f64>| match value {
             Some(value) => value.to_string(),
             None if self.choices.empty_argument => String::new(),

@@ -101,6 +101,9 @@ impl Modal {
     pub(super) fn select_distance(&mut self, code: u16) {
         let distance = if code == 900 { Distance::Absolute } else { Distance::Incremental };
         self.active.put(|modes| &mut modes.distance, distance);
+        if code == 910 && planted(PlantedFault::IncrementsResetOffsets) {
+            self.active.put(|modes| &mut modes.arc_distance, distance);
+        }
     }
 
     /// G90.1, G91.1.

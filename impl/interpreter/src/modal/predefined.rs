@@ -1,7 +1,7 @@
 //! The predefined named parameters that report modes (11.4.3.4, 11.4.3.5).
 
 use gaugeblock_vocabulary::{
-    Compensation, Distance, FeedMode, Lathe, LengthUnit, Plane, ReturnMode, SpindleMode,
+    Axis, Compensation, Distance, FeedMode, Lathe, LengthUnit, Plane, ReturnMode, SpindleMode,
     SpindleTurn, Switch,
 };
 
@@ -62,6 +62,11 @@ impl Modal {
             Predefined::FeedHold => flag(now.feed_stop == Switch::On),
             Predefined::Feed => now.feed_rate,
             Predefined::Rpm => spindle.speed,
+            Predefined::Position(Axis::X)
+                if now.lathe == Lathe::Diameter && planted(PlantedFault::PositionDiameter) =>
+            {
+                self.position.coordinate_of(Axis::X) * 2.0
+            }
             Predefined::Position(axis) => self.position.coordinate_of(axis),
             Predefined::MachinePosition(axis) if planted(PlantedFault::AbsoluteWithTool) => {
                 let without = Modes { tool_offset: Coordinates::default(), ..*now };

@@ -10,6 +10,7 @@ use crate::words::Words;
 
 use super::Modal;
 use super::coordinates::Coordinates;
+use super::letters::{A, B, C};
 use super::modes::Modes;
 use super::motion_codes::mode_of;
 use super::offsets;
@@ -35,7 +36,9 @@ impl Modal {
             self.check_turning()?;
         }
         let end = self.polar_end_point(words)?;
-        if end == self.position {
+        let linear = end.taking(A | B | C, self.position);
+        let still = linear == self.position && planted(PlantedFault::RotaryProbeRefused);
+        if still || end == self.position {
             return refuse(FaultKind::Probe, "the probe is at the programmed point already");
         }
         self.motion = mode_of(code);

@@ -70,6 +70,11 @@ impl Modal {
     ) -> Result<(), Refusal> {
         self.saved.note();
         match code {
+            70 if planted(PlantedFault::FirstSaveCounts)
+                && self.saved.here().any(|place| place.by_m70 && place.valid) =>
+            {
+                Ok(())
+            }
             70 | 73 => {
                 let state = Saved {
                     modes: *self.active.now(),

@@ -108,6 +108,9 @@ impl Modal {
             } else if !(keeps && spindle.turn == SpindleTurn::Oriented) {
                 spindle.turn = turn;
             }
+            if code == 5 && planted(PlantedFault::StopForgetsSpeed) {
+                spindle.speed = 0.0;
+            }
         });
         Ok(())
     }
@@ -138,6 +141,10 @@ impl Modal {
         };
         let without = if self.choices.orient_all { self.all_spindles() } else { FIRST };
         let which = self.selected(block, without)?;
+        let held = self.spindle_of(which).turn == SpindleTurn::Oriented;
+        if held && planted(PlantedFault::OrientedAlready) {
+            return Ok(());
+        }
         let turns_on = words.get(b'P').is_none() && planted(PlantedFault::TurnsOnWithoutP);
         let direction = match self.spindle_of(which).turn {
             SpindleTurn::Clockwise if turns_on => OrientDirection::Clockwise,

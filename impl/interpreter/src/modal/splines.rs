@@ -79,7 +79,8 @@ impl Modal {
             }
         }
         if words.has_axes() {
-            curve.points = curve.points.saturating_add(1);
+            let replaces = open.is_none() && planted(PlantedFault::OpeningPointReplaces);
+            curve.points = curve.points.saturating_add(u32::from(!replaces));
             curve.last = self.point_from(curve.last, words);
         } else if words.has(b'P') && curve.points > 1 {
             return refuse(FaultKind::MissingWord, "a weight without its control point");

@@ -48,7 +48,12 @@ impl Modal {
                 letters &= X | Y | Z;
             }
         } else {
-            let intermediate = self.block_end_point(block)?;
+            let absolute = planted(PlantedFault::IntermediateAbsolute) && !block.words.is_polar();
+            let intermediate = if absolute && self.is_incremental() {
+                self.position.replaced(block.words)
+            } else {
+                self.block_end_point(block)?
+            };
             if !planted(PlantedFault::StraightToPosition) {
                 self.traverse_to(block.words.line, intermediate, sink)?;
             }

@@ -89,6 +89,9 @@ impl Modal {
             let all = self.all_spindles();
             self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
+        if planted(PlantedFault::ChangeStopsFlood) {
+            self.active.put(|modes| &mut modes.flood, Switch::Off);
+        }
         self.move_to_change(line, numbered, sink)?;
         let reply = self.perform_with_reply(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);

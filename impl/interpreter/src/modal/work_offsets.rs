@@ -110,7 +110,9 @@ impl Modal {
                 } else {
                     stored.converted(self.stored_to_active())
                 };
-                numbered.set(offsets::G92_APPLIED, 1.0);
+                if !planted(PlantedFault::RestoredUnflagged) {
+                    numbered.set(offsets::G92_APPLIED, 1.0);
+                }
                 self.offset_by(|modes| modes.g92_offset = offset);
             }
             _ => {}
@@ -211,6 +213,8 @@ impl Modal {
     /// The origin of G10 L20: with it the point has the coordinates of the words in that system.
     fn new_origin(&self, words: &Words, origin: Coordinates, rotation: f64) -> Coordinates {
         let machine = self.active.now().machine_of(self.position);
+        let in_force = planted(PlantedFault::ForeignRotation);
+        let rotation = if in_force { self.active.now().rotation } else { rotation };
         let mut there = Modes { g5x_offset: origin, rotation, ..*self.active.now() };
         if planted(PlantedFault::CalculatedWithoutLocal) {
             there.g92_offset = Coordinates::default();

@@ -315,6 +315,13 @@ impl LineCompiler {
             return cursor.refuse(FaultKind::BadComment, "a comment is not closed");
         };
         let text = text.get(..length).unwrap_or(&[]);
+        if let Some(semicolon) = text.iter().position(|byte| *byte == b';')
+            && planted(PlantedFault::SemicolonWithin)
+        {
+            items.comment = text.get(semicolon.wrapping_add(1)..);
+            cursor.finish();
+            return Ok(());
+        }
         if !self.choices.comment_nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
         }

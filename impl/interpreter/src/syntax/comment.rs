@@ -174,6 +174,9 @@ fn parameter(
         let mut cursor = Cursor::new(name);
         // An invalid name is one of a parameter that does not exist.
         let place = compiler.named(&mut cursor).unwrap_or(ParameterRef::Absent);
+        let spaced = name.iter().any(|byte| matches!(byte, b' ' | b'\t'));
+        let absent = spaced && planted(PlantedFault::SpacedNameAbsent);
+        let place = if absent { ParameterRef::Absent } else { place };
         let piece = match place {
             ParameterRef::Local(id) => Piece::Local(id),
             ParameterRef::Global(id) => Piece::Global(id),

@@ -170,9 +170,11 @@ impl LineCompiler {
             let operator = operator(cursor)?;
             let lowest = operator.map_or(0, group);
             let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
+            let sum = operator == Some(Binary::Add) && planted(PlantedFault::AddFirst);
             while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
                 && group(last) >= lowest
                 && !from_right
+                && !(last == Binary::Subtract && sum)
             {
                 self.emit_operator(last, into);
                 count = count.wrapping_sub(1);

@@ -61,6 +61,10 @@ impl LineCompiler {
         }
         let between = self.values(cursor, &mut o_word, into)?;
         block.kind = Kind::Control(o_word);
+        let ignores = o_word.keyword == Keyword::Else && planted(PlantedFault::WordsBehindElse);
+        if ignores && !matches!(cursor.peek(), b'(' | b';') {
+            cursor.finish();
+        }
         let behind = self.comments_only(cursor)?;
         let commented = commented || between || behind;
         if commented && self.choices.oword_comment_refused && o_word.keyword != Keyword::Program {

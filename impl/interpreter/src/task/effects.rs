@@ -15,15 +15,21 @@ use super::state::{AbortCause, Pause, RunKind, TaskState};
 use super::waits::Aborted;
 
 impl<M: Machine> TaskState<M> {
-    /// Performs a move: it begins when nothing holds it, and with it outputs change.
-    fn perform_move(&mut self, motion: Motion, perform: impl FnOnce(&mut M) -> Reply) -> Reply {
+    /// Performs a move: it begins when nothing holds it, and with it outputs change (`switches` is false only as a
+    /// planted fault).
+    fn perform_move(
+        &mut self,
+        motion: Motion,
+        switches: bool,
+        perform: impl FnOnce(&mut M) -> Reply,
+    ) -> Reply {
         while self.holds(motion) || self.pause.is_some() {
             if self.wait_for_resume().is_err() {
                 return self.abort_reply();
             }
         }
         let reply = perform(&mut self.machine);
-        if !matches!(reply, Reply::Failed(_) | Reply::Aborted | Reply::ReadOnly) {
+        if switches && !matches!(reply, Reply::Failed(_) | Reply::Aborted | Reply::ReadOnly) {
             let digital = self.digital.begin_motion();
             let held = motion == Motion::Rapid && planted(PlantedFault::AnalogAtFeed);
             if !held && self.analog.begin_motion() || digital {
@@ -218,7 +224,9 @@ impl<M: Machine> Sink for TaskState<M> {
         }
         self.line = line;
         match motion_of(effect, self.synchronised) {
-            Some(motion) => self.perform_move(motion, |machine| machine.perform(line, effect)),
+            Some(motion) => {
+                self.perform_move(motion, true, |machine| machine.perform(line, effect))
+            }
             None => self.perform_motionless(effect),
         }
     }
@@ -228,8 +236,9 @@ impl<M: Machine> Sink for TaskState<M> {
             return self.abort_waiting_reply();
         }
         self.line = line;
-        let reply =
-            self.perform_move(Motion::Feed, |machine| machine.probe(line, effect, probe_move));
+        let switches = !planted(PlantedFault::ProbeSwitchesNothing);
+        let probe = |machine: &mut M| machine.probe(line, effect, probe_move);
+        let reply = self.perform_move(Motion::Feed, switches, probe);
         self.aborted_waiting = self.abort_cause.is_some();
         if self.aborted_waiting { Reply::Aborted } else { reply }
     }

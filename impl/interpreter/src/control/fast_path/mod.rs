@@ -16,6 +16,7 @@ use crate::control::Cursor;
 use crate::control::evaluate::Setting;
 use crate::control::reader::first_of;
 use crate::error::Error;
+use crate::faults::{PlantedFault, planted};
 use crate::interpret::{Interpreter, Progress};
 use crate::modal::Flow;
 use crate::source::Source;
@@ -232,6 +233,9 @@ fn comment(begin: u8, text: &[u8]) -> Option<&[u8]> {
         return text.get(first_of([b'\n', b'\r'], text)?..);
     }
     let end = first_of([b'(', b')', b'\n', b'\r'], text)?;
+    if planted(PlantedFault::SemicolonWithin) && text.get(..end)?.contains(&b';') {
+        return None;
+    }
     match text.get(end..)? {
         [b')', behind @ ..] => Some(behind),
         _ => None,

@@ -144,6 +144,9 @@ impl Values<'_> {
             let (mut value, behind) = self.value(text, depth)?;
             let (operator, behind) = operator(behind)?;
             let lowest = operator.map_or(1, group);
+            if operator == Some(Binary::Add) && planted(PlantedFault::AddFirst) {
+                return None;
+            }
             let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
             while highest >= lowest && !from_right {
                 count = count.wrapping_sub(1);

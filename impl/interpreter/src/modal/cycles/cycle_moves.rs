@@ -59,7 +59,7 @@ impl Modal {
             CycleMove::FeedToRetract => self.feed_to(line, to(self, retract), sink)?,
             CycleMove::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
             CycleMove::TurnAgain if planted(PlantedFault::SpindleStays) => {}
-            CycleMove::TurnAgain => self.turn(cycle.spindle, cycle.turn, line, sink),
+            CycleMove::TurnAgain => self.turn(cycle.spindle, restarted(cycle.turn), line, sink),
             CycleMove::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
@@ -97,5 +97,18 @@ impl Modal {
     fn set_overrides(&mut self, spindle: Spindles, (feed, speed): (Switch, Switch)) {
         self.active.put(|modes| &mut modes.feed_override, feed);
         self.set_speed_override(spindle, speed);
+    }
+}
+
+/// The direction in which the spindle restarts after G86: as before, or, as a planted fault, always clockwise.
+fn restarted(before: SpindleTurn) -> SpindleTurn {
+    match before {
+        SpindleTurn::Counterclockwise if planted(PlantedFault::RestartsClockwise) => {
+            SpindleTurn::Clockwise
+        }
+        SpindleTurn::Clockwise
+        | SpindleTurn::Counterclockwise
+        | SpindleTurn::Stopped
+        | SpindleTurn::Oriented => before,
     }
 }

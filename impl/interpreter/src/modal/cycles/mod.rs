@@ -34,7 +34,7 @@ use super::check::Block;
 use super::codes::RETRACT;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
-use super::letters::{A, AXES, B, C};
+use super::letters::{A, AXES, B, C, X, Y, Z};
 use super::modes::{FIRST, Spindle};
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
@@ -170,7 +170,9 @@ impl Modal {
         if words.present & (A | B | C) != 0 && !later {
             return refuse(FaultKind::AxisWords, "a rotary axis word in a canned cycle");
         }
-        let allowed = PlaneAxes::letters(now.plane) | if later { A | B | C } else { 0 };
+        let both = planted(PlantedFault::FamiliesMixed);
+        let foreign = if both && PlaneAxes::letters(now.plane) & X == 0 { X | Y | Z } else { 0 };
+        let allowed = PlaneAxes::letters(now.plane) | foreign | if later { A | B | C } else { 0 };
         if words.present & AXES & !allowed != 0 {
             return refuse(FaultKind::AxisWords, "an axis word that is not of the plane's family");
         }
