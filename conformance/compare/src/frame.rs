@@ -10,7 +10,7 @@ use crate::{rounded, tolerance};
 
 /// Numbered parameters that belong to the program alone. The others follow the position, the offsets and the tool, or
 /// belong to one call.
-const PROGRAM_PARAMETERS: std::ops::RangeInclusive<u32> = 31..=5000;
+pub(super) const PROGRAM_PARAMETERS: std::ops::RangeInclusive<u32> = 31..=5000;
 
 /// Compares settings and state after a block with those before it. The settings before are those of the last block
 /// before it; the state is the last recorded one. Returns the first field that cannot be judged.

@@ -389,12 +389,14 @@ fn initial(field: &str) -> Option<Value> {
     }
 }
 
-/// Numbered parameters of an assertion that no block has set: they are zero.
+/// Parameters for programs, in an assertion, that no block has set: they are zero.
 fn unset_parameters(fields: &[Expected], entries: &[Entry]) -> Vec<Entry> {
     let is_unset = |field: &&Expected| {
         let index = field.index.as_deref();
         field.field == "parameter"
-            && index.is_some_and(|index| index.parse::<u32>().is_ok())
+            && index
+                .and_then(|index| index.parse().ok())
+                .is_some_and(|number| frame::PROGRAM_PARAMETERS.contains(&number))
             && value_of(entries, &field.field, index).is_none()
     };
     let unset = fields.iter().filter(is_unset);

@@ -159,7 +159,7 @@ faults! {
     "modal-groups.m-codes-together" MCodesTogether "M codes of one group are accepted in one block.",
     "modal-groups.stays-suspended" StaysSuspended "The motion mode that G10 suspends does not come back.",
     "modal-groups.unused-word" UnusedWord "A word that no code uses is ignored.",
-    "modal-groups.words-behind-else" WordsBehindElse "Words behind else are ignored.",
+    "modal-groups.words-behind-else" WordsBehindElse "Words after else are ignored.",
     "motion.after-cancel" AfterCancel "Axis words after G80 move as the mode before.",
     "motion.polar-angle-absolute" PolarAngleAbsolute "The angle of an incremental polar move counts from the X axis.",
     "motion.rotary-absolute" RotaryAbsolute "Under G91 words of A, B and C are positions.",
