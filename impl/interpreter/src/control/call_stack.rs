@@ -57,11 +57,23 @@ pub(crate) struct Frame {
     /// `#1` to `#30` of the caller.
     pub(crate) arguments: [f64; 30],
     /// How many of them the call has passed; only a planted fault asks.
+    #[cfg(feature = "faults")]
     pub(crate) passed: u8,
     /// The caller's named parameters.
     pub(crate) mark: ScopeMark,
     /// How many labels were defined when it began.
     pub(crate) definitions: usize,
+}
+
+impl Frame {
+    /// How many arguments the call has passed; all where no fault can be planted.
+    pub(crate) fn passed(&self) -> usize {
+        #[cfg(feature = "faults")]
+        let passed = usize::from(self.passed);
+        #[cfg(not(feature = "faults"))]
+        let passed = self.arguments.len();
+        passed
+    }
 }
 
 /// A label that points to a condition or loop.

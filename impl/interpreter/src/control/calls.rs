@@ -119,7 +119,11 @@ impl Interpreter {
             self.evaluate_in_place(at, block, o_word)?;
         }
         let entry = Cursor { segment, place: 0 };
-        self.open_level(entry, FrameKind::Sub, (label, o_word.values))?;
+        self.open_level(entry, FrameKind::Sub, label)?;
+        #[cfg(feature = "faults")]
+        if let Some(frame) = self.call_stack.frames.last_mut() {
+            frame.passed = o_word.values;
+        }
         if self.compiler.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
@@ -127,8 +131,10 @@ impl Interpreter {
             self.parameters.numbered.set_arguments(&[0.0; 30]);
         }
         let first = if planted(PlantedFault::ArgumentsShifted) { 2 } else { 1_u32 };
-        let most = if planted(PlantedFault::LastArgumentLost) { 29 } else { usize::MAX };
-        for (number, value) in (first..).zip(self.evaluator.stack.iter().take(most)) {
+        if planted(PlantedFault::LastArgumentLost) {
+            self.evaluator.stack.truncate(29);
+        }
+        for (number, value) in (first..).zip(self.evaluator.stack.iter()) {
             self.parameters.numbered.set(number, *value);
         }
         self.parameters.value = 0.0;
@@ -161,7 +167,7 @@ impl Interpreter {
         &mut self,
         entry: Cursor,
         kind: FrameKind,
-        (label, passed): (NameId, u8),
+        label: NameId,
     ) -> Result<(), ControlError> {
         let most = usize::try_from(self.limits.call_depth).unwrap_or(LEVELS).min(LEVELS);
         let most = most.saturating_add(usize::from(planted(PlantedFault::ElevenLevels)));
@@ -177,7 +183,8 @@ impl Interpreter {
             label,
             back: self.cursor,
             arguments: self.parameters.numbered.arguments(),
-            passed,
+            #[cfg(feature = "faults")]
+            passed: 0,
             mark,
             definitions: self.call_stack.definitions(),
         };
@@ -210,17 +217,14 @@ impl Interpreter {
         self.parameters.call_level = 0;
     }
 
-    /// `#1` to `#30` after a return: those of the caller, or, as a planted fault, only those that it has passed.
-    fn restored_arguments(&self, frame: &Frame) -> [f64; 30] {
-        if !planted(PlantedFault::OnlyPassedRestored) {
-            return frame.arguments;
-        }
+    /// Restores of `#1` to `#30` only those that the call has passed: a planted fault.
+    fn restore_passed(&mut self, frame: &Frame) {
         let mut arguments = self.parameters.numbered.arguments();
-        let passed = usize::from(frame.passed);
+        let passed = frame.passed();
         for (argument, before) in arguments.iter_mut().zip(frame.arguments).take(passed) {
             *argument = before;
         }
-        arguments
+        self.parameters.numbered.set_arguments(&arguments);
     }
 
     /// Evaluates arguments as if each were set before the next one is evaluated: a planted fault.
@@ -274,9 +278,10 @@ impl Interpreter {
             self.modal.forget_autorestore();
         }
         self.close_level(&frame, block.line, sink);
-        if !planted(PlantedFault::ArgumentsKept) {
-            let arguments = self.restored_arguments(&frame);
-            self.parameters.numbered.set_arguments(&arguments);
+        if planted(PlantedFault::OnlyPassedRestored) {
+            self.restore_passed(&frame);
+        } else if !planted(PlantedFault::ArgumentsKept) {
+            self.parameters.numbered.set_arguments(&frame.arguments);
         }
         self.cursor = frame.back;
         Ok(())
@@ -352,7 +357,7 @@ impl Interpreter {
             turns => turns.saturating_sub(1),
         };
         let kind = FrameKind::Numbered { left, entry };
-        self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, (label, 0))?;
+        self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, label)?;
         if !self.compiler.choices.value_kept {
             self.parameters.value = 0.0;
             self.parameters.value_returned = false;
@@ -426,7 +431,7 @@ impl Interpreter {
         self.cursor = frame.back;
         if let Some(left) = left.checked_sub(1) {
             let kind = FrameKind::Numbered { left, entry };
-            self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, (frame.label, 0))?;
+            self.open_level(Cursor { segment: PROGRAMS, place: entry }, kind, frame.label)?;
         }
         Ok(Progress::More)
     }

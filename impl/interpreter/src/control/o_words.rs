@@ -271,12 +271,13 @@ impl Interpreter {
         label: NameId,
         source: &mut S,
     ) -> Result<(), ControlError> {
-        let is_elseif = matches!(block.kind, Kind::Control(OWord { keyword: Keyword::ElseIf, .. }));
-        let branch: fn(Keyword) -> bool = if is_elseif && planted(PlantedFault::OneElseIf) {
-            |keyword| matches!(keyword, Keyword::Else | Keyword::EndIf)
-        } else {
-            |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf)
-        };
+        let mut branch: fn(Keyword) -> bool =
+            |keyword| matches!(keyword, Keyword::ElseIf | Keyword::Else | Keyword::EndIf);
+        if planted(PlantedFault::OneElseIf)
+            && matches!(block.kind, Kind::Control(OWord { keyword: Keyword::ElseIf, .. }))
+        {
+            branch = |keyword| matches!(keyword, Keyword::Else | Keyword::EndIf);
+        }
         self.search_label(at, block.line, LabelTarget { label, accept: branch }, source)?;
         self.at_branch = true;
         Ok(())

@@ -88,13 +88,16 @@ impl Modal {
                 self.active.report(words.line, sink);
             }
         }
-        let mut stop = block.m().find(|(rank, _)| *rank >= STOP_RANK).map(|(_, code)| code);
-        if stop == Some(1) && planted(PlantedFault::OptionalStopFirst) {
+        let stop = |block: &Block<'_>| {
+            block.m().find(|(rank, _)| *rank >= STOP_RANK).map(|(_, code)| code)
+        };
+        if planted(PlantedFault::OptionalStopFirst) && stop(block) == Some(1) {
             self.stop(1, words.line, numbered, sink)?;
-            stop = None;
+            self.g_phases(block, numbered, sink)?;
+            return self.after_motion(words.line, None, numbered, sink);
         }
         self.g_phases(block, numbered, sink)?;
-        self.after_motion(words.line, stop, numbered, sink)
+        self.after_motion(words.line, stop(block), numbered, sink)
     }
 
     /// An M code that comes before the G codes.
@@ -140,7 +143,9 @@ impl Modal {
         if let Some(code) = block.g(PLANE) {
             self.select_plane(code)?;
         }
-        self.length_offset(block, false)?;
+        if planted(PlantedFault::LengthBeforeUnits) {
+            self.length_offset(block)?;
+        }
         if let Some(code) = block.g(UNITS) {
             self.select_units(code);
             self.read_feed_again(block);
@@ -151,7 +156,9 @@ impl Modal {
         if let Some(code) = block.g(COMPENSATION) {
             self.compensation(block.words, code)?;
         }
-        self.length_offset(block, true)?;
+        if !planted(PlantedFault::LengthBeforeUnits) {
+            self.length_offset(block)?;
+        }
         self.coordinate_system(block, false, numbered)?;
         if let Some(code) = block.g(PATH) {
             self.path(block.words, code)?;
@@ -179,13 +186,12 @@ impl Modal {
         Ok(())
     }
 
-    /// Applies a tool length offset, after or, as a planted fault, before the length unit.
-    fn length_offset(&mut self, block: &Block<'_>, after_units: bool) -> Result<(), Refusal> {
+    /// Applies a tool length offset.
+    #[inline]
+    fn length_offset(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         match block.g(TOOL_LENGTH) {
-            Some(code) if after_units != planted(PlantedFault::LengthBeforeUnits) => {
-                self.tool_length(block.words, code)
-            }
-            Some(_) | None => Ok(()),
+            Some(code) => self.tool_length(block.words, code),
+            None => Ok(()),
         }
     }
 

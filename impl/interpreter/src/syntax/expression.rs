@@ -43,10 +43,16 @@ const WORDS: [(&[u8], Binary); 10] = [
     (b"le", Binary::LessOrEqual),
 ];
 
+/// Groups of operators; a planted fault has one more.
+const GROUPS: usize = if cfg!(feature = "faults") { 6 } else { 5 };
+
 /// The group of an operator (11.4.6), from 1 for the lowest.
 #[inline]
 pub(crate) fn group(operator: Binary) -> u8 {
-    let group: u8 = match operator {
+    if planted(PlantedFault::EqualityLast) {
+        return group_below_equality(operator);
+    }
+    match operator {
         Binary::And if planted(PlantedFault::AndFirst) => 3,
         Binary::And | Binary::Or | Binary::Xor => 1,
         Binary::Equal
@@ -59,12 +65,20 @@ pub(crate) fn group(operator: Binary) -> u8 {
         Binary::Add | Binary::Subtract => 3,
         Binary::Multiply | Binary::Divide | Binary::Modulus => 4,
         Binary::Power => 5,
-    };
-    let is_equality = matches!(operator, Binary::Equal | Binary::NotEqual);
-    if group > 1 && !is_equality && planted(PlantedFault::EqualityLast) {
-        return group.wrapping_add(1);
     }
-    group
+}
+
+/// The group of an operator where equality has one of its own: a planted fault.
+#[cold]
+fn group_below_equality(operator: Binary) -> u8 {
+    match operator {
+        Binary::And | Binary::Or | Binary::Xor => 1,
+        Binary::Equal | Binary::NotEqual => 2,
+        Binary::Greater | Binary::GreaterOrEqual | Binary::Less | Binary::LessOrEqual => 3,
+        Binary::Add | Binary::Subtract => 4,
+        Binary::Multiply | Binary::Divide | Binary::Modulus => 5,
+        Binary::Power => 6,
+    }
 }
 
 impl LineCompiler {
@@ -163,18 +177,19 @@ impl LineCompiler {
         if !cursor.take(b'[') {
             return cursor.refuse(FaultKind::BadExpression, "a left bracket is missing");
         }
-        let mut waiting = [Binary::Add; 6];
+        let mut waiting = [Binary::Add; GROUPS];
         let mut count = 0_usize;
         loop {
             self.value(cursor, into, depth.wrapping_sub(1))?;
             let operator = operator(cursor)?;
             let lowest = operator.map_or(0, group);
             let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
-            let sum = operator == Some(Binary::Add) && planted(PlantedFault::AddFirst);
             while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
                 && group(last) >= lowest
                 && !from_right
-                && !(last == Binary::Subtract && sum)
+                && !(planted(PlantedFault::AddFirst)
+                    && last == Binary::Subtract
+                    && operator == Some(Binary::Add))
             {
                 self.emit_operator(last, into);
                 count = count.wrapping_sub(1);

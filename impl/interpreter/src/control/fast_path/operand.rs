@@ -136,7 +136,10 @@ impl Values<'_> {
     fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let depth = depth.checked_sub(1)?;
         // What waits for its right side, each in a higher group than the one before, whose group it keeps.
-        let mut waiting = [(0.0, Binary::Add, 0_u8); 6];
+        if planted(PlantedFault::AddFirst) || planted(PlantedFault::EqualityLast) {
+            return None;
+        }
+        let mut waiting = [(0.0, Binary::Add, 0_u8); 5];
         let mut count = 0_usize;
         let mut highest = 0;
         let mut text = text;
@@ -144,9 +147,6 @@ impl Values<'_> {
             let (mut value, behind) = self.value(text, depth)?;
             let (operator, behind) = operator(behind)?;
             let lowest = operator.map_or(1, group);
-            if operator == Some(Binary::Add) && planted(PlantedFault::AddFirst) {
-                return None;
-            }
             let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
             while highest >= lowest && !from_right {
                 count = count.wrapping_sub(1);
