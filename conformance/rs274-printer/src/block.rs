@@ -66,8 +66,9 @@ type Step<T> = (Phase, fn(&mut T));
 impl Printed<'_> {
     /// Prints all phases before one.
     pub(super) fn print(&mut self, end: Phase) {
-        let phases: [Step<Self>; 17] = [
+        let phases: [Step<Self>; 18] = [
             (Phase::Comment, Self::comment),
+            (Phase::SpindleMode, Self::spindle_mode),
             (Phase::FeedMode, Self::feed),
             (Phase::Speed, Self::speed),
             (Phase::Tool, Self::tool),
@@ -174,14 +175,18 @@ impl Printed<'_> {
         }
     }
 
-    fn speed(&mut self) {
-        let spindles = self.spindles(0..1);
-        for number in spindles.clone() {
-            if self.words.g_of(&[960, 970]).is_some() {
+    fn spindle_mode(&mut self) {
+        if self.words.g_of(&[960, 970]).is_some() {
+            for number in self.spindles(0..1) {
                 let spindle = self.spindle_after(number);
                 self.out.spindle_mode(number, &spindle);
             }
-            if let Some(speed) = self.words.get(b'S') {
+        }
+    }
+
+    fn speed(&mut self) {
+        if let Some(speed) = self.words.get(b'S') {
+            for number in self.spindles(0..1) {
                 self.out.spindle_speed(number, speed);
             }
         }

@@ -49,7 +49,7 @@ pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
     let arc_or_cycle = motion > 10 && motion != 800 && !probes;
     let says = |begun: &[&str]| begun.iter().any(|begun| fault.message.starts_with(begun));
     match fault.kind {
-        Some(_) if says(&AT_ONCE) => Phase::Comment,
+        Some(_) if says(&AT_ONCE) || missing_at_once(fault, words) => Phase::Comment,
         Some(_) if says(&WITH_MOTION) => Phase::Motion,
         // The spindle is on its way when its time is looked at.
         Some(_) if says(&["Q of M19"]) => Phase::Saved,
@@ -74,6 +74,18 @@ pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
     }
+}
+
+/// Whether a word is missing without which nothing of the block is executed: each axis of a motion other than an arc, or
+/// a word of a thread.
+fn missing_at_once(fault: &Fault, words: &Words) -> bool {
+    if fault.kind != Some(FaultKind::MissingWord) {
+        return false;
+    }
+    let motion = words.g_of(&MOTIONS);
+    let moves = motion.is_some_and(|code| !matches!(code, 20 | 30 | 52 | 53 | 800));
+    let axes = b"XYZABCUVW".iter().any(|axis| words.get(*axis).is_some());
+    moves && !axes || matches!(motion, Some(330 | 331 | 760))
 }
 
 /// The phase of what cutter compensation forbids.

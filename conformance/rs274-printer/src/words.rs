@@ -52,6 +52,7 @@ impl Words {
 pub(super) enum Phase {
     /// Nothing: it was refused before anything was executed.
     Comment,
+    SpindleMode,
     FeedMode,
     Speed,
     Tool,
