@@ -28,6 +28,8 @@ pub(super) struct Canon {
     /// Tool in the spindle.
     pub(super) tool: i32,
     prepared: i32,
+    /// Tool numbers in the order of the tool table, unless each is found by its pocket.
+    tools: Vec<i32>,
     unit: LengthUnit,
     spindles: u8,
     lengths: Lengths,
@@ -46,11 +48,13 @@ pub(super) struct Canon {
 impl Canon {
     /// Nothing set yet.
     pub(super) fn new(machine: &Machine) -> Self {
+        let in_order = machine.tools.iter().map(|tool| i32::try_from(tool.number).unwrap_or(0));
         Self {
             now: Settings::default(),
             position: Position::default(),
             tool: 0,
             prepared: 0,
+            tools: if machine.random_tool_changer { Vec::new() } else { in_order.collect() },
             unit: machine.length_unit,
             spindles: machine.spindles,
             lengths: Lengths::default(),
@@ -167,7 +171,10 @@ impl Canon {
                 Effect::ChangeTool { tool: 0 }
             }
             "TOOL_SET_NUMBER" => {
-                self.tool = issued.whole(0)?;
+                // Without random order it is the place in the table, from 1.
+                let place: i32 = issued.whole(0)?;
+                let listed = usize::try_from(place - 1).ok().and_then(|at| self.tools.get(at));
+                self.tool = listed.copied().unwrap_or(place);
                 Effect::SetToolNumber { tool: self.tool }
             }
             "TOOL_SET_OFFSET" => self.tool_entry(issued)?,

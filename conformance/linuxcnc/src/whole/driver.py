@@ -555,6 +555,10 @@ class Driver:
         self.bench.rest()
         if self.stat.feedrate == 0.0:
             self.command.feedrate(1.0)
+        if order["by_hand"] is not None and self.is_idle():
+            # What the last block by hand set is not in the file yet.
+            self.command.mdi("M66 P0 L0")
+            self.done()
         shutil.copyfile("parameters.var", "parameters.end")
         self.run_file(order["after"])
         if not self.done() or not self.wait(self.is_idle, 10.0):
