@@ -221,12 +221,13 @@ pub(super) fn nurbs(
     Ok(())
 }
 
-/// Executes the curve. With it the motion mode is over.
+/// Executes the curve. It ends the motion mode, and a row of G5 before it.
 fn close(nurbs: &Nurbs, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let points = u32::try_from(nurbs.points.len() + 1).unwrap_or(u32::MAX);
     state.dialect().check_control_points(points, nurbs.order, state)?;
     let end = *nurbs.points.last().expect("splines: a NURBS of order two has a second point");
     state.modes.motion = Motion::None;
+    state.curve.continues = false;
     state.position = end;
     record.effect(state, Effect::NurbsFeed { points, end });
     state.coverage.accepted(rule::splines::NURBS);
