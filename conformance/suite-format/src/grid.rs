@@ -103,8 +103,8 @@ impl Grid {
     }
 }
 
-/// The first combinations in which each item is so often, as far as there are any; each one taken has most items that
-/// are still missing.
+/// Selects combinations until each item is in `cases` of them, or in all that it has. Each step takes the first
+/// combination with the most items that are not in enough cases yet.
 fn covering<'a>(
     combinations: Vec<BTreeMap<&'a str, &'a GridItem>>,
     cases: usize,

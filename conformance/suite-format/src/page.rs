@@ -223,7 +223,7 @@ pub struct Grid {
     /// Combinations that are left out: the names of the items of some of the lists.
     #[serde(default)]
     pub except: Vec<BTreeMap<String, String>>,
-    /// Only as many combinations as it takes for each item to be in so many cases; all combinations when absent.
+    /// Number of cases that each item must be in; all combinations when absent.
     #[serde(default)]
     pub cover: Option<NonZero<usize>>,
     /// The main program.
