@@ -336,10 +336,14 @@ fn wrapped(line: &str) -> String {
 /// A text of TOML in lines of 120 columns at most, as far as its words allow; TOML joins them again.
 fn paragraph(text: &str) -> String {
     const COLUMNS_MAX: usize = 118;
+    const CLOSING: usize = 1;
     let mut written = String::from("\"\"\"\n");
     let mut column = 0;
-    for word in text.split_whitespace().map(escaped) {
-        let width = word.chars().count();
+    let mut words = text.split_whitespace().map(escaped).peekable();
+    while let Some(word) = words.next() {
+        // The closing quotes are one column wider than the backslash of other lines.
+        let closing = if words.peek().is_none() { CLOSING } else { 0 };
+        let width = word.chars().count() + closing;
         if column > 0 && column + 1 + width > COLUMNS_MAX {
             written.push_str(" \\\n");
             column = 0;
