@@ -389,7 +389,7 @@ fn initial(field: &str) -> Option<Value> {
     }
 }
 
-/// Parameters for programs, in an assertion, that no block has set: they are zero.
+/// The parameters of an assertion that no block has set: their value is zero. Only parameters of programs count.
 fn unset_parameters(fields: &[Expected], entries: &[Entry]) -> Vec<Entry> {
     let is_unset = |field: &&Expected| {
         let index = field.index.as_deref();

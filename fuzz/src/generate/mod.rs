@@ -1,9 +1,9 @@
 //! Scenarios from [entropy](Entropy): a program and its subroutine files, a machine, an environment, an operator.
 //!
 //! A program is written from a [table](TABLE) of statements. Each statement knows where it is allowed, so that most
-//! programs are accepted; a share of them is mutated. [`readable`] leaves out what controllers do not know. [`malformed`] writes programs that are mostly refused, [`gpp`]
-//! post-processors, [`nct`] custom macros; [`splice`] joins parts of the suite's cases; [`metamorphic`] writes pairs of
-//! programs with equal effects.
+//! programs are accepted; a share of them is mutated. [`readable`] omits statements that a controller does not support.
+//! [`malformed`] writes programs that are mostly refused, [`gpp`] post-processors, [`nct`] custom macros; [`splice`]
+//! joins parts of the suite's cases; [`metamorphic`] writes pairs of programs with equal effects.
 
 mod config;
 mod entropy;
@@ -40,11 +40,11 @@ use readable::Readable;
 use state::{State, Sub};
 use writer::Writer;
 
-/// Programs of one statement that are tried before it counts as one that is never readable.
+/// Number of programs with one statement that are tried before the statement counts as unreadable.
 const TRIES: u64 = 8;
-/// Their fewest and most blocks.
+/// Fewest and most blocks of these programs.
 const BLOCKS: (u32, u32) = (1, 2);
-/// A machine is drawn so often for controllers that cannot be any; then it is the default one.
+/// Number of machines that are drawn until the controllers support one; after them the default machine is used.
 const MACHINES: usize = 8;
 
 /// A scenario. Its options are empty: the caller knows which documents apply.
@@ -105,7 +105,7 @@ pub fn scenario_and_kinds(
     (scenario, kinds)
 }
 
-/// Names of the statements that controllers never can read: they support no program of any.
+/// Names of unreadable statements: the controllers support none of the tried programs with them.
 pub fn unreadable(
     config: &GeneratorConfig,
     supports: &dyn Fn(&Scenario) -> bool,

@@ -1,16 +1,16 @@
-//! Programs that controllers can read: a controller may know only some codes, words and machines.
+//! Limits generated programs to the codes, words and machines that the controllers support.
 
 use std::collections::BTreeSet;
 use std::fmt;
 
 use gaugeblock_vocabulary::{Program, Scenario};
 
-/// What controllers can read. Without it everything is readable.
+/// The programs that the controllers support. Without it each program is written.
 #[derive(Clone, Copy)]
 pub struct Readable<'a> {
     /// Whether the controllers can run a scenario.
     pub supports: &'a dyn Fn(&Scenario) -> bool,
-    /// Names of statements that are never readable.
+    /// Names of statements that no supported program has.
     pub unreadable: &'a BTreeSet<&'static str>,
 }
 

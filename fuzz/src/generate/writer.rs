@@ -84,7 +84,7 @@ pub(crate) struct Writer<'d, 'b> {
     left: u32,
     last_label: u32,
     after_end: String,
-    /// The machine of the program, and what controllers can read.
+    /// The machine of the program, and the limits of the controllers.
     readable: (&'d Scenario, Option<Readable<'d>>),
 }
 
@@ -196,9 +196,9 @@ impl<'d, 'b> Writer<'d, 'b> {
         self.left = self.left.saturating_sub(1);
     }
 
-    /// Writes a statement, and takes it back if the controllers cannot read it.
+    /// Writes a statement, and removes it if the controllers do not support it. Returns whether it stays.
     fn written(&mut self, write: impl FnOnce(&mut Self)) -> bool {
-        // What a statement contains is judged with it.
+        // Nested statements are checked together with the outermost one.
         let Some(readable) = self.readable.1.take() else {
             write(self);
             return true;

@@ -189,7 +189,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
     Ok(report.exit_status())
 }
 
-/// The journal of the run, and in `so_far` what it has of a run that is resumed.
+/// Opens the journal of the run. If the run is resumed, adds its finished chunks to `so_far`.
 fn journal(
     arguments: &Arguments,
     header: &Header,
@@ -234,7 +234,7 @@ fn duration(arguments: &Arguments) -> Option<Duration> {
     seconds.map(Duration::from_secs)
 }
 
-/// Runs programs. After a divergence a quarter of the duration is left for shrinking.
+/// Runs programs. After a divergence it leaves a quarter of the duration for shrinking.
 fn generate(
     arguments: &Arguments,
     plan: &Plan<'_>,
@@ -282,7 +282,7 @@ fn generate(
 /// Divergences beyond this number stay as they were generated.
 const SHRUNK_AT_MOST: usize = 150;
 
-/// Shrinks the findings and finds their causes until time is over; what is left stays as it was generated.
+/// Shrinks the findings and finds their causes until the time is over. The other findings stay as generated.
 fn shrink_all(
     plan: &Plan<'_>,
     mut findings: Vec<Finding>,
@@ -340,7 +340,7 @@ fn config(arguments: &Arguments, edition: &Edition) -> Result<GeneratorConfig, C
     })
 }
 
-/// What can explain a divergence: the choices in the language of an edition, and the quirks of a controller.
+/// The possible causes of a divergence: the choices in the language of an edition, and the quirks of a controller.
 fn causes<'a>(suite: &'a Suite, edition: &Edition, iut: &dyn Adapter) -> Vec<&'a Choice> {
     let own = format!("{}.", iut.capabilities().name);
     let can_explain = |choice: &&Choice| {

@@ -61,7 +61,8 @@ impl Report<'_> {
         let findings: Vec<_> = self.findings.iter().map(|finding| {
             json!({
                 "signature": finding.signature, "shape": finding.shape, "rules": finding.rules, "options": finding.options, "count": finding.count, "number": finding.number,
-                "divergence": finding.divergence, "shrunk": finding.shrunk, "causes": finding.causes, "scenario": finding.scenario,
+                "divergence": finding.divergence, "shrunk": finding.shrunk, "causes": finding.causes,
+                "scenario": finding.scenario,
             })
         }).collect();
         json!({

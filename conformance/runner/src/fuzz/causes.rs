@@ -1,4 +1,4 @@
-//! Options of choices, and quirks, under which the model does what a controller does on a program.
+//! Finds quirks and options of choices under which the model has the same outcome as a controller.
 
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::{Options, Scenario};
@@ -6,8 +6,8 @@ use gaugeblock_vocabulary::{Options, Scenario};
 use super::plan::Plan;
 
 impl Plan<'_> {
-    /// The quirks and options of `choices` that explain how the controller differs from the model on a scenario, each
-    /// of them alone. None if it is compared with another controller.
+    /// The quirks and options of `choices` that each explain a divergence from the model. Empty if the controller is
+    /// compared with another controller.
     ///
     /// Costs a run of the model for each option.
     pub fn causes(&self, scenario: &Scenario, choices: &[&Choice]) -> Vec<String> {

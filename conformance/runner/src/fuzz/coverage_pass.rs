@@ -13,8 +13,8 @@ use super::Plan;
 
 /// Programs of a coverage pass.
 const PROGRAMS: u64 = 16_000;
-/// The same where each statement is compared with what the controllers can read: that takes longer.
-const FEW_PROGRAMS: u64 = 2_000;
+/// Programs of a coverage pass that checks each statement against the controllers, which takes longer.
+const CHECKED_PROGRAMS: u64 = 2_000;
 /// After so many splices it is judged whether those before a case hinder it.
 const TRIALS: u64 = 16;
 /// So many splices are made for the same rare thing at most.
@@ -97,7 +97,7 @@ impl Plan<'_> {
     /// How many of so many programs are likely to reach each outcome, by what those of a coverage pass reach.
     fn chances_without_splices(&self, programs: u64) -> BTreeMap<Reached<'static>, Chance> {
         let mut reached = Tally::default();
-        let sample = if self.readable.is_some() { FEW_PROGRAMS } else { PROGRAMS };
+        let sample = if self.readable.is_some() { CHECKED_PROGRAMS } else { PROGRAMS };
         for number in 0..sample {
             let mut scenario = self.generated(SEED, number);
             scenario.options.clone_from(&self.options);

@@ -36,7 +36,7 @@ pub struct Finding {
     /// Whether nothing smaller was left to try.
     #[serde(default)]
     pub shrunk: bool,
-    /// Quirks and options that explain it, each of them alone ([`Plan::causes`]).
+    /// Quirks and options that each explain it ([`Plan::causes`]).
     #[serde(default)]
     pub causes: Vec<String>,
 }
@@ -155,7 +155,7 @@ pub fn shrunk(
     Finding { count: finding.count, rules, options, shrunk: smallest.finished && !stop(), ..found }
 }
 
-/// Groups that turn out to have one cause: the same quirk or option, the same signature and rules, or the same program.
+/// Merges groups with one cause: the same quirk or option, the same signature and rules, or the same program.
 pub fn merged(findings: Vec<Finding>) -> Vec<Finding> {
     let mut merged: Vec<Finding> = Vec::new();
     for finding in findings {

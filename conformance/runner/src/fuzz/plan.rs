@@ -13,10 +13,10 @@ use gaugeblock_vocabulary::{Language, Options, Scenario};
 /// Consecutive programs that share their options. New options for each would add 6 % to the time of a program.
 pub const ALIKE: u64 = 8;
 
-/// Programs that are drawn to find out whether the controllers support most of them.
+/// Number of programs in the sample that decides whether statements are omitted.
 const SAMPLE: u64 = 200;
-/// More unsupported ones than this are too many.
-const MANY: usize = 100;
+/// Unsupported programs of the sample above which unreadable statements are omitted.
+const UNSUPPORTED_MAX: usize = 100;
 
 /// The controllers of a fuzzing run, and how its programs are generated.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub struct Plan<'a> {
     pub random: Vec<Random<'a>>,
     /// The environment of scenarios that have none.
     pub environment: Option<String>,
-    /// Whether statements that the controllers cannot read are left out, and the names of those that they never can.
+    /// Names of unreadable statements. If set, each written statement is also checked against the controllers.
     pub readable: Option<BTreeSet<&'static str>>,
 }
 
@@ -79,11 +79,11 @@ impl<'a> Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// Leaves out what the controllers cannot read, if they support fewer than half of all programs.
+    /// Omits unreadable statements if the controllers support fewer than half of the sampled programs.
     pub fn leave_out_unreadable(&mut self) {
         let numbers = 0..SAMPLE;
         let unsupported = numbers.filter(|number| !self.is_run(&self.generated(0, *number)));
-        if self.config.language == Language::Rs274 && unsupported.count() > MANY {
+        if self.config.language == Language::Rs274 && unsupported.count() > UNSUPPORTED_MAX {
             self.readable = Some(unreadable(&self.config, &|scenario| self.is_run(scenario)));
         }
     }

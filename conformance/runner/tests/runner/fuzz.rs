@@ -308,7 +308,7 @@ fn incomparable_outcomes_follow_from_declarations() {
     );
 }
 
-/// The model, of which only a part of the language may be used.
+/// The model with a declared language.
 #[derive(Debug)]
 struct Lathe(Capabilities, DeclaredLanguage);
 

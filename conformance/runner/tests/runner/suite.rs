@@ -44,9 +44,9 @@ fn model_has_each_option_that_it_is_given() {
     assert!(wrong.is_empty(), "{} options:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// A case counts as refused when one of its assertions says so, under whichever option; every other one as accepted.
-/// The cells of grids do not count: they run over the values of a sentence, and one that accepts has no twin for each.
-/// `twins` checks that each rule is tried both ways.
+/// A case counts as refused if one of its assertions says so under any option, and as accepted otherwise.
+/// The cells of grids do not count: a grid varies the values of one sentence. `twins` checks that each rule has a case
+/// that is accepted and one that is refused.
 #[test]
 fn at_least_as_many_cases_assert_a_refusal_as_do_not() {
     let suite = suite();
