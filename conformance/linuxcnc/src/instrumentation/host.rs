@@ -20,7 +20,10 @@ pub(crate) fn reaches_host(line: &str) -> bool {
     let logs_elsewhere = OPENING_KEYWORDS.iter().any(|word| {
         text.match_indices(word).any(|(at, _)| {
             let name = text[at + word.len()..].split(')').next().unwrap_or_default();
-            !is_log_name(name.strip_prefix(',').unwrap_or(name))
+            // A name comes after a comma; only PROBEOPEN has none.
+            let is_longer = name.starts_with(|c: char| c.is_ascii_alphanumeric());
+            !(is_longer && *word != "probeopen")
+                && !is_log_name(name.strip_prefix(',').unwrap_or(name))
         })
     });
     text.contains("(py") || text.contains(";py") || calls_elsewhere || logs_elsewhere
@@ -72,6 +75,7 @@ mod tests {
             "(msg,a)(logopen,/x)",
             "g1 x1 (logopen,/x)",
             "(logopen,/x",
+            "(probeopen user/M101)",
             "o<../x> call",
             "o</etc/x> call",
             "(o<a>) o</etc/x> call",
@@ -85,6 +89,7 @@ mod tests {
             "(logopen,a.txt)",
             "(LOGAPPEND, a b.TXT )",
             "(logopen,f)",
+            "(logopens,/x)",
             "(probeopen p.txt)",
             "(log,/x)",
             "o<x> call",
