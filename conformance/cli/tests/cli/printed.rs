@@ -327,7 +327,7 @@ fn cases_of_the_suite_are_printed_as_by_rs274() {
 }
 
 /// One of so many cases is printed, since all of them take minutes; with `GAUGEBLOCK_ALL_CASES` all are.
-const ONE_OF: u32 = 11;
+const ONE_OF: u32 = 23;
 /// Known issue: next to an M72 that has nothing to restore, rs274 does not print some codes (M9) and prints others
 /// (M8).
 const KNOWN: [&str; 1] = ["order.restore-before-coolant / a coolant code after an idle restore"];

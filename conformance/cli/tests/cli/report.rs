@@ -99,7 +99,7 @@ fn reported<T>(controller: &dyn Adapter, only: &[String], made: impl Fn(&Report<
 fn evil() -> (Meddled, Vec<String>) {
     let of: &[Meddle] = &[("m73", crashes), ("m70", departs)];
     let observables = Capabilities::everything("meddled", "1");
-    (Meddled { model: Reference::default(), observables, of }, vec!["saved-state".to_owned()])
+    (Meddled { model: Reference::default(), observables, of }, vec!["saved-state.f".to_owned()])
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn smallest_program_of_a_divergence_is_found_on_request() {
     let (controller, only) = evil();
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
-    let only = [format!("{}.feed", only[0])];
+    let only = [format!("{}eed", only[0])];
     let plan = Plan {
         suite: &suite,
         edition,
