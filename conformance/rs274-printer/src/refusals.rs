@@ -76,8 +76,8 @@ pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
     }
 }
 
-/// Whether a word is missing without which nothing of the block is executed: each axis of a motion other than an arc, or
-/// a word of a thread.
+/// Whether nothing of the block is executed since a word is missing: each axis of a motion other than an arc, or a word
+/// of a thread.
 fn missing_at_once(fault: &Fault, words: &Words) -> bool {
     if fault.kind != Some(FaultKind::MissingWord) {
         return false;
