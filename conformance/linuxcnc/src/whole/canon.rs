@@ -173,7 +173,8 @@ impl Canon {
             "TOOL_SET_NUMBER" => {
                 // Without random order it is the place in the table, from 1.
                 let place: i32 = issued.whole(0)?;
-                let listed = usize::try_from(place - 1).ok().and_then(|at| self.tools.get(at));
+                let at = place.checked_sub(1).and_then(|at| usize::try_from(at).ok());
+                let listed = at.and_then(|at| self.tools.get(at));
                 self.tool = listed.copied().unwrap_or(place);
                 Effect::SetToolNumber { tool: self.tool }
             }
