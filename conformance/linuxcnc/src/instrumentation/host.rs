@@ -22,8 +22,8 @@ pub(crate) fn reaches_host(line: &str) -> bool {
             let name = text[at + word.len()..].split(')').next().unwrap_or_default();
             // A name comes after a comma; only PROBEOPEN has none.
             let is_longer = name.starts_with(|c: char| c.is_ascii_alphanumeric());
-            !(is_longer && *word != "probeopen")
-                && !is_log_name(name.strip_prefix(',').unwrap_or(name))
+            let opens = !is_longer || *word == "probeopen";
+            opens && !is_log_name(name.strip_prefix(',').unwrap_or(name))
         })
     });
     text.contains("(py") || text.contains(";py") || calls_elsewhere || logs_elsewhere
