@@ -1,7 +1,6 @@
 //! `gaugeblock suite faults`: which planted faults the suite catches, and which rules its findings name.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::num::NonZero;
 
 use gaugeblock_adapter::Adapter as _;
@@ -125,14 +124,20 @@ pub(crate) fn faults(
         let broken = breaks.get(fault.name()).map_or(&[][..], Vec::as_slice);
         let coverage =
             coverages.entry(edition.id.as_str()).or_insert_with(|| Coverage::new(suite, edition));
-        results.extend(result_of((suite, edition, coverage), scope, fault, broken));
+        if let Some(result) = result_of((suite, edition, coverage), scope, fault, broken) {
+            if matches!(format, Format::Text) {
+                let line = if scope == Scope::AssertionsOnly { assertions_line } else { line };
+                bar.suspend(|| write_out(&line(&result)));
+            }
+            results.push(result);
+        }
         bar.inc(1);
     }
     bar.finish_and_clear();
     write_out(&match format {
         Format::Json => format!("{:#}\n", document(&results)),
-        Format::Text if scope == Scope::AssertionsOnly => assertions_text(&results),
-        Format::Text => text(&results),
+        Format::Text if scope == Scope::AssertionsOnly => assertions_summary(&results),
+        Format::Text => summary(&results),
     });
     if scope == Scope::AssertionsOnly {
         let is_open = |result: &FaultResult<'_>| {
@@ -255,68 +260,64 @@ fn document(results: &[FaultResult<'_>]) -> serde_json::Value {
     json!({ "gaugeblock": "faults", "schema": gaugeblock_vocabulary::schema::VERSION, "faults": faults })
 }
 
-fn assertions_text(results: &[FaultResult<'_>]) -> String {
-    let mut text = String::new();
-    for result in results {
-        let by = match (result.caught_by(), result.own_cases.as_slice()) {
-            (CaughtBy::OwnCases, cases) => format!("{} cases of its rules", cases.len()),
-            (CaughtBy::OneCase, cases) => format!("one case: {}", cases.join(", ")),
-            (CaughtBy::OtherPages, _) => {
-                let others: Vec<_> = result.failing.iter().copied().collect();
-                format!("OTHER PAGES ALONE: {}", others.join(", "))
-            }
-            (CaughtBy::Option, _) => format!("looks like {}", result.looks_like.join(", ")),
-            (CaughtBy::Nothing, _) => "NOT CAUGHT".to_owned(),
-        };
-        let _infallible = writeln!(text, "{:<36} {by}", result.fault.name());
-    }
+fn assertions_line(result: &FaultResult<'_>) -> String {
+    let by = match (result.caught_by(), result.own_cases.as_slice()) {
+        (CaughtBy::OwnCases, cases) => format!("{} cases of its rules", cases.len()),
+        (CaughtBy::OneCase, cases) => format!("one case: {}", cases.join(", ")),
+        (CaughtBy::OtherPages, _) => {
+            let others: Vec<_> = result.failing.iter().copied().collect();
+            format!("OTHER PAGES ALONE: {}", others.join(", "))
+        }
+        (CaughtBy::Option, _) => format!("looks like {}", result.looks_like.join(", ")),
+        (CaughtBy::Nothing, _) => "NOT CAUGHT".to_owned(),
+    };
+    format!("{:<36} {by}\n", result.fault.name())
+}
+
+fn assertions_summary(results: &[FaultResult<'_>]) -> String {
     let count = |by| results.iter().filter(|result| result.caught_by() == by).count();
     let (several, one) = (count(CaughtBy::OwnCases), count(CaughtBy::OneCase));
-    let _infallible = writeln!(
-        text,
+    format!(
         "\n{} planted faults: an assertion of a rule of the fault catches {}, {one} of them by one case; \
-         other pages alone catch {}, {} look like an option, {} are not caught",
+         other pages alone catch {}, {} look like an option, {} are not caught\n",
         results.len(),
         several + one,
         count(CaughtBy::OtherPages),
         count(CaughtBy::Option),
         count(CaughtBy::Nothing),
-    );
-    text
+    )
 }
 
-fn text(results: &[FaultResult<'_>]) -> String {
-    let mut text = String::new();
-    for result in results {
-        let by = match result.first() {
-            _ if !result.is_caught() => "NOT CAUGHT".to_owned(),
-            None => format!("{} cases, no rule", result.cases),
-            Some(first) => {
-                let mark = if result.is_named_first() { "" } else { " (another rule)" };
-                let looks_like = if result.attributed.is_empty() { "looks like " } else { "" };
-                match result.attributed.len() {
-                    0 | 1 => format!("{looks_like}{first}{mark}"),
-                    all => format!("{first}{mark} and {} more", all - 1),
-                }
+fn line(result: &FaultResult<'_>) -> String {
+    let by = match result.first() {
+        _ if !result.is_caught() => "NOT CAUGHT".to_owned(),
+        None => format!("{} cases, no rule", result.cases),
+        Some(first) => {
+            let mark = if result.is_named_first() { "" } else { " (another rule)" };
+            let looks_like = if result.attributed.is_empty() { "looks like " } else { "" };
+            match result.attributed.len() {
+                0 | 1 => format!("{looks_like}{first}{mark}"),
+                all => format!("{first}{mark} and {} more", all - 1),
             }
-        };
-        let (name, about) = (result.fault.name(), result.fault.about());
-        let _infallible = writeln!(text, "{name:<36} {by:<60} {about}");
-    }
+        }
+    };
+    let (name, about) = (result.fault.name(), result.fault.about());
+    format!("{name:<36} {by:<60} {about}\n")
+}
+
+fn summary(results: &[FaultResult<'_>]) -> String {
     let missed = results.iter().filter(|result| !result.is_caught()).count();
     let named = results.iter().filter(|result| result.is_named_first()).count();
     let mut attributed: Vec<_> = results.iter().map(|result| result.attributed.len()).collect();
     attributed.sort_unstable();
     let at =
         |percent: usize| attributed.get(attributed.len() * percent / 100).copied().unwrap_or(0);
-    let _infallible = writeln!(
-        text,
+    format!(
         "\n{} planted faults, {} caught, {missed} not; the first finding names a rule of the fault for {named}; \
-         rules named: median {}, 90th percentile {}",
+         rules named: median {}, 90th percentile {}\n",
         results.len(),
         results.len() - missed,
         at(50),
         at(90),
-    );
-    text
+    )
 }
