@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{
-    Axis, BlockLocation, Effect, End, Entry, Event, Indexed, Outcome, Pin, PinChange, Position,
-    Settings, State, Value,
+    Axis, BlockLocation, Effect, End, Entry, Event, Indexed, LengthUnit, Outcome, Pin, PinChange,
+    Position, Settings, State, Value,
 };
 
 use crate::accuracy::Resolution;
@@ -97,7 +97,7 @@ impl Observed {
                 match event {
                     Event::Set(change) => {
                         if moves_coordinates(&settings, change) {
-                            point = point.and_then(|point| after_offset(point, &settings, change));
+                            point = point.and_then(|point| after_change(point, &settings, change));
                         }
                         settings.overlay(change);
                     }
@@ -184,9 +184,18 @@ pub(crate) fn end_of(effect: &Effect) -> Option<Position> {
     Some(*end)
 }
 
-/// The program coordinates of the controlled point after a change of the tool offset, which is along the axes of the
-/// program where the coordinate system is not turned; `None` after any other change.
-fn after_offset(mut point: Position, before: &Settings, change: &Settings) -> Option<Position> {
+/// The program coordinates of the controlled point after a change of the unit, or of the tool offset, which is along the
+/// axes of the program where the coordinate system is not turned; `None` after any other change.
+fn after_change(mut point: Position, before: &Settings, change: &Settings) -> Option<Position> {
+    let others = Settings { units: before.units, ..change.clone() };
+    if !moves_coordinates(before, &others) {
+        let (from, to) = (millimetres(before.units?), millimetres(change.units?));
+        for axis in [Axis::X, Axis::Y, Axis::Z, Axis::U, Axis::V, Axis::W] {
+            *point.get_mut(axis) *= from;
+            *point.get_mut(axis) /= to;
+        }
+        return Some(point);
+    }
     let others = Settings { tool_offset: before.tool_offset, ..change.clone() };
     if moves_coordinates(before, &others) || before.rotation != Some(0.0) {
         return None;
@@ -196,6 +205,14 @@ fn after_offset(mut point: Position, before: &Settings, change: &Settings) -> Op
         *point.get_mut(*axis) += old.get(*axis) - new.get(*axis);
     }
     Some(point)
+}
+
+/// Millimetres in a unit.
+fn millimetres(unit: LengthUnit) -> f64 {
+    match unit {
+        LengthUnit::Millimetre => 1.0,
+        LengthUnit::Inch => 25.4,
+    }
 }
 
 /// Whether the controlled point has other program coordinates after this change: a setting that is repeated unchanged

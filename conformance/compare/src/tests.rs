@@ -142,6 +142,19 @@ fn repeated_setting_leaves_the_controlled_point_known() {
 }
 
 #[test]
+fn move_to_the_same_place_in_another_unit_is_a_move_in_place() {
+    let some = Capabilities { moves_in_place: false, ..everything() };
+    for (program, place) in
+        [("g21 g0 x0\ng20\ng0 x0\nm2\n", 0), ("g21 g0 x25.4\ng20\ng0 x1\nm2\n", 2)]
+    {
+        let leave_out = |found: &mut Outcome| {
+            found.steps[place].events.retain(|event| !matches!(event, Event::Do(_)));
+        };
+        assert_eq!(compared(program, &some, leave_out).divergence, None, "{program}");
+    }
+}
+
+#[test]
 fn refusal_is_masked_for_a_controller_that_never_refuses() {
     let never = Capabilities { refuses: false, ..everything() };
     let goes_on = |found: &mut Outcome| {
