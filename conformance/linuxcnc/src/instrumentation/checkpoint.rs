@@ -2,7 +2,7 @@
 
 use gaugeblock_adapter::HarnessError;
 
-use super::instrument::{MODES, NUMBERS, Plan};
+use super::instrument::{MODES, Plan};
 
 /// A place that the run reached, and the values of modes and parameters that were printed there.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +12,7 @@ pub(crate) struct Checkpoint {
     /// The last line that was executed or skipped, 0 before the first.
     pub(crate) line: u32,
     modes: Vec<i64>,
+    names: &'static [&'static str],
     numbers: Vec<f64>,
     /// The plan's parameters in its order; `None` for a parameter that does not exist.
     pub(crate) parameters: Vec<Option<f64>>,
@@ -34,9 +35,9 @@ impl Checkpoint {
         self.modes == other.modes && self.numbers == other.numbers
     }
 
-    /// A number by the name of its parameter.
+    /// A number by the name of its parameter; 0 if it is not printed.
     pub(crate) fn number(&self, name: &str) -> f64 {
-        let names = NUMBERS.iter();
+        let names = self.names.iter();
         names.zip(&self.numbers).find(|(known, _)| **known == name).map_or(0.0, |(_, value)| *value)
     }
 }
@@ -112,7 +113,8 @@ impl<'a> Reader<'a> {
     fn checkpoint(&self, (file, line): (usize, u32), values: &[Option<f64>]) -> Option<Checkpoint> {
         let count = MODES.iter().map(|names| names.len()).sum();
         let (modes, rest) = values.split_at_checked(count)?;
-        let (numbers, parameters) = rest.split_at_checked(NUMBERS.len())?;
+        let names = self.plan.numbers();
+        let (numbers, parameters) = rest.split_at_checked(names.len())?;
         if parameters.len() != self.plan.parameters.len() {
             return None;
         }
@@ -122,7 +124,7 @@ impl<'a> Reader<'a> {
         )]
         let modes = modes.iter().map(|mode| mode.map(|mode| mode as i64)).collect::<Option<_>>()?;
         let numbers = numbers.iter().copied().collect::<Option<_>>()?;
-        Some(Checkpoint { file, line, modes, numbers, parameters: parameters.to_vec() })
+        Some(Checkpoint { file, line, modes, names, numbers, parameters: parameters.to_vec() })
     }
 }
 
@@ -135,6 +137,7 @@ mod tests {
             marker: "@gb0@".to_owned(),
             parameters: vec!["31".to_owned(), "<x>".to_owned()],
             marks: None,
+            parallel_axes: false,
         }
     }
 

@@ -51,7 +51,10 @@ pub(crate) const MODES: [&[&str]; 2] = [
 ];
 
 /// Parameters that report a number; they are printed with nine decimals.
-pub(crate) const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c"];
+const NUMBERS: &[&str] = &["_feed", "_rpm", "_x", "_y", "_z", "_a", "_b", "_c", "_u", "_v", "_w"];
+
+/// How many of the last are for machines with U, V or W alone.
+const PARALLEL_AXES: usize = 3;
 
 /// How a program is observed.
 #[derive(Clone, Debug)]
@@ -62,6 +65,8 @@ pub(crate) struct Plan {
     pub(crate) parameters: Vec<String>,
     /// For a controller that reads ahead: marks that pass through its queue and report what has been executed.
     pub(crate) marks: Option<Marks>,
+    /// Whether the positions of U, V and W are printed. The stand-alone interpreter has none of these axes.
+    pub(crate) parallel_axes: bool,
 }
 
 /// Messages that pass through the controller's queue in order with the commands: after each block, and before some.
@@ -92,7 +97,7 @@ impl Plan {
         } else {
             numbers.iter().map(u32::to_string).chain(names).collect()
         };
-        Self { marker: unused_marker(source), parameters, marks: None }
+        Self { marker: unused_marker(source), parameters, marks: None, parallel_axes: false }
     }
 
     /// The text of a file with checkpoints and tags, and with an error before each line of `ends`. The error stops the
@@ -214,11 +219,17 @@ impl Plan {
         for names in MODES {
             put("%d", &references(names));
         }
-        put("%.9f", &references(NUMBERS));
+        put("%.9f", &references(self.numbers()));
         for parameters in self.parameter_groups() {
             put("%.9f", &parameters.iter().map(|name| format!(" #{name}")).collect::<String>());
         }
         text
+    }
+
+    /// The parameters that report a number and are printed after each block.
+    pub(crate) fn numbers(&self) -> &'static [&'static str] {
+        let left_out = if self.parallel_axes { 0 } else { PARALLEL_AXES };
+        &NUMBERS[..NUMBERS.len() - left_out]
     }
 
     /// The parameters, in groups that one checkpoint line can print.

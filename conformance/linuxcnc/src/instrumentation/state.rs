@@ -138,7 +138,7 @@ fn parameters(checkpoint: &Checkpoint, plan: &Plan) -> Indexed<String, f64> {
     values.filter_map(|(name, value)| Some((name, (*value)?))).collect()
 }
 
-/// The controlled point; U, V and W do not exist on this controller.
+/// The controlled point; 0 for axes that are not printed.
 pub(crate) fn position(checkpoint: &Checkpoint) -> Position {
     Position {
         x: checkpoint.number("_x"),
@@ -147,7 +147,9 @@ pub(crate) fn position(checkpoint: &Checkpoint) -> Position {
         a: checkpoint.number("_a"),
         b: checkpoint.number("_b"),
         c: checkpoint.number("_c"),
-        ..Position::default()
+        u: checkpoint.number("_u"),
+        v: checkpoint.number("_v"),
+        w: checkpoint.number("_w"),
     }
 }
 

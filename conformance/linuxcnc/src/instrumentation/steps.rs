@@ -77,6 +77,12 @@ impl<'a> Steps<'a> {
         self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
     }
 
+    /// The numbered parameters as the last checkpoint has them.
+    pub(crate) fn numbered_parameters(&self) -> BTreeMap<u32, f64> {
+        let known = self.known.parameter.iter().flat_map(|known| known.0.iter());
+        known.filter_map(|(name, value)| Some((name.parse().ok()?, *value))).collect()
+    }
+
     /// Begins at the first checkpoint. Of the parameters that the program does not name, only later changes are
     /// recorded.
     ///

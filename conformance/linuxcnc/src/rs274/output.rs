@@ -118,7 +118,12 @@ mod tests {
     use super::*;
 
     fn plan() -> Plan {
-        Plan { marker: "@gb0@".to_owned(), parameters: Vec::new(), marks: None }
+        Plan {
+            marker: "@gb0@".to_owned(),
+            parameters: Vec::new(),
+            marks: None,
+            parallel_axes: false,
+        }
     }
 
     #[test]

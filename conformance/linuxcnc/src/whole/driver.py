@@ -556,7 +556,10 @@ class Driver:
         if self.stat.feedrate == 0.0:
             self.command.feedrate(1.0)
         if order["by_hand"] is not None and self.is_idle():
-            # What the last block by hand set is not in the file yet.
+            # What the last block by hand set is not in the file yet. M66 writes it; it also reads modes back.
+            for line in self.checkpoint:
+                self.command.mdi(line)
+                self.done()
             self.command.mdi("M66 P0 L0")
             self.done()
         shutil.copyfile("parameters.var", "parameters.end")

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::scenario::{Action, OperatorEvent, Start};
-use gaugeblock_vocabulary::{End, LengthUnit, Scenario};
+use gaugeblock_vocabulary::{Axis, End, LengthUnit, Scenario};
 use serde_json::{Value, json};
 
 use super::reuse::has;
@@ -30,6 +30,8 @@ pub(super) fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -
         plan.parameters.retain(|name| name != INPUT_READ);
         plan.parameters.push(INPUT_READ.to_owned());
     }
+    let is_parallel = |axis: &Axis| matches!(axis, Axis::U | Axis::V | Axis::W);
+    plan.parallel_axes = scenario.machine.axes.iter().any(is_parallel);
     plan.marks = Some(Marks { before: scenario.operator.iter().filter_map(place).collect() });
     plan
 }

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Axis, Language, Machine, Program, Scenario};
 
 use super::setup::input_pin;
 use crate::instrumentation::host::{is_ini_name, reaches_host};
-use crate::instrumentation::source::{LAST_PARAMETER, Source, code, is_sub_file};
+use crate::instrumentation::source::{LAST_PARAMETER, Source, is_sub_file};
 
 /// Most digital and most analog inputs and outputs.
 const MOST_SIGNALS: u16 = 64;
@@ -23,9 +23,6 @@ const OWN_ENVIRONMENT: &str = "whole controller";
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
-    if names_parallel_axes(scenario) {
-        return Err("it does not report positions of U, V and W".to_owned());
-    }
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
         return Err(format!("an operator's event after a delay of {} s", event.when.offset));
@@ -123,18 +120,6 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
         return Err("it does not report the end of a dwell before it resumes".to_owned());
     }
     Ok(())
-}
-
-/// Whether the machine has U, V or W and the program uses one.
-fn names_parallel_axes(scenario: &Scenario) -> bool {
-    let is_parallel = |axis: &Axis| matches!(axis, Axis::U | Axis::V | Axis::W);
-    let begins_number =
-        |rest: &str| rest.starts_with(|next: char| next.is_ascii_digit() || "-+.#[".contains(next));
-    let source = Source::new(&scenario.program);
-    let names = |letter: char| {
-        source.all().any(|(_, _, line)| code(line).split(letter).skip(1).any(begins_number))
-    };
-    scenario.machine.axes.iter().any(is_parallel) && ['u', 'v', 'w'].into_iter().any(names)
 }
 
 fn program(program: &Program) -> Result<(), String> {

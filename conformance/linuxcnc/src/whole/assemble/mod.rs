@@ -132,6 +132,12 @@ impl<'a> Assembly<'a> {
         }
         let after_end = after.iter().find_map(Item::checkpoint);
         let end = assembly.end(after_end)?;
+        let mut parameters = parameters;
+        if let (End::Paused, false, Some(all)) = (&end, assembly.by_hand, &mut parameters) {
+            // The driver lets the interpreter go, which may read on before it stops.
+            all.extend(assembly.steps.numbered_parameters());
+            all.retain(|_, value| *value != 0.0);
+        }
         let mut outcome = Outcome {
             language: Language::Rs274,
             start: assembly.start,
