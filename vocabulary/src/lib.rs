@@ -22,6 +22,7 @@
 extern crate alloc;
 
 mod block;
+mod declared_language;
 mod effect;
 mod error;
 mod fault;
@@ -49,6 +50,7 @@ mod toml;
 mod words;
 
 pub use block::{BlockLocation, Span};
+pub use declared_language::{CommentKind, DeclaredLanguage, LanguageCheck, ParameterKind};
 pub use effect::{Channel, Effect, OrientDirection, OutputTiming, Request, WaitMode};
 pub use error::TextError;
 pub use fault::{Fault, FaultKind};

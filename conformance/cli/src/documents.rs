@@ -25,7 +25,7 @@ pub(crate) fn read_suite(folder: Option<&Path>) -> Result<Suite, CliError> {
             "--suite expects a folder like conformance/suite; without it the built-in suite is used",
         ));
     }
-    Suite::read(&files).map_err(|errors| {
+    gaugeblock_runner::language::read_suite(&files).map_err(|errors| {
         let count = errors.len();
         let shown: Vec<_> = errors.into_iter().take(20).collect();
         let more = if count > shown.len() {

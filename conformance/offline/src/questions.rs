@@ -33,11 +33,9 @@ pub fn questions(
     let mut left_out = BTreeMap::new();
     let mut found: BTreeMap<String, Question> = BTreeMap::new();
     let wanted = |rule: &&Rule| {
-        rule.language == edition.language
-            && !rule.void.contains_key(&edition.id)
-            && (profiles.is_empty() || profiles.contains(&rule.profile))
+        rule.exists_in(edition) && (profiles.is_empty() || profiles.contains(&rule.profile))
     };
-    let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(&edition.id);
+    let runs = |case: &&Case| case.runs_in(edition);
     for rule in suite.rules.iter().filter(wanted) {
         for case in rule.motion.iter().filter(|case| !case.is_recorded()) {
             match motion_question(rule, case, &options, edition) {

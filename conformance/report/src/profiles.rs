@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_runner::certify::{Run, Scope};
-use gaugeblock_suite::{Case, Edition, Profile, Rule, Suite};
+use gaugeblock_suite::{Edition, Profile, Rule, Suite};
 
 use super::rule::{RuleVerdict, verdicts};
 
@@ -40,9 +40,8 @@ impl ProfileResult<'_> {
 
 /// Whether an edition has a rule: in its language, not void there, and with a case.
 pub fn is_in_edition(rule: &Rule, edition: &Edition) -> bool {
-    let runs = |case: &Case| case.editions.is_empty() || case.editions.contains(&edition.id);
-    let has_cases = rule.cases.iter().any(runs) || !rule.motion.is_empty();
-    rule.language == edition.language && !rule.void.contains_key(&edition.id) && has_cases
+    let has_cases = rule.cases.iter().any(|case| case.runs_in(edition)) || !rule.motion.is_empty();
+    rule.exists_in(edition) && has_cases
 }
 
 /// Each profile of the suite after a run; none if assertions only were judged, since a profile claims the whole outcome.

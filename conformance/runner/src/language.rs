@@ -2,6 +2,7 @@
 
 use gaugeblock_adapter::protocol::{CommentKind, DeclaredLanguage, ParameterKind};
 use gaugeblock_reference::rs274::{CodeUse, LanguageNeeds, language_needs};
+use gaugeblock_suite::{Files, Suite};
 use gaugeblock_vocabulary::Scenario;
 
 /// Checks that a controller with this language can read the program of a scenario.
@@ -15,6 +16,16 @@ pub fn check_program(language: &DeclaredLanguage, scenario: &Scenario) -> Result
         Some(what) => Err(format!("{what}: not in the declared language")),
         None => Ok(()),
     }
+}
+
+/// Reads a suite. No edition has a case that needs more of the language than its documents have.
+///
+/// # Errors
+/// Every page that is not in the form, each with path, place and reason.
+pub fn read_suite(files: &Files) -> Result<Suite, Vec<String>> {
+    let mut suite = Suite::read(files)?;
+    suite.limit_to_languages(check_program);
+    Ok(suite)
 }
 
 /// The first thing that a program needs and the language does not have.

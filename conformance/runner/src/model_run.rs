@@ -7,11 +7,7 @@ use gaugeblock_vocabulary::Outcome;
 
 /// The editions in which a case runs, the default edition first.
 pub fn editions_of<'a>(suite: &'a Suite, rule: &Rule, case: &Case) -> Vec<&'a Edition> {
-    let runs = |edition: &&Edition| {
-        edition.language == rule.language
-            && !rule.void.contains_key(&edition.id)
-            && (case.editions.is_empty() || case.editions.contains(&edition.id))
-    };
+    let runs = |edition: &&Edition| rule.exists_in(edition) && case.runs_in(edition);
     let mut editions: Vec<_> = suite.editions.iter().filter(runs).collect();
     editions.sort_by_key(|edition| edition.id != gaugeblock_suite::DEFAULT_EDITION);
     editions

@@ -2,13 +2,14 @@
 
 use gaugeblock_controllers::Reference;
 use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};
+use gaugeblock_runner::language::read_suite;
 use gaugeblock_suite::Suite;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {
     let arguments = Arguments::from_args();
     let suite: &'static Suite =
-        match Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")) {
+        match read_suite(&gaugeblock_embedded_suite::files().expect("the suite")) {
             Ok(suite) => Box::leak(Box::new(suite)),
             Err(errors) => panic!("{}", errors.join("\n")),
         };

@@ -23,40 +23,36 @@ impl Grid {
     /// A list that does not exist, an item without a name, an exception that leaves out nothing, or a placeholder that
     /// stands for nothing.
     pub fn cases(&self, lists: &GridLists) -> Result<Vec<Case>, String> {
-        let mut combinations: Vec<BTreeMap<&str, &GridItem>> = vec![BTreeMap::new()];
-        for (list, items) in &self.each {
-            let items = items_of(list, items, lists)?;
-            combinations = combinations
-                .into_iter()
-                .flat_map(|begun| {
-                    items.iter().map(move |item| {
-                        let mut combination = begun.clone();
-                        combination.insert(list, item);
-                        combination
-                    })
-                })
-                .collect();
-        }
-        let is_left_out = |exception: &BTreeMap<String, String>,
-                           combination: &BTreeMap<&str, &GridItem>| {
+        let each = self.each.iter();
+        let lists: Vec<(&str, &[GridItem])> = each
+            .map(|(list, items)| Ok((list.as_str(), items_of(list, items, lists)?)))
+            .collect::<Result<_, String>>()?;
+        let mut combinations = product(&lists);
+        let is_left_out = |exception: &BTreeMap<String, String>, places: &Vec<usize>| {
             exception.iter().all(|(list, name)| {
-                combination.get(list.as_str()).is_some_and(|item| item.get(NAME) == Some(name))
+                let mut of_list = lists.iter().zip(places).filter(|((known, _), _)| known == list);
+                of_list.any(|((_, items), place)| items[*place].get(NAME) == Some(name))
             })
         };
         for exception in &self.except {
-            if !combinations.iter().any(|combination| is_left_out(exception, combination)) {
+            if !combinations.iter().any(|places| is_left_out(exception, places)) {
                 return Err(format!("the exception {exception:?} leaves out nothing"));
             }
         }
         combinations.retain(|it| !self.except.iter().any(|exception| is_left_out(exception, it)));
         if let Some(cases) = self.cover {
-            combinations = covering(combinations, cases.get());
+            let sizes: Vec<usize> = lists.iter().map(|(_, items)| items.len()).collect();
+            combinations = covering(combinations, &sizes, cases.get());
         }
-        combinations.iter().map(|combination| self.case(combination)).collect()
+        let items = |places: &Vec<usize>| {
+            let places = lists.iter().zip(places);
+            places.map(|((list, items), place)| (*list, &items[*place])).collect()
+        };
+        combinations.iter().map(|places| self.case(&items(places))).collect()
     }
 
     /// The case of a combination.
-    fn case(&self, combination: &BTreeMap<&str, &GridItem>) -> Result<Case, String> {
+    fn case(&self, combination: &Combination<'_>) -> Result<Case, String> {
         let item_text = |key: &str| item_text(combination, key);
         let template = filled(&self.program, &|key| {
             // Marks stay until each text is at its place.
@@ -85,12 +81,13 @@ impl Grid {
                 .or(self.needs.as_ref())
                 .cloned(),
             grid: None,
+            beyond: Vec::new(),
             setup: self.setup_of(combination)?,
         })
     }
 
     /// The setup of a case; an item can name the axes of its machine.
-    fn setup_of(&self, combination: &BTreeMap<&str, &GridItem>) -> Result<Setup, String> {
+    fn setup_of(&self, combination: &Combination<'_>) -> Result<Setup, String> {
         let mut setup = self.setup.clone();
         if let Some(letters) = combination.values().find_map(|item| item.get(AXES)) {
             let axis = |word: char| {
@@ -103,30 +100,48 @@ impl Grid {
     }
 }
 
+/// An item of each list.
+type Combination<'a> = BTreeMap<&'a str, &'a GridItem>;
+
+/// All combinations: the place of an item in each list, in the order of the lists and of their items.
+fn product(lists: &[(&str, &[GridItem])]) -> Vec<Vec<usize>> {
+    let mut combinations = vec![Vec::new()];
+    for (_, items) in lists {
+        let with_item = |begun: &Vec<usize>, place: usize| [begun.as_slice(), &[place]].concat();
+        let longer = combinations
+            .iter()
+            .flat_map(|begun| (0..items.len()).map(move |place| with_item(begun, place)));
+        combinations = longer.collect();
+    }
+    combinations
+}
+
 /// Selects combinations until each item is in `cases` of them, or in all that it has. Each step takes the first
 /// combination with the most items that are not in enough cases yet.
-fn covering<'a>(
-    combinations: Vec<BTreeMap<&'a str, &'a GridItem>>,
-    cases: usize,
-) -> Vec<BTreeMap<&'a str, &'a GridItem>> {
-    let mut times: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+fn covering(combinations: Vec<Vec<usize>>, sizes: &[usize], cases: usize) -> Vec<Vec<usize>> {
+    let mut times: Vec<Vec<usize>> = sizes.iter().map(|size| vec![0; *size]).collect();
     let (mut left, mut taken) = (combinations, Vec::new());
     loop {
-        let missing = |combination: &BTreeMap<&'a str, &'a GridItem>| {
-            let is_missing = |(list, item): &(&&str, &&GridItem)| {
-                times.get(&(**list, item[NAME].as_str())).is_none_or(|times| *times < cases)
-            };
-            combination.iter().filter(is_missing).count()
+        let missing = |combination: &[usize]| {
+            let places = combination.iter().zip(&times);
+            places.filter(|(place, times)| times[**place] < cases).count()
         };
-        // The first of those with most.
-        let most =
-            left.iter().enumerate().rev().max_by_key(|(_, combination)| missing(combination));
-        let Some((place, _)) = most.filter(|(_, combination)| missing(combination) > 0) else {
+        let (mut most, mut first) = (0, 0);
+        for (place, combination) in left.iter().enumerate() {
+            let missing = missing(combination);
+            if missing > most {
+                (most, first) = (missing, place);
+            }
+            if most == sizes.len() {
+                break;
+            }
+        }
+        if most == 0 {
             return taken;
-        };
-        let combination = left.remove(place);
-        for (list, item) in &combination {
-            *times.entry((list, item[NAME].as_str())).or_default() += 1;
+        }
+        let combination = left.remove(first);
+        for (place, times) in combination.iter().zip(&mut times) {
+            times[*place] += 1;
         }
         taken.push(combination);
     }
@@ -166,7 +181,7 @@ fn items_of<'a>(
 }
 
 /// The text that a placeholder names: `item`, `item.set` or `item.when?`.
-fn item_text(combination: &BTreeMap<&str, &GridItem>, key: &str) -> Result<String, String> {
+fn item_text(combination: &Combination<'_>, key: &str) -> Result<String, String> {
     let (list, text) = key.split_once('.').unwrap_or((key, NAME));
     let item = combination.get(list).ok_or_else(|| format!("`{{{key}}}` names no list"))?;
     let (text, is_optional) = text.strip_suffix('?').map_or((text, false), |text| (text, true));

@@ -74,6 +74,7 @@ impl Suite {
         suite.motion_choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.expand_grids(&mut errors);
         suite.resolve_needs(&mut errors);
+        suite.leave_out_undocumented();
         suite.check(&mut errors);
         if errors.is_empty() { Ok(suite) } else { Err(errors) }
     }
@@ -220,7 +221,9 @@ impl Suite {
             }
         }
         for case in &rule.cases {
-            for (id, option) in case.parsed().into_iter().filter_map(|assertion| assertion.guard) {
+            let guarded = case.assertions.iter().filter(|text| text.starts_with("when "));
+            let guarded = guarded.filter_map(|text| text.parse::<Assertion>().ok()?.guard);
+            for (id, option) in guarded {
                 let fits = match id.as_str() {
                     "edition" => {
                         self.edition(&option).map(|_| ()).ok_or(format!("no edition `{option}`"))

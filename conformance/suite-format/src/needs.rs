@@ -1,43 +1,76 @@
-//! Selects the editions of cases that need an option.
+//! Selects the editions of rules and cases: by documents, by options, by the language.
 
-use crate::{Edition, Rule, Suite};
+use gaugeblock_vocabulary::{Language, LanguageCheck, Options};
+
+use crate::{Edition, Rule, Suite, scenario_of};
+
+/// An edition with all its options.
+type WithOptions<'a> = (&'a Edition, Options);
 
 impl Suite {
     /// Limits each case that needs an option to the editions of its language with that option.
     pub(crate) fn resolve_needs(&mut self, errors: &mut Vec<String>) {
         let mut rules = std::mem::take(&mut self.rules);
+        let editions = self.editions.iter();
+        let editions: Vec<_> = editions.map(|edition| (edition, self.options(edition))).collect();
         for rule in &mut rules {
-            if let Err(error) = self.resolve_needs_of(rule) {
+            if let Err(error) = resolve_needs_of(rule, &editions) {
                 errors.push(format!("{}: {error}", self.paths[&rule.id]));
             }
         }
         self.rules = rules;
     }
 
-    fn resolve_needs_of(&self, rule: &mut Rule) -> Result<(), String> {
-        for case in &mut rule.cases {
-            let Some(needs) = &case.needs else { continue };
-            let (id, option) = needs.split_once(" = ").ok_or_else(|| {
-                format!(
-                    "case `{}`: invalid `needs`: {needs}; expected `choice = option`",
-                    case.name
-                )
-            })?;
-            let has = |edition: &&Edition| {
-                edition.language == rule.language && self.options(edition).get(id) == Some(option)
+    /// Makes each rule void in the editions that have documented rules alone, if none of their documents is a source.
+    pub(crate) fn leave_out_undocumented(&mut self) {
+        for edition in self.editions.iter().filter(|edition| edition.documented_only) {
+            let is_documented = |rule: &Rule| {
+                rule.sources.iter().any(|source| edition.documents.contains(&source.document))
             };
-            let with_option = self.editions.iter().filter(has).map(|edition| edition.id.clone());
-            let given = &case.editions;
-            let left: Vec<String> =
-                with_option.filter(|id| given.is_empty() || given.contains(id)).collect();
-            if left.is_empty() {
-                return Err(format!(
-                    "case `{}`: no edition has the option that it needs: {needs}",
-                    case.name
-                ));
+            let of_language = self.rules.iter_mut().filter(|it| it.language == edition.language);
+            for rule in of_language.filter(|rule| !is_documented(rule)) {
+                let why = "its documents do not say so".to_owned();
+                rule.void.entry(edition.id.clone()).or_insert(why);
             }
-            case.editions = left;
         }
-        Ok(())
     }
+
+    /// Leaves out each case in the editions whose language has less than its program needs.
+    pub fn limit_to_languages(&mut self, check: LanguageCheck) {
+        for edition in self.editions.iter().filter(|it| it.language == Language::Rs274) {
+            let Some(language) = &edition.has else { continue };
+            let options = self.options(edition);
+            for rule in self.rules.iter_mut().filter(|rule| rule.exists_in(edition)) {
+                for case in rule.cases.iter_mut().filter(|case| case.runs_in(edition)) {
+                    if check(language, &scenario_of(case, &options, edition)).is_err() {
+                        case.beyond.push(edition.id.clone());
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn resolve_needs_of(rule: &mut Rule, editions: &[WithOptions<'_>]) -> Result<(), String> {
+    for case in &mut rule.cases {
+        let Some(needs) = &case.needs else { continue };
+        let (id, option) = needs.split_once(" = ").ok_or_else(|| {
+            format!("case `{}`: invalid `needs`: {needs}; expected `choice = option`", case.name)
+        })?;
+        let has = |(edition, options): &&WithOptions<'_>| {
+            edition.language == rule.language && options.get(id) == Some(option)
+        };
+        let with_option = editions.iter().filter(has).map(|(edition, _)| edition.id.clone());
+        let given = &case.editions;
+        let left: Vec<String> =
+            with_option.filter(|id| given.is_empty() || given.contains(id)).collect();
+        if left.is_empty() {
+            return Err(format!(
+                "case `{}`: no edition has the option that it needs: {needs}",
+                case.name
+            ));
+        }
+        case.editions = left;
+    }
+    Ok(())
 }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::num::NonZero;
 
-use gaugeblock_vocabulary::Language;
 use gaugeblock_vocabulary::scenario::{
     Budget, Environment, Machine, OperatorEvent, Program, Scenario, Start,
 };
+use gaugeblock_vocabulary::{DeclaredLanguage, Language};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -125,6 +125,11 @@ impl Rule {
         self.id.split('.').next().unwrap_or_default()
     }
 
+    /// Whether an edition has the rule: it is in its language, and not void there.
+    pub fn exists_in(&self, edition: &Edition) -> bool {
+        self.language == edition.language && !self.void.contains_key(&edition.id)
+    }
+
     /// The names of its cases of both kinds.
     pub fn case_names(&self) -> impl Iterator<Item = &str> {
         let names = self.cases.iter().map(|case| case.name.as_str());
@@ -158,6 +163,9 @@ pub struct Case {
     /// The place of the grid that it is from, from 0; none if the page has it as it is.
     #[serde(skip)]
     pub grid: Option<usize>,
+    /// Editions whose language has less than its program needs.
+    #[serde(skip)]
+    pub beyond: Vec<String>,
     /// What else the run depends on.
     #[serde(flatten)]
     pub setup: Setup,
@@ -181,6 +189,14 @@ pub struct Setup {
     pub block_delete: bool,
     /// Whether the main program is run, or each of its lines entered by hand.
     pub start: Start,
+}
+
+impl Case {
+    /// Whether an edition has the case, if it has its rule.
+    pub fn runs_in(&self, edition: &Edition) -> bool {
+        let is_named = self.editions.is_empty() || self.editions.contains(&edition.id);
+        is_named && !self.beyond.contains(&edition.id)
+    }
 }
 
 impl Setup {
@@ -356,6 +372,12 @@ pub struct Edition {
     /// Options that differ from its base's.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
+    /// Whether a rule exists only if one of its sources is in one of the documents.
+    #[serde(default)]
+    pub documented_only: bool,
+    /// The part of the language that its documents have; no case needs more.
+    #[serde(default)]
+    pub has: Option<DeclaredLanguage>,
 }
 
 /// A named and versioned list of rules that a vendor can claim: those whose pages name it.

@@ -23,21 +23,17 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use gaugeblock_compare::Capabilities;
+pub use gaugeblock_vocabulary::LanguageCheck;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
-use crate::protocol::{Declaration, DeclaredLanguage, Extension, needed};
+use crate::protocol::{Declaration, Extension, needed};
 use crate::{Adapter, ControllerError, Expected, HarnessError, MotionRequest, NoSamples};
 use connection::Endpoint;
 pub use limits::Limits;
 use observables_cache::ObservablesCache;
 use run::Stopped;
 use session::Session;
-
-/// Checks that a program is in a declared language: the referee has a parser, adapters have none.
-///
-/// The error says what the program needs in addition.
-pub type LanguageCheck = fn(&DeclaredLanguage, &Scenario) -> Result<(), String>;
 
 /// A controller that speaks the protocol.
 #[derive(Debug)]

@@ -5,7 +5,7 @@ use gaugeblock_runner::fuzz::Plan;
 use gaugeblock_runner::fuzz::comparability::NotComparable;
 use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::suite_check::editions_of;
-use gaugeblock_suite::{Edition, Rule, RuleOutcome, Suite, scenario_of};
+use gaugeblock_suite::{Edition, RuleOutcome, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Scenario};
 
 /// The suite's cases under an edition, as seeds of splices.
@@ -29,9 +29,7 @@ pub(crate) fn outcomes<'a>(
     suite: &'a Suite,
     edition: &'a Edition,
 ) -> impl Iterator<Item = (&'a str, Reached)> {
-    let exists =
-        |rule: &&Rule| rule.language == edition.language && !rule.void.contains_key(&edition.id);
-    let rules = suite.rules.iter().filter(exists);
+    let rules = suite.rules.iter().filter(|rule| rule.exists_in(edition));
     rules.flat_map(|rule| {
         rule.outcomes.iter().map(move |outcome| {
             let reached = match outcome {

@@ -105,7 +105,7 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
             not_applicable.push((rule, why.as_str()));
             continue;
         }
-        let runs = |case: &&Case| case.editions.is_empty() || case.editions.contains(edition);
+        let runs = |case: &&Case| case.runs_in(plan.edition);
         cases.extend(rule.cases.iter().filter(runs).map(|case| (rule, Subject::Run(case))));
         let concerns = |case: &&MotionCase| case.is_recorded() == laws;
         let motion = rule.motion.iter().filter(concerns);

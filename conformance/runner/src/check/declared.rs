@@ -52,10 +52,8 @@ fn programs(adapter: &Exec, suite: &Suite) -> Vec<(Scenario, Outcome)> {
 
 fn of_edition(adapter: &Exec, suite: &Suite, edition: &Edition) -> Vec<(Scenario, Outcome)> {
     let options = options_of(suite, edition, &adapter.options());
-    let rules = suite.rules.iter().filter(|rule| rule.language == edition.language);
-    let cases = rules.flat_map(|rule| &rule.cases);
-    let cases =
-        cases.filter(|case| case.editions.is_empty() || case.editions.contains(&edition.id));
+    let rules = suite.rules.iter().filter(|rule| rule.exists_in(edition));
+    let cases = rules.flat_map(|rule| &rule.cases).filter(|case| case.runs_in(edition));
     let scenarios = cases.map(|case| scenario_of(case, &options, edition));
     let scenarios = scenarios.filter(|scenario| adapter.supports(scenario).is_ok());
     let with_outcome = scenarios.map(|scenario| {

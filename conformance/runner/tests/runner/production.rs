@@ -13,7 +13,7 @@ use gaugeblock_suite::{ChoiceKind, Edition, Suite};
 const OTHERS: &[&str] = &["the environment \"stand-alone rs274\" is another controller's"];
 
 fn suite() -> Suite {
-    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+    gaugeblock_runner::language::read_suite(&gaugeblock_embedded_suite::files().expect("the suite"))
         .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 

@@ -11,7 +11,7 @@ use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
 
 fn suite() -> Suite {
-    Suite::read(&gaugeblock_embedded_suite::files().expect("the suite"))
+    gaugeblock_runner::language::read_suite(&gaugeblock_embedded_suite::files().expect("the suite"))
         .unwrap_or_else(|errors| panic!("{}", errors.join("\n")))
 }
 

@@ -1,50 +1,64 @@
 //! The part of the language that a controller has. The referee reads programs and leaves out those that need more.
 
-use std::collections::{BTreeMap, BTreeSet};
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::format;
+use alloc::string::String;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use crate::Scenario;
 
 /// The part of RS-274 that a controller has. A member that is left out limits nothing.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DeclaredLanguage {
     /// G codes, such as `"0"` and `"38.2"`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub g: Option<BTreeSet<String>>,
     /// M codes, such as `"3"`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub m: Option<BTreeSet<String>>,
     /// Letters that a code can have in its block, axes among them, by the name of the code: `{"G43.1": "Z"}`. A code
     /// that is not listed can have those of the documents. G10 can be listed by its L word: `G10 L2` and `G10 L20`
     /// exclude every other L.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "BTreeMap::is_empty"))]
     pub words: BTreeMap<String, String>,
     /// Axis letters, with `@` and `^` of polar words: `"XYZ"`.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub axes: Option<String>,
     /// Which of the letters `F`, `S`, `T` and `N` a block can have.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub letters: Option<String>,
     /// Kinds of parameters; an empty list for none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub parameters: Option<BTreeSet<ParameterKind>>,
     /// Whether there are expressions in square brackets.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub expressions: Option<bool>,
     /// Whether there are O-words.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub o_words: Option<bool>,
     /// Kinds of comments; an empty list for none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub comments: Option<BTreeSet<CommentKind>>,
 }
 
+/// Checks that a program is in a declared language: the referee has a parser, adapters have none.
+///
+/// The error says what the program needs in addition.
+pub type LanguageCheck = fn(&DeclaredLanguage, &Scenario) -> Result<(), String>;
+
 /// A kind of parameters.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
 )]
-#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ParameterKind {
     /// `#31`.
     Numbered,
@@ -53,10 +67,13 @@ pub enum ParameterKind {
 }
 
 /// A kind of comments.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
 )]
-#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum CommentKind {
     /// In parentheses.
     Parentheses,
@@ -120,8 +137,10 @@ fn letters_of(place: &str, letters: &str, known: &str) -> Result<(), String> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "serde"))]
 mod tests {
+    use alloc::string::ToString as _;
+
     use super::*;
 
     fn checked(json: &str) -> Result<(), String> {
