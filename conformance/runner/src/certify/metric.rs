@@ -124,6 +124,7 @@ mod tests {
             assertions: vec![assertion.to_owned()],
             golden: None,
             grid: None,
+            beyond: Vec::new(),
             editions: Vec::new(),
             needs: None,
             setup: Setup::default(),

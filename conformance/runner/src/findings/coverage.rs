@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use gaugeblock_suite::{Edition, Suite};
+use gaugeblock_suite::{Case, Edition, Rule, Suite};
 
-use super::spectrum::SpectrumCase;
+use super::spectrum::{SpectrumCase, WHOLE};
 use crate::certify::CaseResult;
 use crate::model_run::model_run;
 
@@ -36,8 +36,15 @@ impl<'a> Coverage<'a> {
             let known = reached
                 .iter()
                 .filter_map(|(id, outcome)| ids.get(id.as_str()).map(|id| (*id, *outcome)));
-            Rc::new(SpectrumCase::new(&result.rule.id, known))
+            Rc::new(SpectrumCase::new(&result.rule.id, known, share(result.rule, case)))
         });
         Rc::clone(used)
     }
+}
+
+/// The share of a case in its grid.
+fn share(rule: &Rule, case: Option<&Case>) -> u64 {
+    let Some(grid) = case.and_then(|case| case.grid) else { return WHOLE };
+    let cells = rule.cases.iter().filter(|case| case.grid == Some(grid)).count();
+    u64::try_from(cells).map_or(WHOLE, |cells| WHOLE / cells.max(1))
 }

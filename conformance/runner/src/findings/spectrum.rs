@@ -2,7 +2,8 @@
 //!
 //! This is spectrum-based fault localisation over rules instead of lines. The model says which rules a program uses,
 //! and with which outcome: that a rule refuses may be broken while what it accepts is not. A rule is suspicious if
-//! cases of its own fail, if many failing programs use it, and if few passing ones do.
+//! cases of its own fail, if many failing programs use it, and if few passing ones do. A grid counts as one case: its
+//! cells are the same program under several conditions.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -19,7 +20,12 @@ pub(super) struct SpectrumCase<'a> {
     rule: &'a str,
     /// What its program uses, its own rule included.
     uses: BTreeSet<RuleUse<'a>>,
+    /// Its share of a grid, of [`WHOLE`].
+    share: u64,
 }
+
+/// The share of a case that is in no grid. Shares are whole numbers, so that their sums do not depend on the order.
+pub(super) const WHOLE: u64 = 1 << 32;
 
 /// The cases of a run.
 #[derive(Debug)]
@@ -30,22 +36,23 @@ pub(super) struct Spectrum<'a> {
     pub(super) passing: Vec<Rc<SpectrumCase<'a>>>,
 }
 
-/// How many cases use a rule.
+/// How many cases use a rule, each as its share of a grid.
 #[derive(Clone, Copy, Debug, Default)]
 struct Count {
     /// All cases.
-    all: usize,
+    all: u64,
     /// Cases of the rule itself.
-    own: usize,
+    own: u64,
 }
 
 impl<'a> SpectrumCase<'a> {
-    /// A case of a rule whose program reaches these rules.
+    /// A case of a rule whose program reaches these rules, and its share of a grid.
     pub(super) fn new(
         rule: &'a str,
         reached: impl IntoIterator<Item = (&'a str, RuleOutcome)>,
+        share: u64,
     ) -> Self {
-        let mut case = Self { rule, uses: BTreeSet::new() };
+        let mut case = Self { rule, uses: BTreeSet::new(), share };
         case.uses.extend(reached.into_iter().map(|(rule, outcome)| (rule, Some(outcome))));
         if !case.uses(rule) {
             case.uses.insert((rule, None));
@@ -63,59 +70,72 @@ impl<'a> Spectrum<'a> {
     /// The broken rules, the most suspicious first, each with the places of its failing cases. Every failing case
     /// belongs to one rule.
     pub(super) fn attribute(&self) -> Vec<(&'a str, Vec<usize>)> {
-        let passed = counts(&self.passing);
+        let mut passed = Counts::default();
+        self.passing.iter().for_each(|case| passed.add(case));
+        let mut failed = Counts::default();
+        self.failing.iter().for_each(|case| failed.add(case));
         let mut left: Vec<usize> = (0..self.failing.len()).collect();
         let mut broken = Vec::new();
-        while let Some(rule) = self.most_suspicious(&left, &passed) {
+        while let Some(rule) = most_suspicious(&failed, &passed) {
             let uses = |place: &usize| self.failing[*place].uses(rule);
-            let (own, others) = left.into_iter().partition(uses);
+            let (own, others): (Vec<usize>, Vec<usize>) = left.into_iter().partition(uses);
+            own.iter().for_each(|place| failed.remove(&self.failing[*place]));
             left = others;
             broken.push((rule, own));
         }
         broken
     }
-
-    /// The rule with the highest suspicion among those of failing cases; of equal ones the first by its id.
-    fn most_suspicious(
-        &self,
-        left: &[usize],
-        passed: &BTreeMap<RuleUse<'a>, Count>,
-    ) -> Option<&'a str> {
-        let failed = counts(left.iter().map(|place| &self.failing[*place]));
-        let candidates = failed.iter().filter(|(_, count)| count.own > 0);
-        let scored = candidates.map(|(used, failed)| {
-            let passed = passed.get(used).copied().unwrap_or_default();
-            (suspicion(*failed, passed, left.len()), used.0)
-        });
-        let best = scored.reduce(|best, next| if next.0 > best.0 { next } else { best });
-        best.map(|(_, rule)| rule)
-    }
 }
 
-/// How many of these cases use each rule.
-fn counts<'a: 'c, 'c>(
-    cases: impl IntoIterator<Item = &'c Rc<SpectrumCase<'a>>>,
-) -> BTreeMap<RuleUse<'a>, Count> {
-    let mut counts: BTreeMap<RuleUse<'a>, Count> = BTreeMap::new();
-    for case in cases {
+/// The rule with the highest suspicion among those of failing cases; of equal ones the first by its id.
+fn most_suspicious<'a>(failed: &Counts<'a>, passed: &Counts<'a>) -> Option<&'a str> {
+    let candidates = failed.of_use.iter().filter(|(_, count)| count.own > 0);
+    let scored = candidates.map(|(used, count)| {
+        let passed = passed.of_use.get(used).copied().unwrap_or_default();
+        (suspicion(*count, passed, failed.cases), used.0)
+    });
+    let best = scored.reduce(|best, next| if next.0 > best.0 { next } else { best });
+    best.map(|(_, rule)| rule)
+}
+
+/// How many of some cases use each rule.
+#[derive(Debug, Default)]
+struct Counts<'a> {
+    /// All cases.
+    cases: u64,
+    of_use: BTreeMap<RuleUse<'a>, Count>,
+}
+
+impl<'a> Counts<'a> {
+    fn add(&mut self, case: &SpectrumCase<'a>) {
+        self.cases += case.share;
         for used in &case.uses {
-            let count = counts.entry(*used).or_default();
-            count.all += 1;
-            count.own += usize::from(used.0 == case.rule);
+            let count = self.of_use.entry(*used).or_default();
+            count.all += case.share;
+            count.own += if used.0 == case.rule { case.share } else { 0 };
         }
     }
-    counts
+
+    fn remove(&mut self, case: &SpectrumCase<'a>) {
+        self.cases -= case.share;
+        for used in &case.uses {
+            let Some(count) = self.of_use.get_mut(used) else { continue };
+            count.all -= case.share;
+            count.own -= if used.0 == case.rule { case.share } else { 0 };
+        }
+    }
 }
 
 /// How suspicious a rule is, from the failing and the passing cases that use it: the share of the failing cases, the
 /// share of its own cases that fail, and the share of its users that fail. One more passing case is assumed, so that a
 /// rule with one case is not certain. Its share of the failing cases as their own rule decides what is nearly equal.
-#[expect(clippy::cast_precision_loss, reason = "cases are thousands")]
-fn suspicion(failed: Count, passed: Count, failing: usize) -> f64 {
-    let of_failing = failed.all as f64 / failing as f64;
-    let of_own = failed.own as f64 / (failed.own + passed.own + 1) as f64;
-    let own_of_failing = failed.own as f64 / failing as f64;
-    let of_users = failed.all as f64 / (failed.all + passed.all) as f64;
+#[expect(clippy::cast_precision_loss, reason = "shares of cases, compared with each other")]
+fn suspicion(failed: Count, passed: Count, failing: u64) -> f64 {
+    let share = |part: u64, all: u64| part as f64 / all as f64;
+    let of_failing = share(failed.all, failing);
+    let of_own = share(failed.own, failed.own + passed.own + WHOLE);
+    let own_of_failing = share(failed.own, failing);
+    let of_users = share(failed.all, failed.all + passed.all);
     of_failing + of_own + 0.3 * own_of_failing + 0.5 * of_users
 }
 
@@ -130,7 +150,7 @@ mod tests {
             Some(rule) => (rule, RuleOutcome::Accepted),
             None => (used.trim_end_matches('-'), RuleOutcome::Refused),
         });
-        Rc::new(SpectrumCase::new(rule, reached))
+        Rc::new(SpectrumCase::new(rule, reached, WHOLE))
     }
 
     #[track_caller]
@@ -158,6 +178,19 @@ mod tests {
     fn one_failing_case_is_less_than_several_of_many() {
         let failing = ["abort: abort+ stop+", "abort: abort+ stop+", "stop: abort+ stop+"];
         check(&failing, &["abort: abort+ stop+", "stop: abort+ stop+"], &["abort"]);
+    }
+
+    #[test]
+    fn cells_of_a_grid_count_as_one_case() {
+        let cells = |count: usize, text| {
+            let cell = Rc::unwrap_or_clone(case(text));
+            let share = WHOLE / u64::try_from(count).unwrap();
+            std::iter::repeat_n(Rc::new(SpectrumCase { share, ..cell }), count)
+        };
+        let mut failing: Vec<_> = cells(100, "axes: axes+ unit+").collect();
+        failing.extend([case("unit: axes+ unit+"), case("unit: axes+ unit+")]);
+        let spectrum = Spectrum { failing, passing: vec![case("axes: axes+")] };
+        assert_eq!(spectrum.attribute()[0].0, "unit");
     }
 
     #[test]
