@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, LengthUnit, Plane};
 
+use super::task::machine_point_in_mm;
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::ids::{choice, rule};
@@ -63,7 +64,7 @@ impl ArcRules for LinuxCnc {
         {
             state.coverage.accepted(rule);
             // Quirk linuxcnc.point-read-back. The machine leaves such an arc out.
-            state.memory.led_to = Some(state.modes.machine_point(state.position));
+            state.memory.led_to = Some(machine_point_in_mm(&state.modes, state.position));
             return Ok((f64::NAN, f64::NAN));
         }
         Documented.centre_from_radius(start, chord, radius, clockwise, state)

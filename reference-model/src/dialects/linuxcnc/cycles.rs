@@ -1,15 +1,17 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_vocabulary::{Axis, Effect, PathControlMode, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, PathControlMode, Plane, Position};
 
 use super::path::tolerances_as_numbers;
+use super::task::machine_point_in_mm;
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
+use crate::ids::rule;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, traverse_along};
 use crate::rs274::execute::{whole, word};
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 
@@ -91,6 +93,7 @@ impl CycleRules for LinuxCnc {
     }
 
     /// Quirk rs274.cycle-exact-path. A cycle is executed on the exact path, and G64 is programmed again after it.
+    /// Quirk linuxcnc.tap-in-parallel-plane. Taps are refused in the planes of U, V and W.
     fn perform_repeats(
         &self,
         cycle: &Cycle,
@@ -98,12 +101,18 @@ impl CycleRules for LinuxCnc {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
+        let taps = matches!(cycle.kind, Kind::TapLeft | Kind::TapRight);
+        let is_parallel = matches!(state.modes.plane, Plane::Uv | Plane::Wu | Plane::Vw);
+        if taps && is_parallel && state.has_quirk(quirk::linuxcnc::TAP_IN_PARALLEL_PLANE) {
+            let message = "no tap in the planes of U, V and W".to_owned();
+            return Err(refuse(rule::cycles::PLANE, FaultKind::ModalConflict, message));
+        }
         let is_exact = state.has_quirk(quirk::rs274::CYCLE_EXACT_PATH);
         let path =
             is_exact.then(|| std::mem::replace(&mut state.modes.path, PathControlMode::ExactPath));
         Documented.perform_repeats(cycle, places, state, record)?;
-        if matches!(cycle.kind, Kind::TapLeft | Kind::TapRight) && has_other_axes(state) {
-            state.memory.led_to = Some(state.modes.machine_point(in_other_order(state)));
+        if taps && has_other_axes(state) {
+            state.memory.led_to = Some(machine_point_in_mm(&state.modes, in_other_order(state)));
         }
         if let Some(path) = path {
             if path == PathControlMode::Continuous {

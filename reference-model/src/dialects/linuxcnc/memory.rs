@@ -25,8 +25,8 @@ pub(crate) struct Memory {
     pub(super) has_moved: bool,
     /// Quirk linuxcnc.tool-change-move: whether the machine is on its way to where the tool is changed.
     pub(super) moves_to_change: bool,
-    /// Quirk linuxcnc.point-read-back: where the machine is, in its own coordinates, while the interpreter takes it to
-    /// be elsewhere.
+    /// Quirk linuxcnc.point-read-back: where the machine is, in its own coordinates and in millimetres, while the
+    /// interpreter takes it to be elsewhere.
     pub(super) machine_point: Option<Position>,
     /// Quirk linuxcnc.point-read-back: where the block has led the machine, likewise.
     pub(super) led_to: Option<Position>,

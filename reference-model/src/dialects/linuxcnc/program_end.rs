@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
 
-use super::task::read_point_back;
+use super::task::{machine_point_in_mm, read_point_back};
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -57,7 +57,7 @@ pub(super) fn without_local_offset(turn: fn(&mut State), state: &mut State) {
     if !state.has_quirk(quirk::rs274::ROTATION_UNDER_LOCAL_OFFSET) {
         return turn(state);
     }
-    let machine = state.modes.machine_point(state.position);
+    let machine = machine_point_in_mm(&state.modes, state.position);
     state.memory.machine_point.get_or_insert(machine);
     let local = std::mem::take(&mut state.modes.g92_offset);
     turn(state);

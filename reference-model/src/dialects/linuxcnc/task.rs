@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use gaugeblock_vocabulary::{ControllerMode, End, Fault, Position, SpindleLimit, SpindleMode};
+use gaugeblock_vocabulary::{
+    ControllerMode, End, Fault, LengthUnit, Position, SpindleLimit, SpindleMode,
+};
 
 use super::spindle::{release_brake_by_speed, set_released};
 use super::{HasQuirk, LinuxCnc};
@@ -158,6 +160,12 @@ pub(super) fn read_point_back(state: &mut State) {
     if let Some(machine) = state.memory.machine_point.take()
         && state.has_quirk(quirk::linuxcnc::POINT_READ_BACK)
     {
+        let machine = converted(machine, LengthUnit::Millimetre, state.modes.units);
         state.position = state.modes.program_point(machine);
     }
+}
+
+/// Where the machine is at a point of the program, in its own coordinates and in millimetres.
+pub(super) fn machine_point_in_mm(modes: &Modes, point: Position) -> Position {
+    converted(modes.machine_point(point), modes.units, LengthUnit::Millimetre)
 }

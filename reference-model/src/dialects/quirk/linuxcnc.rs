@@ -42,6 +42,8 @@ quirks! {
     SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
     /// M6, M61 and M66 set the mode of each spindle to revolutions, although its speed still follows G96.
     SPINDLE_MODE_READ_BACK = "linuxcnc.spindle-mode-read-back",
+    /// G74 and G84 are refused in the planes UV, WU and VW.
+    TAP_IN_PARALLEL_PLANE = "linuxcnc.tap-in-parallel-plane",
     /// A rapid override of zero does not hold the move to where the tool is changed.
     TOOL_CHANGE_MOVE = "linuxcnc.tool-change-move",
     /// A change to MDI mode sets `_value` and `_value_returned` to zero.
