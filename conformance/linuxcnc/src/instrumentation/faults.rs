@@ -9,6 +9,9 @@ use gaugeblock_vocabulary::FaultKind as Kind;
 const FRAGMENTS: &[(&str, Kind)] = &[
     // Text.
     ("Command too long", Kind::LineTooLong),
+    ("Bad character 'a' used", Kind::NoSuchAxis),
+    ("Bad character 'b' used", Kind::NoSuchAxis),
+    ("Bad character 'c' used", Kind::NoSuchAxis),
     ("Bad character 'u' used", Kind::NoSuchAxis),
     ("Bad character 'v' used", Kind::NoSuchAxis),
     ("Bad character 'w' used", Kind::NoSuchAxis),

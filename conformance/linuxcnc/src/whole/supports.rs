@@ -23,6 +23,9 @@ const OWN_ENVIRONMENT: &str = "whole controller";
 pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
+    if has_message_beyond_ascii(&scenario.program) {
+        return Err("it shows a part of each character beyond ASCII in messages".to_owned());
+    }
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
         return Err(format!("an operator's event after a delay of {} s", event.when.offset));
@@ -120,6 +123,16 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
         return Err("it does not report the end of a dwell before it resumes".to_owned());
     }
     Ok(())
+}
+
+/// Whether a comment shows a message that is not all ASCII.
+fn has_message_beyond_ascii(program: &Program) -> bool {
+    let is_message = |line: &str| {
+        let compact: String = line.chars().filter(|character| !character.is_whitespace()).collect();
+        let compact = compact.to_ascii_lowercase();
+        compact.contains("(msg") || compact.contains("(debug,")
+    };
+    Source::new(program).all().any(|(_, _, line)| !line.is_ascii() && is_message(line))
 }
 
 fn program(program: &Program) -> Result<(), String> {

@@ -3,12 +3,23 @@
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_vocabulary::{Bound, Effect, End, Event, Fault, FaultKind};
 
+use super::super::stream::Item;
 use super::{Assembly, is_end, unreadable};
 use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::faults;
 use crate::instrumentation::source::{Form, form};
 
 impl Assembly<'_> {
+    /// The checkpoint after the end. Blocks by hand have one before the driver enters another block; a program end among
+    /// them shows only once a program begins.
+    pub(super) fn state_after<'a>(&self, after: &'a [Item]) -> Option<&'a Checkpoint> {
+        let mut checkpoints = after.iter().filter_map(Item::checkpoint);
+        if self.by_hand && self.issued.iter().any(is_end) {
+            return checkpoints.next_back();
+        }
+        checkpoints.next()
+    }
+
     /// How the run ended, and its last block.
     ///
     /// # Errors

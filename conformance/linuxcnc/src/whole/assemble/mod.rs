@@ -130,8 +130,7 @@ impl<'a> Assembly<'a> {
         for item in run {
             assembly.item(item)?;
         }
-        let after_end = after.iter().find_map(Item::checkpoint);
-        let end = assembly.end(after_end)?;
+        let end = assembly.end(assembly.state_after(after))?;
         let mut parameters = parameters;
         if let (End::Paused, false, Some(all)) = (&end, assembly.by_hand, &mut parameters) {
             // The driver lets the interpreter go, which may read on before it stops.
