@@ -24,7 +24,7 @@ pub(super) fn supports(scenario: &Scenario) -> Result<(), String> {
     program(&scenario.program)?;
     machine(&scenario.machine)?;
     if has_message_beyond_ascii(&scenario.program) {
-        return Err("it shows a part of each character beyond ASCII in messages".to_owned());
+        return Err("it reports a part of each character beyond ASCII in messages".to_owned());
     }
     environment(&scenario.environment)?;
     if let Some(event) = scenario.operator.iter().find(|event| event.when.offset > LATEST) {
