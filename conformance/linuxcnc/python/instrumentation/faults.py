@@ -10,6 +10,7 @@ from .text import code, last_comment
 KINDS = [
     # Text.
     ("line_too_long", ["Command too long"]),
+    ("no_such_axis", ["Bad character 'a' used", "Bad character 'b' used", "Bad character 'c' used"]),
     ("no_such_axis", ["Bad character 'u' used", "Bad character 'v' used", "Bad character 'w' used"]),
     ("bad_character", ["Bad character"]),
     ("bad_comment", ["Unclosed comment", "Nested comment"]),
