@@ -1,30 +1,37 @@
 //! How the documents are read in a run: the option of each choice, and what a dialect does differently.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 
 use gaugeblock_vocabulary::Options;
 
 use crate::dialects::{Deviations, unknown};
-use crate::ids::{Choice, Page, choice, pages};
+use crate::ids::{Choice, Page, Rule, choice, pages};
 
 /// The number of each choice and its page, by its id.
 static PLACES: LazyLock<BTreeMap<&str, (usize, &Page)>> =
     LazyLock::new(|| (0..).zip(pages()).map(|(place, page)| (page.id, (place, page))).collect());
 
 /// The options in force for a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Choices {
     /// The place of the option of each choice, in the order of the choices' numbers.
     options: [u8; choice::COUNT as usize],
     /// What a dialect does differently; nothing by the documents.
     pub(crate) deviations: Deviations,
+    /// What the run has asked for, where the caller wants to know.
+    pub(crate) consulted: Option<Arc<Consulted>>,
 }
 
 impl Default for Choices {
     /// The first option of each choice, as the documents say.
     fn default() -> Self {
-        Self { options: [0; choice::COUNT as usize], deviations: Deviations::default() }
+        Self {
+            options: [0; choice::COUNT as usize],
+            deviations: Deviations::default(),
+            consulted: None,
+        }
     }
 }
 
@@ -90,13 +97,41 @@ impl Choices {
     /// The option of a choice.
     #[inline]
     pub fn get<C: Choice>(&self) -> C {
+        self.consult(Rule::of_choice::<C>());
         C::OPTIONS[usize::from(self.options[usize::from(C::NUMBER)])]
     }
 
     /// Whether a choice has this option.
     #[inline]
     pub fn is<C: Choice>(&self, option: C) -> bool {
+        self.consult(Rule::of_choice::<C>());
         self.options[usize::from(C::NUMBER)] == option.place()
+    }
+
+    /// Notes that a run asks for the option of a choice, or for a quirk.
+    #[inline]
+    pub(crate) fn consult(&self, id: Rule) {
+        if let Some(consulted) = &self.consulted {
+            consulted.0[id.number()].store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+/// The choices and quirks that a run has asked for. Another option of any other one changes nothing of the run.
+#[derive(Debug)]
+pub struct Consulted([AtomicBool; Rule::COUNT]);
+
+impl Default for Consulted {
+    fn default() -> Self {
+        Self([const { AtomicBool::new(false) }; Rule::COUNT])
+    }
+}
+
+impl Consulted {
+    /// The ids of their pages.
+    pub fn ids(&self) -> BTreeSet<&'static str> {
+        let asked = Rule::all().filter(|id| self.0[id.number()].load(Ordering::Relaxed));
+        asked.map(Rule::id).collect()
     }
 }
 

@@ -23,11 +23,14 @@ pub mod motion;
 pub mod nct;
 pub mod rs274;
 
-pub use choices::Choices;
+pub use choices::{Choices, Consulted};
 pub use coverage::{RuleCoverage, RuleOutcome, Tally};
 
 pub use rs274::RunCache;
 pub use rs274::modes::Rounding;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use gaugeblock_vocabulary::{Language, Options, Outcome, Scenario};
 
@@ -55,6 +58,16 @@ pub fn run_with(cache: &mut RunCache, scenario: &Scenario) -> (Outcome, RuleCove
 /// The same, with positions rounded in another way. Where that changes the answer, the documents have none.
 pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, RuleCoverage) {
     run_as(&mut RunCache::default(), scenario, rounding)
+}
+
+/// The same, with the ids of the choices and quirks that the run asks for. Another option of any other one changes
+/// nothing. In other languages than RS-274 they are not known: none is given.
+pub fn run_consulting(scenario: &Scenario) -> (Outcome, Option<BTreeSet<&'static str>>) {
+    let consulted = Arc::new(Consulted::default());
+    let mut cache = RunCache::consulting(consulted.clone());
+    let (outcome, _) = run_with(&mut cache, scenario);
+    let is_known = scenario.program.language == Language::Rs274;
+    (outcome, is_known.then(|| consulted.ids()))
 }
 
 fn run_as(

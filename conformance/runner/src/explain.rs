@@ -1,5 +1,8 @@
 //! Explains a divergence by quirks, or by other options of choices.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
@@ -23,11 +26,25 @@ impl AlternativeOption<'_> {
         }
     }
 
+    fn is(&self, other: &Self) -> bool {
+        (&self.choice.id, self.option) == (&other.choice.id, other.option)
+    }
+
     /// A scenario under this option.
     pub(crate) fn applied_to(&self, scenario: &Scenario) -> Scenario {
         let mut scenario = scenario.clone();
         scenario.options.0.insert(self.choice.id.clone(), self.option.to_owned());
         scenario
+    }
+}
+
+/// The ids of the choices and quirks that a run of the model asks for; none if they are not known.
+struct Asked(Option<BTreeSet<&'static str>>);
+
+impl Asked {
+    /// Whether another option can change anything of the run.
+    fn includes(&self, other: &AlternativeOption<'_>) -> bool {
+        self.0.as_ref().is_none_or(|ids| ids.contains(other.choice.id.as_str()))
     }
 }
 
@@ -57,31 +74,62 @@ impl<'a> DivergenceContext<'a> {
     pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
         let observables = self.controller.observables(self.scenario);
-        let specified = gaugeblock_reference::run(self.scenario).0;
-        let explains = |tried: &[AlternativeOption<'_>]| {
-            let mut scenario = self.scenario.clone();
-            for other in tried {
-                scenario.options.0.insert(other.choice.id.clone(), other.option.to_owned());
-            }
-            let expected = gaugeblock_reference::run(&scenario).0;
+        let (specified, asked) = self.model_under(&[]);
+        let explains = |outcome: &Outcome| {
             // Most options do not concern the program: the outcome is the one that differs already.
-            expected != specified
-                && compare(&Observed::of(&expected), &found, &observables).is_equal()
+            *outcome != specified
+                && compare(&Observed::of(outcome), &found, &observables).is_equal()
         };
-        let all = self.candidates();
-        if let Some(one) = all.iter().find(|one| explains(&[**one])) {
-            return vec![*one];
+        let mut tried = Vec::new();
+        for one in self.candidates().into_iter().filter(|one| asked.includes(one)) {
+            let (outcome, asked) = self.model_under(&[one]);
+            if explains(&outcome) {
+                return vec![one];
+            }
+            tried.push((one, asked));
         }
-        let known = self.observed_options();
-        if explains(&known) {
-            let mut few = minimal(known, explains);
+        let mut known = self.observed_options();
+        let (outcome, asked) = self.model_under(&known);
+        let explained = |options: &[AlternativeOption<'_>]| explains(&self.model_under(options).0);
+        if explains(&outcome) {
+            known.retain(|one| asked.includes(one));
+            let mut few = minimal(known, explained);
             few.sort_by_key(|other| !self.rule_names(other));
             return few;
         }
-        let named = all.iter().filter(|one| self.rule_names(one));
-        let pairs = named.flat_map(|one| all.iter().map(move |other| [*one, *other]));
-        let mut pairs = pairs.filter(|[one, other]| one.choice.id != other.choice.id);
-        pairs.find(|pair| explains(pair)).map(Vec::from).unwrap_or_default()
+        self.pairs(&tried)
+            .into_iter()
+            .find(|pair| explained(pair))
+            .map(Vec::from)
+            .unwrap_or_default()
+    }
+
+    /// The pairs of an option that the rule names and another one that concern the program together: under one of
+    /// them, which the program asks for, it asks for the other.
+    fn pairs(&self, tried: &[(AlternativeOption<'a>, Asked)]) -> Vec<[AlternativeOption<'a>; 2]> {
+        let all = self.candidates();
+        let under = |one: &AlternativeOption<'_>| tried.iter().find(|(it, _)| it.is(one));
+        let mut pairs = Vec::new();
+        for one in all.iter().filter(|one| self.rule_names(one)) {
+            let others = all.iter().filter(|other| other.choice.id != one.choice.id);
+            let together = others.filter(|other| {
+                under(one).is_some_and(|(_, asked)| asked.includes(other))
+                    || under(other).is_some_and(|(_, asked)| asked.includes(one))
+            });
+            pairs.extend(together.map(|other| [*one, *other]));
+        }
+        pairs
+    }
+
+    /// The model's run under other options.
+    fn model_under(&self, others: &[AlternativeOption<'_>]) -> (Outcome, Asked) {
+        let mut scenario = Cow::Borrowed(self.scenario);
+        for other in others {
+            let options = &mut scenario.to_mut().options.0;
+            options.insert(other.choice.id.clone(), other.option.to_owned());
+        }
+        let (outcome, consulted) = gaugeblock_reference::run_consulting(&scenario);
+        (outcome, Asked(consulted))
     }
 
     /// Whether the rule names this choice or quirk.

@@ -35,6 +35,8 @@ pub(crate) use quirk::{CHAPTERS as ID_CHAPTERS, COUNT as ID_COUNT};
 impl Choices {
     /// The dialect of this run.
     pub(crate) fn dialect(&self) -> &'static dyn Dialect {
-        if self.deviations.any() { &linuxcnc::LinuxCnc } else { &Documented }
+        // Without a quirk it says the same; but what it asks for is to be known.
+        let has_dialect = self.deviations.any() || self.consulted.is_some();
+        if has_dialect { &linuxcnc::LinuxCnc } else { &Documented }
     }
 }

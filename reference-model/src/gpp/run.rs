@@ -31,7 +31,7 @@ pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
     let mut coverage = RuleCoverage::default();
     let choices = Choices::known(&scenario.options);
     let toolpath = scenario.program.files.get(TOOLPATH).map_or("", String::as_str);
-    let (steps, end) = match compiled(scenario, toolpath, choices, &mut coverage) {
+    let (steps, end) = match compiled(scenario, toolpath, &choices, &mut coverage) {
         Ok((program, blocks)) => {
             let mut run = Run {
                 variables: program.variables.clone(),
@@ -54,13 +54,13 @@ pub fn run(scenario: &Scenario) -> (Outcome, RuleCoverage) {
 fn compiled(
     scenario: &Scenario,
     toolpath: &str,
-    choices: Choices,
+    choices: &Choices,
     coverage: &mut RuleCoverage,
 ) -> Result<(Program, Vec<Processed>), (BlockLocation, StepError)> {
     let of = |file: &'static str| move |(line, error)| (BlockLocation::new(file, line), error);
-    let toolpath = toolpath::read(toolpath, &choices).map_err(of(TOOLPATH))?;
+    let toolpath = toolpath::read(toolpath, choices).map_err(of(TOOLPATH))?;
     let main = &scenario.program.main;
-    let program = syntax::read(main, toolpath.variables, choices, coverage);
+    let program = syntax::read(main, toolpath.variables, choices.clone(), coverage);
     Ok((program.map_err(of(Files::MAIN))?, toolpath.blocks))
 }
 

@@ -7,7 +7,7 @@ use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, S
 use gaugeblock_runner::fingerprint::{ObservedOption, fingerprint};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_runner::suite_check;
-use gaugeblock_suite::Suite;
+use gaugeblock_suite::{Suite, scenario_of};
 use gaugeblock_vocabulary::Options;
 
 fn suite() -> Suite {
@@ -95,5 +95,39 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
         let spared =
             |case: &&CaseResult<'_>| case.masked.contains("an assertion for another option");
         assert!(run.cases.iter().filter(spared).count() > 0, "{choice} = {option}");
+    }
+}
+
+/// The search for the cause of a divergence leaves out options that the program does not ask for. Each option is tried
+/// on a few cases, other ones for each option.
+#[test]
+fn an_option_that_a_run_does_not_ask_for_changes_nothing() {
+    const CASES: usize = 12;
+    let suite = suite();
+    let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
+    let language = edition.language;
+    let rules = suite.rules.iter().filter(|rule| rule.language == language);
+    let cases: Vec<_> = rules.flat_map(|rule| &rule.cases).collect();
+    let own = suite.options(edition);
+    let mut seed = 0;
+    for choice in suite.choices.iter().filter(|choice| choice.language == language) {
+        for option in choice.options.iter().filter(|it| own.get(&choice.id) != Some(&it.name)) {
+            for _ in 0..CASES {
+                seed += 7_919;
+                let scenario = scenario_of(cases[seed % cases.len()], &own, edition);
+                let (expected, asked) = gaugeblock_reference::run_consulting(&scenario);
+                assert_eq!(expected, gaugeblock_reference::run(&scenario).0);
+                let mut other = scenario.clone();
+                other.options.0.insert(choice.id.clone(), option.name.clone());
+                if !asked.expect("known for RS-274").contains(choice.id.as_str()) {
+                    let found = gaugeblock_reference::run(&other).0;
+                    assert_eq!(
+                        found, expected,
+                        "{} = {}: {}",
+                        choice.id, option.name, scenario.program.main
+                    );
+                }
+            }
+        }
     }
 }

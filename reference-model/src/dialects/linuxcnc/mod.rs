@@ -63,6 +63,7 @@ trait HasQuirk {
 
 impl HasQuirk for Choices {
     fn has_quirk(&self, quirk: Quirk) -> bool {
+        self.consult(quirk.into());
         self.deviations.has(quirk)
     }
 }

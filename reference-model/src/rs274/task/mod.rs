@@ -27,6 +27,7 @@ mod wait;
 mod watch;
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
@@ -47,6 +48,7 @@ use super::refusal::{Refusal, StepError};
 use super::state::{Curve, Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
 use crate::Choices;
+use crate::Consulted;
 use crate::RuleCoverage;
 use crate::dialects::Memory;
 use crate::ids::{choice, rule};
@@ -58,9 +60,16 @@ pub struct RunCache {
     choices: Option<(Options, Shared<Choices>)>,
     /// Room for what the parser makes of a line.
     room: Room,
+    /// What the runs ask for, where the caller wants to know.
+    consulted: Option<Arc<Consulted>>,
 }
 
 impl RunCache {
+    /// One for runs of which the caller wants to know what they ask for.
+    pub(crate) fn consulting(consulted: Arc<Consulted>) -> Self {
+        Self { consulted: Some(consulted), ..Self::default() }
+    }
+
     /// How the documents are read under some options, which are most often those of the run before.
     fn choices(&mut self, options: &Options) -> Result<Shared<Choices>, String> {
         if let Some((known, choices)) = &self.choices
@@ -68,7 +77,9 @@ impl RunCache {
         {
             return Ok(choices.clone());
         }
-        let choices = Shared::from(Choices::new(options)?);
+        let mut choices = Choices::new(options)?;
+        choices.consulted.clone_from(&self.consulted);
+        let choices = Shared::from(choices);
         self.choices = Some((options.clone(), choices.clone()));
         Ok(choices)
     }
