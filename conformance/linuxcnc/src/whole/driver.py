@@ -254,16 +254,20 @@ class Driver:
             and not self.is_behind
         )
 
-    def is_held(self):
-        """Whether a motion waits, and nothing that is known to come lets it go on."""
-        stat, linuxcnc = self.stat, self.linuxcnc
-        stands = (
+    def waits_for_motion(self):
+        """Whether a motion has been queued and does not move."""
+        stat = self.stat
+        return (
             stat.exec_state in self.motion_waits
             and stat.queue > 0
             and stat.current_vel == 0.0
             and stat.delay_left <= 0.0
-            and not self.bench.inputs
         )
+
+    def is_held(self):
+        """Whether a motion waits, and nothing that is known to come lets it go on."""
+        stat = self.stat
+        stands = self.waits_for_motion() and not self.bench.inputs
         place = (stat.motion_id, stat.actual_position, stat.distance_to_go) if stands else None
         if place is None or place != self.stands_at[0]:
             self.stands_at = (place, time.monotonic())
@@ -451,6 +455,7 @@ class Driver:
             self.enter(event)
             return
         complaints = self.complaints
+        held_moves = self.stat.queue if self.waits_for_motion() else 0
         if name in ("cycle_start", "resume"):
             self.wait(lambda: self.is_paused() or self.is_idle(), 0.5)
         if name == "cycle_start":
@@ -489,7 +494,7 @@ class Driver:
         self.taken()
         self.wait(lambda: self.complaints > complaints, 0.03)
         if self.complaints > complaints and name in REQUESTS:
-            report(request_refused=name)
+            report(request_refused=name, held_moves=held_moves)
 
     def follow(self, seconds):
         """Until the run has ended or is paused, and no event can come any more."""

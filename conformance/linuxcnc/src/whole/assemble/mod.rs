@@ -208,7 +208,9 @@ impl<'a> Assembly<'a> {
         } else if let Some(request) = report.get("request_refused").and_then(Value::as_str) {
             // What the controller says about a request is no fault of the program.
             self.stopped = None;
-            self.issued.push(Issued::own("REQUEST_REFUSED", request.to_owned()));
+            let held = report.get("held_moves").and_then(Value::as_u64).unwrap_or_default();
+            let place = before_held_moves(&self.issued, held);
+            self.issued.insert(place, Issued::own("REQUEST_REFUSED", request.to_owned()));
         } else if report.get("error").and_then(Value::as_bool) == Some(true)
             && self.refused.is_none()
         {
@@ -347,6 +349,15 @@ impl<'a> Assembly<'a> {
         self.refused = Some(fault);
         Ok(())
     }
+}
+
+/// The place among commands before the moves that wait in the queue; the end if none does.
+fn before_held_moves(issued: &[Issued], held: u64) -> usize {
+    let is_move =
+        |issued: &Issued| matches!(issued.name.as_str(), "TRAJ_LINEAR_MOVE" | "TRAJ_CIRCULAR_MOVE");
+    let moves = (0..issued.len()).rev().filter(|place| is_move(&issued[*place]));
+    let held = usize::try_from(held).unwrap_or(usize::MAX);
+    moves.take(held).last().unwrap_or(issued.len())
 }
 
 /// Whether a command ends the program.
