@@ -27,6 +27,8 @@ pub(crate) struct Steps<'a> {
     /// Depth of calls at the last checkpoint.
     level: i64,
     at: Option<(usize, u32)>,
+    /// The call that was entered since a block was recorded.
+    entered: Option<(usize, u32)>,
     /// Whether the tool was changed since the last T. Then no tool is selected, even if parameters report the old one.
     changed: bool,
     /// Whether a file for probed points is open.
@@ -53,6 +55,7 @@ impl<'a> Steps<'a> {
             known,
             level: 0,
             at: None,
+            entered: None,
             changed: false,
             probe_log: false,
             turns: 0,
@@ -75,6 +78,11 @@ impl<'a> Steps<'a> {
     /// The kind of that block.
     pub(crate) fn next_form(&self) -> Form {
         self.next().map_or(Form::Other, |(file, line)| form(self.source.line(file, line)))
+    }
+
+    /// The call in which the next block is, if no block of its sub has been recorded.
+    pub(crate) fn entered_call(&self) -> Option<(usize, u32)> {
+        self.entered
     }
 
     /// The numbered parameters as the last checkpoint has them.
@@ -125,6 +133,7 @@ impl<'a> Steps<'a> {
                 if !events.is_empty() {
                     self.step(next, events, None);
                 }
+                self.entered = Some(next);
             }
             Form::Return if level == 0 && self.level == 0 => {
                 self.step(next, events, None);
@@ -253,6 +262,7 @@ impl<'a> Steps<'a> {
         events: Vec<Event>,
         state: Option<State>,
     ) {
+        self.entered = None;
         self.taken.push(Step { block: self.source.block(file, line), events, state });
     }
 }

@@ -138,15 +138,15 @@ impl Assembly<'_> {
                     )
             )
         };
-        let events = events.into_iter().filter(stays);
-        match self.steps.taken.last_mut() {
+        let events: Vec<_> = events.into_iter().filter(stays).collect();
+        // A call is recorded once it returns; a block that is broken off in its sub comes after it.
+        let call = self.steps.entered_call();
+        match self.steps.taken.last_mut().filter(|_| call.is_none()) {
             Some(last) => last.events.extend(events),
+            None if events.is_empty() => {}
             None => {
-                let next = self.steps.next().unwrap_or((0, 1));
-                let events: Vec<_> = events.collect();
-                if !events.is_empty() {
-                    self.steps.step(next, events, None);
-                }
+                let block = call.or(self.steps.next()).unwrap_or((0, 1));
+                self.steps.step(block, events, None);
             }
         }
     }
