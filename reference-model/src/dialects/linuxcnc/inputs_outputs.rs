@@ -53,15 +53,19 @@ impl InputRules for LinuxCnc {
     }
 
     /// Quirk rs274.wait-mode-any. L above 4 waits; the awaited level is unknown.
-    /// Quirk linuxcnc.wait-mode-times-out. The whole controller does not wait for a level then.
-    fn wait_mode(&self, value: f64, state: &State) -> Result<WaitMode, StepError> {
-        if is_above_four(value) && state.has_quirk(quirk::linuxcnc::WAIT_MODE_TIMES_OUT) {
+    /// Quirk linuxcnc.wait-mode-times-out. The whole controller does not wait for a level of a digital input then.
+    fn wait_mode(&self, value: f64, input: Input, state: &State) -> Result<WaitMode, StepError> {
+        let is_digital = matches!(input, Input::Digital(_));
+        if is_digital
+            && is_above_four(value)
+            && state.has_quirk(quirk::linuxcnc::WAIT_MODE_TIMES_OUT)
+        {
             return Ok(WaitMode::Immediate);
         }
         if is_above_four(value) && state.has_quirk(quirk::rs274::WAIT_MODE_ANY) {
             return Ok(WaitMode::Low);
         }
-        Documented.wait_mode(value, state)
+        Documented.wait_mode(value, input, state)
     }
 }
 

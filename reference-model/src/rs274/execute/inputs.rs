@@ -33,7 +33,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         state,
     )?;
     let input = input(words, state)?;
-    let mode = mode(words, state)?;
+    let mode = mode(input, words, state)?;
     if matches!(input, Input::Analog(_)) {
         analog_mode(mode, state)?;
     }
@@ -91,7 +91,7 @@ pub(crate) trait InputRules {
     }
 
     /// Rule inputs.mode-range. L is 0 to 4.
-    fn wait_mode(&self, value: f64, _state: &State) -> Result<WaitMode, StepError> {
+    fn wait_mode(&self, value: f64, _input: Input, _state: &State) -> Result<WaitMode, StepError> {
         match whole(value) {
             Some(0) => Ok(WaitMode::Immediate),
             Some(1) => Ok(WaitMode::Rise),
@@ -164,12 +164,12 @@ fn number(value: f64, letter: char, of_machine: u16, state: &mut State) -> Resul
 }
 
 /// Rule inputs.mode-optional. Without L, M66 does not wait.
-fn mode(words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
+fn mode(input: Input, words: &Words, state: &mut State) -> Result<WaitMode, StepError> {
     let Some(value) = word(words, 'l') else {
         state.coverage.accepted(rule::inputs::MODE_OPTIONAL);
         return Ok(WaitMode::Immediate);
     };
-    let mode = state.dialect().wait_mode(value, state)?;
+    let mode = state.dialect().wait_mode(value, input, state)?;
     state.coverage.accepted(rule::inputs::MODE_RANGE);
     Ok(mode)
 }
