@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use gaugeblock_vocabulary::{Plane, Position};
+use gaugeblock_vocabulary::{Plane, Position, SpindleTurn};
 
 use crate::rs274::modes::Modes;
 use crate::rs274::text::Place;
@@ -18,11 +18,19 @@ pub(crate) struct Memory {
     pub(super) cycle_dwell: f64,
     /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
     pub(super) plane_before: Option<Plane>,
-    /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion, or before the first block; `None`
-    /// if that motion was in a sub.
+    /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion; `None` before the first motion, and
+    /// if the last one was in a sub.
     pub(super) at_last_motion: Option<Box<Modes>>,
-    /// Quirk linuxcnc.modes-of-last-motion: whether a motion has been executed.
-    pub(super) has_moved: bool,
+    /// Quirk linuxcnc.modes-of-last-motion: the modes in force before a block with M6.
+    pub(super) before_change: Option<Box<Modes>>,
+    /// Quirk linuxcnc.selection-kept: the tool of the last M6, if it was in the spindle before.
+    pub(super) kept_selection: Option<i32>,
+    /// Quirk linuxcnc.speed-while-oriented: how each spindle turned before M19.
+    pub(super) turned_before: BTreeMap<usize, SpindleTurn>,
+    /// Quirk linuxcnc.speed-while-oriented: oriented spindles that a speed has let turn again.
+    pub(super) turning_again: BTreeSet<usize>,
+    /// Quirk linuxcnc.spindle-mode-read-back: spindles whose speed follows G96, although they are in revolutions mode.
+    pub(super) follows_surface_speed: BTreeSet<usize>,
     /// Quirk linuxcnc.tool-change-move: whether the machine is on its way to where the tool is changed.
     pub(super) moves_to_change: bool,
     /// Quirk linuxcnc.point-read-back: where the machine is, in its own coordinates and in millimetres, while the

@@ -1,7 +1,8 @@
 //! Quirks of the order of execution.
 
-use super::LinuxCnc;
 use super::task::{record_modes_at_motion, synchronise};
+use super::{HasQuirk, LinuxCnc};
+use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::{OrderRules, Phase, Phases, fault_after};
@@ -10,8 +11,12 @@ use crate::rs274::state::State;
 
 impl OrderRules for LinuxCnc {
     /// Quirk rs274.polar-plane. The plane that is active before the block is recorded for `check_polar`.
+    /// Quirk linuxcnc.modes-of-last-motion. So are the modes before a block with M6.
     fn phases(&self, words: &Words, state: &mut State) -> Phases {
         state.memory.plane_before = Some(state.modes.plane);
+        if words.m.contains(&6) && state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
+            state.memory.before_change = Some(Box::new(state.modes.clone()));
+        }
         Documented.phases(words, state)
     }
 

@@ -1,6 +1,6 @@
 //! Quirks of M19.
 
-use gaugeblock_vocabulary::Pin;
+use gaugeblock_vocabulary::{Pin, SpindleTurn};
 
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
@@ -44,6 +44,7 @@ impl OrientRules for LinuxCnc {
                 state.all_spindles().into_iter().collect();
         }
         if let Some(angle) = angle {
+            remember_turning(&spindles, state);
             turn_to(&spindles, angle, direction, state, record);
         }
         pass(0.0, state);
@@ -66,5 +67,17 @@ impl OrientRules for LinuxCnc {
     fn applies_brake(&self, place: usize, locked: bool, state: &State) -> bool {
         let released = state.modes.memory.get().brake_released.contains(&place);
         (locked || !released) && Documented.applies_brake(place, locked, state)
+    }
+}
+
+/// Quirk linuxcnc.speed-while-oriented. Remembers how spindles turn that M19 orients; one that is oriented already would
+/// turn as before.
+fn remember_turning(spindles: &[usize], state: &mut State) {
+    for place in spindles {
+        let turn = state.dialect().commanded_turn(*place, state);
+        state.memory.turning_again.remove(place);
+        if turn != SpindleTurn::Oriented {
+            state.memory.turned_before.insert(*place, turn);
+        }
     }
 }

@@ -2,20 +2,26 @@
 
 use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
 
+use super::spindle::send_speed;
 use super::task::{machine_point_in_mm, read_point_back};
 use super::{HasQuirk, LinuxCnc};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::execute::program_end::ProgramEndRules;
+use crate::rs274::order::Phase;
 use crate::rs274::state::State;
-use crate::rs274::task::Record;
+use crate::rs274::task::{Record, update_pins};
 
 impl ProgramEndRules for LinuxCnc {
     /// Quirk rs274.spindle-mode-at-end. The program end selects G97 for all spindles.
     /// Quirk rs274.feed-zero-at-end. The program end sets the feed rate to zero.
     fn reset_at_end(&self, state: &mut State) {
+        let leaves_surface_speed = state.has_quirk(quirk::rs274::SPINDLE_MODE_AT_END);
+        if leaves_surface_speed {
+            send_speeds_at_end(state);
+        }
         Documented.reset_at_end(state);
-        if state.has_quirk(quirk::rs274::SPINDLE_MODE_AT_END) {
+        if leaves_surface_speed {
             for spindle in &mut state.modes.spindles {
                 spindle.mode = SpindleMode::Rpm;
                 spindle.limit = SpindleLimit::None;
@@ -48,6 +54,22 @@ impl ProgramEndRules for LinuxCnc {
         if !state.has_quirk(quirk::linuxcnc::AUTO_AFTER_PROGRAM_END) {
             Documented.change_mode_at_end(state, record);
         }
+    }
+}
+
+/// Quirk rs274.spindle-mode-at-end. With the new mode, the machine gets the speed of each spindle that followed G96,
+/// before the spindles are stopped.
+fn send_speeds_at_end(state: &mut State) {
+    let read_back = std::mem::take(&mut state.memory.follows_surface_speed);
+    let mut may_change_pins = false;
+    for place in state.all_spindles() {
+        let by_mode = state.modes.spindles[place].mode == SpindleMode::SurfaceSpeed;
+        if by_mode || read_back.contains(&place) {
+            may_change_pins |= send_speed(place, state);
+        }
+    }
+    if may_change_pins {
+        update_pins(state, Some(Phase::SpindleSpeed));
     }
 }
 

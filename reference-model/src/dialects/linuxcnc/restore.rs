@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::path::path_under;
-use super::spindle::{choose_spindle, known_turn, set_released};
+use super::spindle::{choose_spindle, known_turn, send_speed, set_released};
 use super::tool_length::tool_offset_as_programmed;
 use super::units_planes::retract_under_compensation;
 use super::{HasQuirk, LinuxCnc};
@@ -144,9 +144,15 @@ impl RestoreRules for LinuxCnc {
         }
         for place in 0..count {
             let (turn, regarded_as_stopped) = restored_spindle_turn(place, saved, state);
-            let now = &state.modes.spindles[place];
-            let restored = restored_speed(&saved.spindles[place], now, state)?;
+            let now = state.modes.spindles[place];
+            let restored = restored_speed(&saved.spindles[place], &now, state)?;
             state.modes.spindles[place] = Spindle { turn, ..restored };
+            if !same(restored.speed, now.speed) {
+                send_speed(place, state);
+            }
+            if turn != now.turn {
+                set_released(false, place, state);
+            }
             let all = &mut state.modes.memory.get_mut().regarded_as_stopped;
             if regarded_as_stopped {
                 all.insert(place)

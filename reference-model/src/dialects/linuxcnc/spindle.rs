@@ -8,7 +8,7 @@ use crate::ids::Rule;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::spindle::SpindleRules;
-use crate::rs274::execute::word;
+use crate::rs274::execute::{clear_orientation, word};
 use crate::rs274::modes::Modes;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
@@ -25,19 +25,29 @@ impl SpindleRules for LinuxCnc {
         let spindles = Documented.spindles_of_speed(words, state)?;
         if mode_too {
             choose_spindle(spindles[0], state);
+            state.memory.follows_surface_speed.retain(|place| !spindles.contains(place));
         }
         Ok(spindles)
     }
 
     fn set_speed_of(&self, place: usize, speed: f64, state: &mut State) {
         Documented.set_speed_of(place, speed, state);
-        release_brake_by_speed(place, state);
+        send_speed(place, state);
     }
 
     fn set_turn(&self, turn: SpindleTurn, place: usize, state: &mut State) {
         state.modes.memory.get_mut().regarded_as_stopped.remove(&place);
         set_released(false, place, state);
         Documented.set_turn(turn, place, state);
+    }
+
+    /// Quirk linuxcnc.speed-while-oriented. An oriented spindle that got a speed turns as it did before M19.
+    fn commanded_turn(&self, place: usize, state: &State) -> SpindleTurn {
+        let turn = Documented.commanded_turn(place, state);
+        if turn == SpindleTurn::Oriented && state.memory.turning_again.contains(&place) {
+            return state.memory.turned_before.get(&place).copied().unwrap_or(turn);
+        }
+        turn
     }
 
     /// Quirk rs274.orient-forgets-turning. A spindle that the interpreter regards as stopped is reported as stopped.
@@ -70,11 +80,23 @@ pub(super) fn choose_spindle(place: usize, state: &mut State) {
     }
 }
 
-/// Quirk linuxcnc.speed-releases-brake. An S word releases the brake of a spindle that is stopped, until the next stop.
-pub(super) fn release_brake_by_speed(place: usize, state: &mut State) {
-    if state.has_quirk(quirk::linuxcnc::SPEED_RELEASES_BRAKE) {
+/// The machine gets the speed of a spindle. Whether that may change more than the speed.
+///
+/// Quirk linuxcnc.speed-releases-brake. It releases the brake of a spindle that is stopped, until the next stop.
+/// Quirk linuxcnc.speed-while-oriented. It unlocks an oriented spindle, which then turns as it did before M19.
+pub(super) fn send_speed(place: usize, state: &mut State) -> bool {
+    let releases = state.has_quirk(quirk::linuxcnc::SPEED_RELEASES_BRAKE);
+    if releases {
         set_released(true, place, state);
     }
+    let is_oriented = state.modes.spindles[place].turn == SpindleTurn::Oriented;
+    let unlocks = is_oriented && state.has_quirk(quirk::linuxcnc::SPEED_WHILE_ORIENTED);
+    if unlocks {
+        clear_orientation(place, state);
+        state.memory.turning_again.insert(place);
+        state.pin_snapshot = None;
+    }
+    releases || unlocks
 }
 
 /// Records whether an S word has released the brake of a spindle. If that changes, the pins are computed again.

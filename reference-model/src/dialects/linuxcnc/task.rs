@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::{
     ControllerMode, End, Fault, LengthUnit, Position, SpindleLimit, SpindleMode,
 };
 
-use super::spindle::{release_brake_by_speed, set_released};
+use super::spindle::{send_speed, set_released};
 use super::{HasQuirk, LinuxCnc};
 use crate::Choices;
 use crate::dialects::quirk;
@@ -24,9 +24,6 @@ impl TaskRules for LinuxCnc {
         if state.has_quirk(quirk::rs274::STORED_ROTATION) {
             let unrotated = Modes { rotation: 0.0, ..state.modes.clone() };
             state.position = unrotated.program_point(Position::default());
-        }
-        if state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
-            state.memory.at_last_motion = Some(Box::new(state.modes.clone()));
         }
     }
 
@@ -62,11 +59,12 @@ impl TaskRules for LinuxCnc {
     }
 
     /// Quirk linuxcnc.modes-of-last-motion. An abort restores the modes that were active at the last motion, except the
-    /// motion mode, and F once a program end has been read. If no motion was executed, it restores the modes of the
-    /// beginning, except the speeds too. If the last motion was in a sub, it restores nothing.
+    /// motion mode, and F once a program end has been read. If no motion was executed, or the last one was in a sub, it
+    /// restores nothing.
+    /// Quirk linuxcnc.spindle-mode-read-back. It sets every spindle to revolutions mode.
     fn change_modes_at_abort(&self, state: &mut State) -> bool {
         let Some(modes) = state.memory.at_last_motion.clone() else {
-            return Documented.change_modes_at_abort(state);
+            return read_spindle_modes_back(state);
         };
         let machine = state.modes.machine_point(state.position);
         let machine = converted(machine, state.modes.units, modes.units);
@@ -79,12 +77,11 @@ impl TaskRules for LinuxCnc {
         for (place, spindle) in before.spindles.iter().enumerate() {
             let released = before.memory.get().brake_released.contains(&place);
             set_released(released, place, state);
-            if !state.memory.has_moved {
-                state.modes.spindles[place].speed = spindle.speed;
-            } else if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
-                release_brake_by_speed(place, state);
+            if (state.modes.spindles[place].speed - spindle.speed).abs() > 0.0 {
+                send_speed(place, state);
             }
         }
+        read_spindle_modes_back(state);
         true
     }
 
@@ -139,20 +136,29 @@ pub(super) fn record_modes_at_motion(state: &mut State) {
         }
         let in_main = state.call_level() == 0;
         state.memory.at_last_motion = in_main.then(|| Box::new(state.modes.clone()));
-        state.memory.has_moved = true;
     }
 }
 
 /// Updates the state after the interpreter has waited for the machine.
-///
-/// Quirk linuxcnc.spindle-mode-read-back. Every spindle is then in revolutions mode.
 pub(super) fn synchronise(state: &mut State) {
     read_point_back(state);
+    read_spindle_modes_back(state);
+}
+
+/// Quirk linuxcnc.spindle-mode-read-back. Every spindle is in revolutions mode; the speed of one under G96 follows it
+/// still. Whether a mode has changed.
+fn read_spindle_modes_back(state: &mut State) -> bool {
+    let mut has_changed = false;
     if state.has_quirk(quirk::linuxcnc::SPINDLE_MODE_READ_BACK) {
-        for spindle in &mut state.modes.spindles {
-            spindle.mode = SpindleMode::Rpm;
+        for (place, spindle) in state.modes.spindles.iter_mut().enumerate() {
+            if spindle.mode == SpindleMode::SurfaceSpeed {
+                state.memory.follows_surface_speed.insert(place);
+                spindle.mode = SpindleMode::Rpm;
+                has_changed = true;
+            }
         }
     }
+    has_changed
 }
 
 /// Quirk linuxcnc.point-read-back. Sets the controlled point from the machine.

@@ -10,9 +10,28 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl ToolChangeRules for LinuxCnc {
+    /// Quirk linuxcnc.selection-kept. The tool of a change that changed nothing is selected still.
+    fn selected_tool(&self, state: &State) -> Option<i32> {
+        Documented.selected_tool(state).or(state.memory.kept_selection)
+    }
+
+    /// Quirk linuxcnc.selection-kept. A change to the tool in the spindle keeps the selection.
+    fn selection_is_used(&self, old: i32, state: &mut State) {
+        Documented.selection_is_used(old, state);
+        let keeps =
+            state.tool == old && old > 0 && state.has_quirk(quirk::linuxcnc::SELECTION_KEPT);
+        state.memory.kept_selection = keeps.then_some(old);
+    }
+
     /// Quirk linuxcnc.tool-change-move. Overrides of zero do not hold the moves to where the tool is changed.
+    /// Quirk linuxcnc.modes-of-last-motion. The modes of these moves are those before their block.
     fn moves_to_change(&self, begin: bool, state: &mut State) {
         state.memory.moves_to_change = begin;
+        let change = state.machine.tool_change;
+        if begin && (change.at_g30 || change.quill_up) && state.memory.before_change.is_some() {
+            let in_main = state.call_level() == 0;
+            state.memory.at_last_motion = state.memory.before_change.take().filter(|_| in_main);
+        }
     }
 
     /// Quirk rs274.tool-number-rounded. A fractional tool number is rounded.

@@ -12,10 +12,19 @@ use crate::rs274::state::State;
 
 impl UnitsAndPlanesRules for LinuxCnc {
     /// Quirk linuxcnc.feed-per-revolution-unit. A feed per revolution keeps its number.
+    /// Quirk linuxcnc.inverse-time-unit. F of inverse time is converted.
     fn rescales_feed(&self, state: &State) -> bool {
-        let keeps = state.modes.feed_mode == FeedMode::PerRevolution
-            && state.has_quirk(quirk::linuxcnc::FEED_PER_REVOLUTION_UNIT);
-        !keeps && Documented.rescales_feed(state)
+        match state.modes.feed_mode {
+            FeedMode::PerRevolution
+                if state.has_quirk(quirk::linuxcnc::FEED_PER_REVOLUTION_UNIT) =>
+            {
+                false
+            }
+            FeedMode::InverseTime if state.has_quirk(quirk::linuxcnc::INVERSE_TIME_UNIT) => true,
+            FeedMode::PerMinute | FeedMode::PerRevolution | FeedMode::InverseTime => {
+                Documented.rescales_feed(state)
+            }
+        }
     }
 
     /// Quirk rs274.retract-under-compensation. G98 and G99 are refused while the cutter is compensated.

@@ -1,7 +1,7 @@
 //! The number of the first quirk of each chapter; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
 
 pub(super) const LINUXCNC: u16 = 0;
-pub(super) const RS274: u16 = 21;
+pub(super) const RS274: u16 = 24;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 176;
+pub(crate) const COUNT: u16 = 179;

@@ -18,6 +18,8 @@ quirks! {
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
     /// M66 with the number of no input is accepted up to 63 and reads zero.
     INPUT_NUMBER = "linuxcnc.input-number",
+    /// Under G93 a change of the length unit converts F.
+    INVERSE_TIME_UNIT = "linuxcnc.inverse-time-unit",
     /// An abort brings back the modes that were in force at the last motion of the main program.
     MODES_OF_LAST_MOTION = "linuxcnc.modes-of-last-motion",
     /// M19 for a spindle that is locked sets angle and direction, but does not command the spindle to turn
@@ -38,8 +40,12 @@ quirks! {
     RAPID_OVERRIDE_DISABLED = "linuxcnc.rapid-override-disabled",
     /// When a program starts `_value` still has what the last sub of the program before it has returned.
     RETURNED_VALUE_KEPT = "linuxcnc.returned-value-kept",
+    /// After M6 for the tool that is in the spindle already, the next M6 needs no T.
+    SELECTION_KEPT = "linuxcnc.selection-kept",
     /// A speed releases the brake of a spindle that is stopped; the next stop applies it again.
     SPEED_RELEASES_BRAKE = "linuxcnc.speed-releases-brake",
+    /// A speed for a spindle that M19 has oriented unlocks it, and lets it turn again as it turned before.
+    SPEED_WHILE_ORIENTED = "linuxcnc.speed-while-oriented",
     /// M6, M61 and M66 set the mode of each spindle to revolutions, although its speed still follows G96.
     SPINDLE_MODE_READ_BACK = "linuxcnc.spindle-mode-read-back",
     /// G74 and G84 are refused in the planes UV, WU and VW.

@@ -185,6 +185,11 @@ pub(crate) trait SpindleRules {
         clear_orientation(place, state);
     }
 
+    /// Rule orient.replaces-turning. How a spindle is commanded to turn: one that is oriented is not.
+    fn commanded_turn(&self, place: usize, state: &State) -> SpindleTurn {
+        state.modes.spindles[place].turn
+    }
+
     /// How a spindle turns, as far as the interpreter knows.
     fn known_turn(&self, place: usize, state: &State) -> SpindleTurn {
         state.modes.spindles[place].turn

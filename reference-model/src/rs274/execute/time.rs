@@ -37,7 +37,7 @@ fn settle(state: &mut State) {
 
 /// Whether a spindle is commanded to turn.
 pub(super) fn turns(place: usize, state: &State) -> bool {
-    let turn = state.modes.spindles[place].turn;
+    let turn = state.dialect().commanded_turn(place, state);
     matches!(turn, SpindleTurn::Clockwise | SpindleTurn::Counterclockwise)
 }
 

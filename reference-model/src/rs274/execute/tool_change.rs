@@ -35,9 +35,8 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
         record.effect(state, Effect::PromptTool { tool });
     }
     pass(state.environment.tool_change_time(), state);
-    swap(tool, state);
-    state.selected_for_change = false;
-    state.prepared_tool = -1;
+    let old = swap(tool, state);
+    state.dialect().selection_is_used(old, state);
     state.coverage.accepted(rule::tool::CHANGE);
     state.coverage.accepted(rule::tool::CHANGE_KEEPS);
     state.coverage.accepted(rule::tool::CHANGE_KEEPS_LENGTH);
@@ -48,22 +47,17 @@ pub fn change(state: &mut State, record: &mut Record) -> Result<(), StepError> {
 
 /// Rule tool.change-without-selection. Whether a change needs a T since the change before is a choice.
 fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
-    if !state.selected_for_change && !state.environment.is_stand_alone() {
+    let selected = state.dialect().selected_tool(state);
+    if selected.is_none() && !state.environment.is_stand_alone() {
         let rule = rule::tool::CHANGE_WITHOUT_SELECTION;
         if state.choices.is(choice::tool::ChangeWithoutSelection::Refused) {
             return Err(refuse(rule, FaultKind::MissingWord, "M6, and no tool is selected"));
         }
         state.coverage.accepted(rule);
     }
-    let selected = if state.selected_for_change {
-        state.prepared_tool
-    } else if state.environment.is_stand_alone() {
-        // Its stub changes to the tool of the last T again.
-        state.selected_tool
-    } else {
-        state.tool
-    };
-    Ok(selected.max(0))
+    // The stub of the stand-alone interpreter changes to the tool of the last T again.
+    let others = if state.environment.is_stand_alone() { state.selected_tool } else { state.tool };
+    Ok(selected.unwrap_or(others).max(0))
 }
 
 /// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are
@@ -97,8 +91,8 @@ fn moves(state: &mut State, record: &mut Record) {
 /// Rule tool.change-back. The tool that was in the spindle goes back into the changer, from where it can be taken
 /// again. Rule tool.change-same. A change to the tool in the spindle is allowed. Rule tool.change-zero. After T0 the
 /// spindle is empty. Choice tool.old-tool-place: where tools change places, whether the old tool goes to the slot of
-/// the new one.
-fn swap(tool: i32, state: &mut State) {
+/// the new one. Returns the old tool.
+fn swap(tool: i32, state: &mut State) -> i32 {
     let old = std::mem::replace(&mut state.tool, tool);
     if tool > 0 || !state.environment.is_stand_alone() {
         state.known_tool = tool;
@@ -119,10 +113,22 @@ fn swap(tool: i32, state: &mut State) {
         state.slots.values_mut().filter(|stored| **stored == old).for_each(|stored| *stored = 0);
         state.slots.insert(slot, old);
     }
+    old
 }
 
-/// Which numbers are those of tools.
+/// Which tools are selected, and which numbers are those of tools.
 pub(crate) trait ToolChangeRules {
+    /// Rule tool.change-without-selection. The tool that T has selected since the last change.
+    fn selected_tool(&self, state: &State) -> Option<i32> {
+        state.selected_for_change.then_some(state.prepared_tool)
+    }
+
+    /// Rule tool.change. After a change from the `_old` tool no tool is selected any more.
+    fn selection_is_used(&self, _old: i32, state: &mut State) {
+        state.selected_for_change = false;
+        state.prepared_tool = -1;
+    }
+
     /// Rule tool.change-at-g30. The moves to where the tool is changed begin or are over: they are rapid moves.
     fn moves_to_change(&self, _begin: bool, _state: &mut State) {}
 

@@ -98,10 +98,10 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
     convert_feed(before, state);
 }
 
-/// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice; under inverse time it is no length.
+/// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice.
 fn convert_feed(before: LengthUnit, state: &mut State) {
     state.coverage.accepted(rule::units_planes::FEED_OVER_UNIT_CHANGE);
-    if state.dialect().rescales_feed(state) && state.modes.feed_mode != FeedMode::InverseTime {
+    if state.dialect().rescales_feed(state) {
         let modes = &mut state.modes;
         // As positions are converted: to and fro it is the same feed again.
         modes.feed_rate = modes.feed_rate * unit_size(before) / unit_size(modes.units);
@@ -139,9 +139,11 @@ pub fn select_distance(words: &Words, state: &mut State) {
 
 /// Operations on these modes that a dialect can replace.
 pub(crate) trait UnitsAndPlanesRules {
-    /// Choice units-planes.feed-over-unit-change. Whether a change of the unit converts the feed.
+    /// Choice units-planes.feed-over-unit-change. Whether a change of the unit converts the feed; under inverse time it
+    /// is not a length.
     fn rescales_feed(&self, state: &State) -> bool {
         state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled)
+            && state.modes.feed_mode != FeedMode::InverseTime
     }
 
     /// G98 and G99: where canned cycles return to.

@@ -27,9 +27,9 @@ pub(crate) fn update_pins(state: &mut State, after: Option<Phase>) {
         set_pin(pin, digital(switch == Switch::On), after, state);
     }
     for place in 0..state.modes.spindles.len() {
-        let (Ok(number), spindle) = (u16::try_from(place), state.modes.spindles[place]) else {
-            break;
-        };
+        let Ok(number) = u16::try_from(place) else { break };
+        let turn = state.dialect().commanded_turn(place, state);
+        let spindle = Spindle { turn, ..state.modes.spindles[place] };
         let pins = of_spindle(number, &spindle, state.panel.spindle_override(number));
         for (pin, value) in pins.into_iter().flatten() {
             set_pin(pin, value, after, state);
