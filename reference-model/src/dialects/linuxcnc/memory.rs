@@ -21,8 +21,6 @@ pub(crate) struct Memory {
     /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion; `None` before the first motion, and
     /// if the last one was in a sub.
     pub(super) at_last_motion: Option<Box<Modes>>,
-    /// Quirk linuxcnc.modes-of-last-motion: the modes in force before a block with M6.
-    pub(super) before_change: Option<Box<Modes>>,
     /// Quirk linuxcnc.selection-kept: the tool of the last M6, if it was in the spindle before.
     pub(super) kept_selection: Option<i32>,
     /// Quirk linuxcnc.speed-while-oriented: how each spindle turned before M19.

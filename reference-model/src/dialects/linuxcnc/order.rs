@@ -11,11 +11,14 @@ use crate::rs274::state::State;
 
 impl OrderRules for LinuxCnc {
     /// Quirk rs274.polar-plane. The plane that is active before the block is recorded for `check_polar`.
-    /// Quirk linuxcnc.modes-of-last-motion. So are the modes before a block with M6.
+    /// Quirk linuxcnc.modes-of-last-motion. The moves to where the tool is changed have the modes before their block.
     fn phases(&self, words: &Words, state: &mut State) -> Phases {
         state.memory.plane_before = Some(state.modes.plane);
-        if words.m.contains(&6) && state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
-            state.memory.before_change = Some(Box::new(state.modes.clone()));
+        let change = state.machine.tool_change;
+        let moves = words.m.contains(&6) && (change.at_g30 || change.quill_up);
+        if moves && state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {
+            let in_main = state.call_level() == 0;
+            state.memory.at_last_motion = in_main.then(|| Box::new(state.modes.clone()));
         }
         Documented.phases(words, state)
     }

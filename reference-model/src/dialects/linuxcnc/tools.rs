@@ -24,14 +24,8 @@ impl ToolChangeRules for LinuxCnc {
     }
 
     /// Quirk linuxcnc.tool-change-move. Overrides of zero do not hold the moves to where the tool is changed.
-    /// Quirk linuxcnc.modes-of-last-motion. The modes of these moves are those before their block.
     fn moves_to_change(&self, begin: bool, state: &mut State) {
         state.memory.moves_to_change = begin;
-        let change = state.machine.tool_change;
-        if begin && (change.at_g30 || change.quill_up) && state.memory.before_change.is_some() {
-            let in_main = state.call_level() == 0;
-            state.memory.at_last_motion = state.memory.before_change.take().filter(|_| in_main);
-        }
     }
 
     /// Quirk rs274.tool-number-rounded. A fractional tool number is rounded.
