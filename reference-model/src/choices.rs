@@ -20,8 +20,15 @@ pub struct Choices {
     options: [u8; choice::COUNT as usize],
     /// What a dialect does differently; nothing by the documents.
     pub(crate) deviations: Deviations,
-    /// What the run has asked for, where the caller wants to know.
+    /// What the run has consulted, where the caller wants to know.
     pub(crate) consulted: Option<Arc<Consulted>>,
+}
+
+/// Equal if a run under them is; what a run has consulted does not count.
+impl PartialEq for Choices {
+    fn eq(&self, other: &Self) -> bool {
+        (self.options, self.deviations) == (other.options, other.deviations)
+    }
 }
 
 impl Default for Choices {
@@ -108,7 +115,7 @@ impl Choices {
         self.options[usize::from(C::NUMBER)] == option.place()
     }
 
-    /// Notes that a run asks for the option of a choice, or for a quirk.
+    /// Notes that a run consults a choice, or a deviation of a dialect.
     #[inline]
     pub(crate) fn consult(&self, id: Rule) {
         if let Some(consulted) = &self.consulted {
@@ -117,7 +124,8 @@ impl Choices {
     }
 }
 
-/// The choices and quirks that a run has asked for. Another option of any other one changes nothing of the run.
+/// What a run has consulted: choices, and deviations of a dialect. Another option of any other one changes nothing of
+/// the run.
 #[derive(Debug)]
 pub struct Consulted([AtomicBool; Rule::COUNT]);
 
@@ -130,8 +138,8 @@ impl Default for Consulted {
 impl Consulted {
     /// The ids of their pages.
     pub fn ids(&self) -> BTreeSet<&'static str> {
-        let asked = Rule::all().filter(|id| self.0[id.number()].load(Ordering::Relaxed));
-        asked.map(Rule::id).collect()
+        let consulted = Rule::all().filter(|id| self.0[id.number()].load(Ordering::Relaxed));
+        consulted.map(Rule::id).collect()
     }
 }
 

@@ -60,8 +60,8 @@ pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, RuleCov
     run_as(&mut RunCache::default(), scenario, rounding)
 }
 
-/// The same, with the ids of the choices and quirks that the run asks for. Another option of any other one changes
-/// nothing. In other languages than RS-274 they are not known: none is given.
+/// The same, with the ids of what the run consults: choices, and deviations of a dialect. Another option of any other
+/// one changes nothing. In other languages than RS-274 they are not known: none is given.
 pub fn run_consulting(scenario: &Scenario) -> (Outcome, Option<BTreeSet<&'static str>>) {
     let consulted = Arc::new(Consulted::default());
     let mut cache = RunCache::consulting(consulted.clone());

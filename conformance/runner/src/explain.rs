@@ -38,10 +38,10 @@ impl AlternativeOption<'_> {
     }
 }
 
-/// The ids of the choices and quirks that a run of the model asks for; none if they are not known.
-struct Asked(Option<BTreeSet<&'static str>>);
+/// The ids of the choices and quirks that a run of the model consults; none if they are not known.
+struct Consulted(Option<BTreeSet<&'static str>>);
 
-impl Asked {
+impl Consulted {
     /// Whether another option can change anything of the run.
     fn includes(&self, other: &AlternativeOption<'_>) -> bool {
         self.0.as_ref().is_none_or(|ids| ids.contains(other.choice.id.as_str()))
@@ -74,25 +74,25 @@ impl<'a> DivergenceContext<'a> {
     pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
         let observables = self.controller.observables(self.scenario);
-        let (specified, asked) = self.model_under(&[]);
+        let (specified, consulted) = self.model_under(&[]);
         let explains = |outcome: &Outcome| {
             // Most options do not concern the program: the outcome is the one that differs already.
             *outcome != specified
                 && compare(&Observed::of(outcome), &found, &observables).is_equal()
         };
         let mut tried = Vec::new();
-        for one in self.candidates().into_iter().filter(|one| asked.includes(one)) {
-            let (outcome, asked) = self.model_under(&[one]);
+        for one in self.candidates().into_iter().filter(|one| consulted.includes(one)) {
+            let (outcome, consulted) = self.model_under(&[one]);
             if explains(&outcome) {
                 return vec![one];
             }
-            tried.push((one, asked));
+            tried.push((one, consulted));
         }
         let mut known = self.observed_options();
-        let (outcome, asked) = self.model_under(&known);
+        let (outcome, consulted) = self.model_under(&known);
         let explained = |options: &[AlternativeOption<'_>]| explains(&self.model_under(options).0);
         if explains(&outcome) {
-            known.retain(|one| asked.includes(one));
+            known.retain(|one| consulted.includes(one));
             let mut few = minimal(known, explained);
             few.sort_by_key(|other| !self.rule_names(other));
             return few;
@@ -105,16 +105,19 @@ impl<'a> DivergenceContext<'a> {
     }
 
     /// The pairs of an option that the rule names and another one that concern the program together: under one of
-    /// them, which the program asks for, it asks for the other.
-    fn pairs(&self, tried: &[(AlternativeOption<'a>, Asked)]) -> Vec<[AlternativeOption<'a>; 2]> {
+    /// them, which the run consults, it consults the other.
+    fn pairs(
+        &self,
+        tried: &[(AlternativeOption<'a>, Consulted)],
+    ) -> Vec<[AlternativeOption<'a>; 2]> {
         let all = self.candidates();
         let under = |one: &AlternativeOption<'_>| tried.iter().find(|(it, _)| it.is(one));
         let mut pairs = Vec::new();
         for one in all.iter().filter(|one| self.rule_names(one)) {
             let others = all.iter().filter(|other| other.choice.id != one.choice.id);
             let together = others.filter(|other| {
-                under(one).is_some_and(|(_, asked)| asked.includes(other))
-                    || under(other).is_some_and(|(_, asked)| asked.includes(one))
+                under(one).is_some_and(|(_, consulted)| consulted.includes(other))
+                    || under(other).is_some_and(|(_, consulted)| consulted.includes(one))
             });
             pairs.extend(together.map(|other| [*one, *other]));
         }
@@ -122,14 +125,14 @@ impl<'a> DivergenceContext<'a> {
     }
 
     /// The model's run under other options.
-    fn model_under(&self, others: &[AlternativeOption<'_>]) -> (Outcome, Asked) {
+    fn model_under(&self, others: &[AlternativeOption<'_>]) -> (Outcome, Consulted) {
         let mut scenario = Cow::Borrowed(self.scenario);
         for other in others {
             let options = &mut scenario.to_mut().options.0;
             options.insert(other.choice.id.clone(), other.option.to_owned());
         }
         let (outcome, consulted) = gaugeblock_reference::run_consulting(&scenario);
-        (outcome, Asked(consulted))
+        (outcome, Consulted(consulted))
     }
 
     /// Whether the rule names this choice or quirk.

@@ -98,10 +98,10 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
     }
 }
 
-/// The search for the cause of a divergence leaves out options that the program does not ask for. Each option is tried
+/// The search for the cause of a divergence leaves out options that the program does not consult. Each option is tried
 /// on a few cases, other ones for each option.
 #[test]
-fn an_option_that_a_run_does_not_ask_for_changes_nothing() {
+fn an_option_that_a_run_does_not_consult_changes_nothing() {
     const CASES: usize = 12;
     let suite = suite();
     let edition = suite.edition("linuxcnc-2.9").expect("an edition of the suite");
@@ -115,11 +115,11 @@ fn an_option_that_a_run_does_not_ask_for_changes_nothing() {
             for _ in 0..CASES {
                 seed += 7_919;
                 let scenario = scenario_of(cases[seed % cases.len()], &own, edition);
-                let (expected, asked) = gaugeblock_reference::run_consulting(&scenario);
+                let (expected, consulted) = gaugeblock_reference::run_consulting(&scenario);
                 assert_eq!(expected, gaugeblock_reference::run(&scenario).0);
                 let mut other = scenario.clone();
                 other.options.0.insert(choice.id.clone(), option.name.clone());
-                if !asked.expect("known for RS-274").contains(choice.id.as_str()) {
+                if !consulted.expect("known for RS-274").contains(choice.id.as_str()) {
                     let found = gaugeblock_reference::run(&other).0;
                     assert_eq!(
                         found, expected,
