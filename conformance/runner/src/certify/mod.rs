@@ -1,6 +1,7 @@
 //! The suite run against a controller: a verdict for each case, in any order and in parallel with the same result.
 
 mod accepted;
+mod contradicted;
 mod metric;
 mod motion_case;
 mod plan;
@@ -129,13 +130,9 @@ pub fn run_plan<'a>(
         }
     });
     let (results, _) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Run {
-        edition: plan.edition,
-        scope: plan.scope,
-        cases: results.into_iter().flatten().collect(),
-        not_applicable,
-        fingerprint: None,
-    }
+    let mut cases: Vec<_> = results.into_iter().flatten().collect();
+    contradicted::withdraw(plan, &options, controller, &mut cases);
+    Run { edition: plan.edition, scope: plan.scope, cases, not_applicable, fingerprint: None }
 }
 
 /// Runs and judges cases of a plan on one controller.
