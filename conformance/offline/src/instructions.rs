@@ -71,11 +71,7 @@ Suite {} of gaugeblock {}, edition {}, {}.
         &manifest.suite[..12.min(manifest.suite.len())],
         manifest.gaugeblock_version,
         manifest.edition,
-        if manifest.profiles.is_empty() {
-            "all profiles".to_owned()
-        } else {
-            format!("profiles: {}", manifest.profiles.join(", "))
-        },
+        manifest.requested(),
     );
     if left_out > 0 {
         // Writing to a string cannot fail.

@@ -14,6 +14,7 @@ mod exported_program;
 mod form;
 mod instructions;
 mod questions;
+mod requested;
 mod sheet;
 
 use std::collections::BTreeMap;
@@ -30,6 +31,7 @@ pub use blocks::{Blocks, read_blocks};
 pub use exported_program::ExportedProgram;
 pub use instructions::{operator, readme};
 pub use questions::{Question, check_language, questions};
+pub use requested::Requested;
 use sheet::Values;
 pub use sheet::{Answer, Sheet, control_text};
 
@@ -62,6 +64,9 @@ pub struct Manifest {
     pub edition: String,
     /// The requested profiles; empty for all.
     pub profiles: Vec<String>,
+    /// The beginnings of the ids of the requested rules; empty for all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub only: Vec<String>,
     /// The programs, in the order of their folders.
     pub programs: Vec<ExportedProgram>,
     /// What the route cannot carry: how many cases, by the reason.
@@ -69,6 +74,11 @@ pub struct Manifest {
 }
 
 impl Manifest {
+    /// Which rules the campaign is about.
+    pub fn requested(&self) -> Requested {
+        Requested { profiles: self.profiles.clone(), only: self.only.clone() }
+    }
+
     /// Reads the manifest of a folder.
     ///
     /// # Errors

@@ -9,6 +9,7 @@ use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 
 use super::exportable::check_exportable;
+use super::requested::Requested;
 use super::{ExportedProgram, digest, digest_of_motion};
 
 /// A program with all that it depends on, and what its sheet requests.
@@ -22,19 +23,17 @@ pub struct Question {
     pub limits: Option<MotionLimits>,
 }
 
-/// The programs of a suite under an edition, for the rules of some profiles or of all; and the number of cases that
-/// cannot be exported, by reason.
+/// The programs of a suite under an edition, for the requested rules; and the number of cases that cannot be exported,
+/// by reason.
 pub fn questions(
     suite: &Suite,
     edition: &Edition,
-    profiles: &[String],
+    requested: &Requested,
 ) -> (Vec<Question>, BTreeMap<String, usize>) {
     let options = suite.options(edition);
     let mut left_out = BTreeMap::new();
     let mut found: BTreeMap<String, Question> = BTreeMap::new();
-    let wanted = |rule: &&Rule| {
-        rule.exists_in(edition) && (profiles.is_empty() || profiles.contains(&rule.profile))
-    };
+    let wanted = |rule: &&Rule| rule.exists_in(edition) && requested.includes(rule);
     let runs = |case: &&Case| case.runs_in(edition);
     for rule in suite.rules.iter().filter(wanted) {
         for case in rule.motion.iter().filter(|case| !case.is_recorded()) {

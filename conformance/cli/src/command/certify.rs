@@ -243,18 +243,12 @@ fn comparison_options(
 
 /// What a plan runs: the rules of --only, or their cases of --case.
 fn only(arguments: &Arguments, suite: &Suite) -> Result<Vec<String>, CliError> {
-    let begins = |rule: &Rule, only: &String| rule.id.starts_with(only.as_str());
-    let is_unknown = |only: &&String| !suite.rules.iter().any(|rule| begins(rule, only));
-    if let Some(only) = arguments.only.iter().find(is_unknown) {
-        return Err(CliError::usage(
-            format!("invalid `--only {only}`: no rule has an id that begins with it"),
-            "`gaugeblock rules` lists the ids",
-        ));
-    }
+    known_rules(&arguments.only, suite)?;
     if arguments.case.is_empty() {
         return Ok(arguments.only.clone());
     }
-    let wanted = |rule: &&Rule| arguments.only.iter().any(|only| begins(rule, only));
+    let wanted =
+        |rule: &&Rule| arguments.only.iter().any(|only| rule.id.starts_with(only.as_str()));
     let rules: Vec<&Rule> = suite.rules.iter().filter(wanted).collect();
     let mut selected = Vec::new();
     for case in &arguments.case {
@@ -293,6 +287,18 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     match arguments.fingerprint {
         Some(when) => when == FingerprintWhen::Always,
         None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
+    }
+}
+
+/// Refuses a beginning of ids that no rule has.
+pub(crate) fn known_rules(only: &[String], suite: &Suite) -> Result<(), CliError> {
+    let is_known = |only: &&String| suite.rules.iter().any(|rule| rule.id.starts_with(*only));
+    match only.iter().find(|only| !is_known(only)) {
+        None => Ok(()),
+        Some(only) => Err(CliError::usage(
+            format!("invalid `--only {only}`: no rule has an id that begins with it"),
+            "`gaugeblock rules` lists the ids",
+        )),
     }
 }
 

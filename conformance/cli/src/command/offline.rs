@@ -9,8 +9,9 @@ use clap::{Args, Subcommand};
 use gaugeblock_adapter::Adapter;
 use gaugeblock_filesystem::PartialFolder;
 use gaugeblock_offline::{
-    Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, SAMPLES, SHEET,
-    answer, blank_files, check_language, control_text, operator, questions, read_blocks, readme,
+    Answer, BLOCKS, CONTROL, FORMAT, MANIFEST, Manifest, OPERATOR, Question, Requested, SAMPLES,
+    SHEET, answer, blank_files, check_language, control_text, operator, questions, read_blocks,
+    readme,
 };
 use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 
@@ -42,6 +43,8 @@ const EXPORT_EXAMPLES: &str = "Examples:
       export every case of the default edition that can run offline
   gaugeblock offline export --profile modal-save --profile subroutines --out campaign
       export the rules of two profiles
+  gaugeblock offline export --only arcs.radius --only cycles.peck --out campaign
+      export a few rules: a person can run about a hundred programs a day
 
 The files contain no expectations.
 The folder's README.md counts the cases that cannot run offline, by reason.";
@@ -55,6 +58,9 @@ pub(crate) struct Export {
     /// Export only rules of this profile; may be repeated [default: all]
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
+    /// Export only rules whose id begins with PREFIX; may be repeated [default: all]
+    #[arg(long, value_name = "PREFIX")]
+    only: Vec<String>,
     /// Edition that the answers will be compared with
     #[arg(long, value_name = "EDITION", default_value = DEFAULT_EDITION)]
     edition: String,
@@ -99,20 +105,23 @@ fn export(arguments: &Export, suite: &Suite) -> Result<u8, CliError> {
     // Without a slash at its end, so that something can be put beside it.
     let out: PathBuf = arguments.out.components().collect();
     check_folder_free(&out)?;
-    let (questions, left_out) = questions(suite, edition, &arguments.profile);
+    certify::known_rules(&arguments.only, suite)?;
+    let requested = Requested { profiles: arguments.profile.clone(), only: arguments.only.clone() };
+    let (questions, left_out) = questions(suite, edition, &requested);
     let manifest = Manifest {
         format: FORMAT,
         gaugeblock_version: env!("CARGO_PKG_VERSION").to_owned(),
         suite: suite.digest.clone(),
         edition: edition.id.clone(),
-        profiles: arguments.profile.clone(),
+        profiles: requested.profiles,
+        only: requested.only,
         programs: questions.iter().map(|question| question.exported.clone()).collect(),
         left_out,
     };
     if questions.is_empty() {
         return Err(CliError::usage(
-            "no case of these profiles can run offline",
-            "remove --profile, or choose another edition",
+            "no case of these rules can run offline",
+            "remove --profile or --only, or choose another edition",
         ));
     }
     write_campaign(&out, &manifest, &questions)?;
@@ -234,7 +243,7 @@ fn open(
     suite: &Suite,
     edition: &Edition,
 ) -> Result<Vec<Question>, CliError> {
-    let (questions, _) = questions(suite, edition, &manifest.profiles);
+    let (questions, _) = questions(suite, edition, &manifest.requested());
     let mut open = Vec::new();
     for question in questions {
         let folder = arguments.folder.join(&question.exported.folder);

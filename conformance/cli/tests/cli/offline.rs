@@ -12,10 +12,12 @@ use serde_json::Value;
 
 use crate::command::gaugeblock;
 
-/// A profile with programs that are refused, show messages, set variables and move.
-const PROFILE: &str = "modal-save";
-/// Its chapter.
-const CHAPTER: &str = "saved-state";
+/// Rules with programs that are refused, show messages, set variables and move.
+const RULES: &str = "saved-state.s";
+/// Rules of which rs274 breaks some.
+const OF_NUMBERS: &str = "numbers.";
+/// Rules of motion.
+const OF_MOTION: &str = "trajectory.";
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
@@ -31,11 +33,11 @@ fn ends_with(status: i32, arguments: &[&str]) -> String {
 }
 
 /// A campaign that was exported for this test.
-fn campaign(name: &str, profile: &str) -> PathBuf {
+fn campaign(name: &str, only: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("offline").join(name);
     let _none_yet = fs::remove_dir_all(&folder);
     let out = format!("{}/", path(&folder));
-    let asked = ["--edition", "linuxcnc-2.9", "--profile", profile, "--out", &out];
+    let asked = ["--edition", "linuxcnc-2.9", "--only", only, "--out", &out];
     ends_with(0, &[&["offline", "export"], asked.as_slice()].concat());
     folder
 }
@@ -108,10 +110,10 @@ fn there_and_back(folder: &Path, name: &str, more: &[&str], (chapter, least): (&
 
 #[test]
 fn production_gets_the_same_verdicts_on_paper() {
-    let of_blocks = campaign("production-blocks", PROFILE);
-    there_and_back(&campaign("production", PROFILE), "production", &[], (CHAPTER, 40));
-    there_and_back(&of_blocks, "production", &["--blocks"], (CHAPTER, 20));
-    there_and_back(&campaign("production-moves", "motion"), "production", &[], ("trajectory", 10));
+    let of_blocks = campaign("production-blocks", RULES);
+    there_and_back(&campaign("production", RULES), "production", &[], (RULES, 20));
+    there_and_back(&of_blocks, "production", &["--blocks"], (RULES, 10));
+    there_and_back(&campaign("production-moves", OF_MOTION), "production", &[], (OF_MOTION, 10));
 }
 
 #[test]
@@ -120,9 +122,9 @@ fn rs274_gets_the_same_verdicts_on_paper() {
         eprintln!("left out: rs274 on paper ({error})");
         return;
     }
-    let folder = campaign("rs274", PROFILE);
-    there_and_back(&folder, "rs274", &[], (CHAPTER, 40));
-    let back = verdicts(&[&controller(&folder), "--only", CHAPTER]);
+    let folder = campaign("rs274", OF_NUMBERS);
+    there_and_back(&folder, "rs274", &[], (OF_NUMBERS, 40));
+    let back = verdicts(&[&controller(&folder), "--only", OF_NUMBERS]);
     assert!(count(&back, "diverges") > 0, "none of its departures shows on paper");
 }
 
@@ -130,9 +132,9 @@ fn rs274_gets_the_same_verdicts_on_paper() {
 fn nothing_that_is_expected_is_exported() {
     let suite =
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
-    let folder = campaign("blind", PROFILE);
+    let folder = campaign("blind", RULES);
     let mut names: Vec<&str> = Vec::new();
-    for rule in suite.rules.iter().filter(|rule| rule.profile == PROFILE) {
+    for rule in suite.rules.iter().filter(|rule| rule.id.starts_with(RULES)) {
         names.extend([rule.id.as_str(), rule.sentence.as_str()]);
         let long = rule.case_names().filter(|name| name.len() > 12 && name.contains(' '));
         names.extend(long);
@@ -158,15 +160,15 @@ fn nothing_that_is_expected_is_exported() {
 
 #[test]
 fn missing_sheet_is_not_run_and_empty_fields_are_not_judged() {
-    let folder = campaign("partial", PROFILE);
+    let folder = campaign("partial", RULES);
     let paper = controller(&folder);
     ends_with(2, &["certify", "--controller", &paper]);
     name_control(&folder);
     let asked = manifest(&folder).programs;
-    let none = verdicts(&[&paper, "--only", CHAPTER]);
+    let none = verdicts(&[&paper, "--only", RULES]);
     assert_eq!((count(&none, "pass"), count(&none, "diverges")), (0, 0));
     let cases: usize = asked.iter().map(|asked| asked.cases).sum();
-    // A case of another profile may have a program of this one.
+    // A case of another rule may have a program of these.
     let open = count(&none, "not run");
     assert!(open >= cases, "{open} of {cases}");
     let said = ends_with(3, &["certify", "--controller", &paper]);
@@ -181,16 +183,16 @@ fn missing_sheet_is_not_run_and_empty_fields_are_not_judged() {
     let sheet = folder.join(&asked.folder);
     // How it ended says nothing of what this rule demands.
     change_in(&sheet, "answer.toml", "ended = \"\"", "ended = \"program end\"");
-    let one = verdicts(&[&paper, "--only", CHAPTER]);
+    let one = verdicts(&[&paper, "--only", RULES]);
     assert_eq!((count(&one, "pass"), count(&one, "diverges")), (0, 0), "{one:?}");
     assert_eq!(count(&one, "not run"), open - asked.cases);
     // With its variable it is judged; a wrong one departs.
     change_in(&sheet, "answer.toml", "\"#31\" = \"\"", "\"#31\" = \"0.0004\"");
-    let judged = verdicts(&[&paper, "--only", CHAPTER]);
+    let judged = verdicts(&[&paper, "--only", RULES]);
     let counted = ["pass", "diverges", "side difference"].map(|word| count(&judged, word));
     assert_eq!(counted.iter().sum::<usize>(), asked.cases, "{judged:?}");
     change_in(&sheet, "answer.toml", "\"#31\" = \"0.0004\"", "\"#31\" = 77");
-    let wrong = verdicts(&[&paper, "--only", CHAPTER]);
+    let wrong = verdicts(&[&paper, "--only", RULES]);
     assert_eq!(count(&wrong, "diverges") + count(&wrong, "side difference"), asked.cases);
 }
 
@@ -210,30 +212,30 @@ fn unreadable_answer_is_not_judged_and_reported_with_its_place() {
         ("key", "ended = \"\"", "endet = \"alarm\"", "unknown field `endet`"),
         ("line", "line = \"\"", "line = \"four\"", "[alarm] line: \"four\" is not a line number"),
     ] {
-        let folder = campaign(&format!("unreadable-{name}"), PROFILE);
+        let folder = campaign(&format!("unreadable-{name}"), RULES);
         name_control(&folder);
         change(&folder, "answer.toml", old, new);
         if !new.contains("end") {
             change(&folder, "answer.toml", "ended = \"\"", "ended = \"alarm\"");
         }
         let said =
-            ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
+            ends_with(3, &["certify", "--controller", &controller(&folder), "--only", RULES]);
         assert!(said.contains(words), "{name}: {words} is not in\n{said}");
     }
 }
 
 #[test]
 fn a_program_that_was_changed_is_not_judged() {
-    let folder = campaign("changed", PROFILE);
+    let folder = campaign("changed", RULES);
     ends_with(0, &["offline", "answer", path(&folder), "--controller", "production"]);
     change(&folder, "main.ngc", "m2", "m30");
-    let said = ends_with(3, &["certify", "--controller", &controller(&folder), "--only", CHAPTER]);
+    let said = ends_with(3, &["certify", "--controller", &controller(&folder), "--only", RULES]);
     assert!(said.contains("0001/main.ngc): the program has changed since the export"), "{said}");
 }
 
 #[test]
 fn sheets_of_another_suite_or_edition_are_refused() {
-    let folder = campaign("other", PROFILE);
+    let folder = campaign("other", RULES);
     name_control(&folder);
     let paper = controller(&folder);
     let said = ends_with(2, &["certify", "--controller", &paper, "--edition", "linuxcnc-2.8"]);
@@ -260,13 +262,14 @@ fn sheets_of_another_suite_or_edition_are_refused() {
 
 #[test]
 fn nothing_is_overwritten_and_nothing_half_written() {
-    let folder = campaign("kept", PROFILE);
+    let folder = campaign("kept", RULES);
     let export = |more: &[&str]| ends_with(2, &[&["offline", "export"], more].concat());
     let said = export(&["--out", path(&folder)]);
     assert!(said.contains("is not empty") && said.contains("hint:"), "{said}");
     let new = folder.join("new");
     for (more, words) in [
         (["--profile", "no-such"], "unknown profile `no-such`"),
+        (["--only", "no-such"], "invalid `--only no-such`"),
         (["--edition", "no-such"], "unknown edition `no-such`"),
         (["--edition", "nct-99m"], "another language"),
     ] {
@@ -280,7 +283,7 @@ fn nothing_is_overwritten_and_nothing_half_written() {
     assert!(said.contains("1 were filled in before"), "{said}");
     let sheet = fs::read_to_string(folder.join("0001/answer.toml")).expect("the sheet");
     assert!(sheet.contains("no such machine"), "{sheet}");
-    let told = verdicts(&[&controller(&folder), "--only", CHAPTER]);
+    let told = verdicts(&[&controller(&folder), "--only", RULES]);
     assert!(
         told.values().any(|(verdict, why)| verdict == "unsupported" && why == "no such machine")
     );

@@ -1,0 +1,36 @@
+//! Which rules a campaign is about.
+
+use std::fmt;
+
+use gaugeblock_suite::Rule;
+
+/// Which rules a campaign is about; with nothing requested it is about all.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Requested {
+    /// Only rules of these profiles; empty for all.
+    pub profiles: Vec<String>,
+    /// Only rules whose id begins with one of these; empty for all.
+    pub only: Vec<String>,
+}
+
+impl Requested {
+    /// Whether a rule is requested.
+    pub(crate) fn includes(&self, rule: &Rule) -> bool {
+        let Self { profiles, only } = self;
+        (profiles.is_empty() || profiles.contains(&rule.profile))
+            && (only.is_empty() || only.iter().any(|prefix| rule.id.starts_with(prefix)))
+    }
+}
+
+impl fmt::Display for Requested {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.profiles.as_slice() {
+            [] => write!(f, "all profiles")?,
+            profiles => write!(f, "profiles: {}", profiles.join(", "))?,
+        }
+        match self.only.as_slice() {
+            [] => Ok(()),
+            only => write!(f, ", only rules: {}", only.join(", ")),
+        }
+    }
+}
