@@ -136,7 +136,7 @@ fn suspicion(failed: Count, passed: Count, failing: u64) -> f64 {
     let of_own = share(failed.own, failed.own + passed.own + WHOLE);
     let own_of_failing = share(failed.own, failing);
     let of_users = share(failed.all, failed.all + passed.all);
-    of_failing + of_own + 0.3 * own_of_failing + 0.5 * of_users
+    of_failing + of_own + 0.1 * own_of_failing + 0.25 * of_users
 }
 
 #[cfg(test)]

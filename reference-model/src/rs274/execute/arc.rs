@@ -326,6 +326,7 @@ fn centre_of_radius(
         let message = "an arc with a radius needs a word of an axis of the selected plane";
         return Err(refuse(rule::arcs::RADIUS_NEEDS_AXIS, FaultKind::MissingWord, message));
     }
+    state.coverage.accepted(rule::arcs::RADIUS_NEEDS_AXIS);
     let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
     if start == end {
         let message = "an arc with a radius that ends where it starts";
