@@ -20,11 +20,11 @@ pub struct Choices {
     options: [u8; choice::COUNT as usize],
     /// What a dialect does differently; nothing by the documents.
     pub(crate) deviations: Deviations,
-    /// What the run has consulted, where the caller wants to know.
+    /// What the run consults; none if it is not recorded.
     pub(crate) consulted: Option<Arc<Consulted>>,
 }
 
-/// Equal if a run under them is; what a run has consulted does not count.
+/// Two are equal if their options are. What a run has consulted is not compared.
 impl PartialEq for Choices {
     fn eq(&self, other: &Self) -> bool {
         (self.options, self.deviations) == (other.options, other.deviations)
@@ -115,7 +115,7 @@ impl Choices {
         self.options[usize::from(C::NUMBER)] == option.place()
     }
 
-    /// Notes that a run consults a choice, or a deviation of a dialect.
+    /// Records that a run consults a choice, or a deviation of a dialect.
     #[inline]
     pub(crate) fn consult(&self, id: Rule) {
         if let Some(consulted) = &self.consulted {
@@ -124,10 +124,10 @@ impl Choices {
     }
 }
 
-/// What a run has consulted: choices, and deviations of a dialect. Another option of any other one changes nothing of
-/// the run.
+/// The choices, and the deviations of a dialect, that a run has consulted. Another option of any other one does not
+/// change the run.
 #[derive(Debug)]
-pub struct Consulted([AtomicBool; Rule::COUNT]);
+pub(crate) struct Consulted([AtomicBool; Rule::COUNT]);
 
 impl Default for Consulted {
     fn default() -> Self {
@@ -137,7 +137,7 @@ impl Default for Consulted {
 
 impl Consulted {
     /// The ids of their pages.
-    pub fn ids(&self) -> BTreeSet<&'static str> {
+    pub(crate) fn ids(&self) -> BTreeSet<&'static str> {
         let consulted = Rule::all().filter(|id| self.0[id.number()].load(Ordering::Relaxed));
         consulted.map(Rule::id).collect()
     }

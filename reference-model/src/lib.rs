@@ -23,7 +23,8 @@ pub mod motion;
 pub mod nct;
 pub mod rs274;
 
-pub use choices::{Choices, Consulted};
+pub use choices::Choices;
+pub(crate) use choices::Consulted;
 pub use coverage::{RuleCoverage, RuleOutcome, Tally};
 
 pub use rs274::RunCache;
@@ -60,8 +61,8 @@ pub fn run_rounded(scenario: &Scenario, rounding: Rounding) -> (Outcome, RuleCov
     run_as(&mut RunCache::default(), scenario, rounding)
 }
 
-/// The same, with the ids of what the run consults: choices, and deviations of a dialect. Another option of any other
-/// one changes nothing. In other languages than RS-274 they are not known: none is given.
+/// What [`run`] says of the outcome, with the ids of the choices and deviations that the run consults. Another option
+/// of any other one does not change the outcome. The ids are recorded for RS-274 alone.
 pub fn run_consulting(scenario: &Scenario) -> (Outcome, Option<BTreeSet<&'static str>>) {
     let consulted = Arc::new(Consulted::default());
     let mut cache = RunCache::consulting(consulted.clone());

@@ -64,7 +64,7 @@ pub struct Manifest {
     pub edition: String,
     /// The requested profiles; empty for all.
     pub profiles: Vec<String>,
-    /// The beginnings of the ids of the requested rules; empty for all.
+    /// Prefixes of the ids of the requested rules; empty for all.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<String>,
     /// The programs, in the order of their folders.
@@ -74,7 +74,7 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// Which rules the campaign is about.
+    /// The requested rules.
     pub fn requested(&self) -> Requested {
         Requested { profiles: self.profiles.clone(), only: self.only.clone() }
     }

@@ -1,10 +1,10 @@
-//! Which rules a campaign is about.
+//! The rules that a campaign exports.
 
 use std::fmt;
 
 use gaugeblock_suite::Rule;
 
-/// Which rules a campaign is about; with nothing requested it is about all.
+/// The rules that a campaign exports.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Requested {
     /// Only rules of these profiles; empty for all.

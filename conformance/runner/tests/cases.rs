@@ -1,5 +1,5 @@
-//! Each rule, under an edition of each language, held against the model: a test per rule. The gate holds the model
-//! under every edition.
+//! The model runs the cases of each rule under one edition of each language: a test per rule. The gate runs it under
+//! every edition.
 
 use gaugeblock_controllers::Reference;
 use gaugeblock_runner::certify::{Plan, Scope, Verdict, certify};

@@ -35,7 +35,7 @@ pub(crate) use quirk::{CHAPTERS as ID_CHAPTERS, COUNT as ID_COUNT};
 impl Choices {
     /// The dialect of this run.
     pub(crate) fn dialect(&self) -> &'static dyn Dialect {
-        // Without a quirk it says the same; but what it asks for is to be known.
+        // Without a quirk it follows the documents, and records what it consults.
         let has_dialect = self.deviations.any() || self.consulted.is_some();
         if has_dialect { &linuxcnc::LinuxCnc } else { &Documented }
     }

@@ -290,7 +290,7 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     }
 }
 
-/// Refuses a beginning of ids that no rule has.
+/// Refuses a prefix that no rule id has.
 pub(crate) fn known_rules(only: &[String], suite: &Suite) -> Result<(), CliError> {
     let is_known = |only: &&String| suite.rules.iter().any(|rule| rule.id.starts_with(*only));
     match only.iter().find(|only| !is_known(only)) {

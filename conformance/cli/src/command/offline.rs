@@ -44,7 +44,7 @@ const EXPORT_EXAMPLES: &str = "Examples:
   gaugeblock offline export --profile modal-save --profile subroutines --out campaign
       export the rules of two profiles
   gaugeblock offline export --only arcs.radius --only cycles.peck --out campaign
-      export a few rules: a person can run about a hundred programs a day
+      export the rules whose ids begin so
 
 The files contain no expectations.
 The folder's README.md counts the cases that cannot run offline, by reason.";

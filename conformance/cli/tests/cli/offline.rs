@@ -14,7 +14,7 @@ use crate::command::gaugeblock;
 
 /// Rules with programs that are refused, show messages, set variables and move.
 const RULES: &str = "saved-state.s";
-/// Rules of which rs274 breaks some.
+/// Rules; rs274 breaks some of them.
 const OF_NUMBERS: &str = "numbers.";
 /// Rules of motion.
 const OF_MOTION: &str = "trajectory.";

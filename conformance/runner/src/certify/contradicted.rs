@@ -1,8 +1,8 @@
 //! Explanations that other cases of the run contradict.
 //!
-//! Another option of a choice may explain a divergence by chance: whatever refuses an arc looks like an option that
-//! refuses some arcs. But an option concerns other programs, too. If more of them pass than it explains, the controller
-//! does not have it.
+//! Another option of a choice can explain a divergence by chance: a controller that refuses an arc resembles an option
+//! that refuses some arcs. The option changes other programs too. If more of these pass than it explains, the
+//! controller does not have it.
 
 use std::collections::{BTreeMap, BTreeSet};
 

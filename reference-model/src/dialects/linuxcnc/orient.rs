@@ -70,8 +70,8 @@ impl OrientRules for LinuxCnc {
     }
 }
 
-/// Quirk linuxcnc.speed-while-oriented. Remembers how spindles turn that M19 orients; one that is oriented already would
-/// turn as before.
+/// Quirk linuxcnc.speed-while-oriented. Records how spindles turn before M19. The record of an oriented spindle does
+/// not change.
 fn remember_turning(spindles: &[usize], state: &mut State) {
     for place in spindles {
         let turn = state.dialect().commanded_turn(*place, state);

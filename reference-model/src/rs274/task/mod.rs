@@ -60,12 +60,12 @@ pub struct RunCache {
     choices: Option<(Options, Shared<Choices>)>,
     /// Room for what the parser makes of a line.
     room: Room,
-    /// What the runs consult, where the caller wants to know.
+    /// What the runs consult; none if it is not recorded.
     consulted: Option<Arc<Consulted>>,
 }
 
 impl RunCache {
-    /// One for runs of which the caller wants to know what they consult.
+    /// A cache that records what its runs consult.
     pub(crate) fn consulting(consulted: Arc<Consulted>) -> Self {
         Self { consulted: Some(consulted), ..Self::default() }
     }
