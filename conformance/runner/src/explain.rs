@@ -128,8 +128,7 @@ impl<'a> DivergenceContext<'a> {
     fn model_under(&self, others: &[AlternativeOption<'_>]) -> (Outcome, Consulted) {
         let mut scenario = Cow::Borrowed(self.scenario);
         for other in others {
-            let options = &mut scenario.to_mut().options.0;
-            options.insert(other.choice.id.clone(), other.option.to_owned());
+            scenario = Cow::Owned(other.applied_to(&scenario));
         }
         let (outcome, consulted) = gaugeblock_reference::run_consulting(&scenario);
         (outcome, Consulted(consulted))

@@ -57,8 +57,7 @@ pub(super) fn withdraw(
 }
 
 fn case_or_grid<'a>(result: &CaseResult<'a>) -> CaseOrGrid<'a> {
-    let case = result.rule.cases.iter().find(|case| case.name == result.name);
-    let grid = case.and_then(|case| case.grid);
+    let grid = result.case().and_then(|case| case.grid);
     (&result.rule.id, grid.ok_or(result.name))
 }
 
@@ -81,9 +80,7 @@ fn contradicted_by<'o>(
     controller: &dyn Adapter,
     open: impl Iterator<Item = &'o String>,
 ) -> Vec<String> {
-    let Some(case) = result.rule.cases.iter().find(|case| case.name == result.name) else {
-        return Vec::new();
-    };
+    let Some(case) = result.case() else { return Vec::new() };
     let scenario = scenario_of(case, options, plan.edition);
     let (specified, consulted) = gaugeblock_reference::run_consulting(&scenario);
     let found = Observed::of(&specified);

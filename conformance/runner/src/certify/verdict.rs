@@ -10,7 +10,7 @@ use std::time::Duration;
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_compare::{StateDifference, Tally};
 use gaugeblock_motion::Sketch;
-use gaugeblock_suite::{Edition, Rule};
+use gaugeblock_suite::{Case, Edition, Rule};
 use gaugeblock_vocabulary::Outcome;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -295,6 +295,11 @@ pub struct Run<'a> {
 }
 
 impl<'a> CaseResult<'a> {
+    /// The case; none if it is one of motion.
+    pub(crate) fn case(&self) -> Option<&'a Case> {
+        self.rule.cases.iter().find(|case| case.name == self.name)
+    }
+
     pub(super) fn new(rule: &'a Rule, name: &'a str, program: &'a str) -> Self {
         Self {
             rule,

@@ -31,7 +31,7 @@ impl<'a> Coverage<'a> {
     pub(super) fn case(&mut self, result: &CaseResult<'a>) -> Rc<SpectrumCase<'a>> {
         let Self { suite, edition, ids, cases } = self;
         let used = cases.entry((result.rule.id.as_str(), result.name)).or_insert_with(|| {
-            let case = result.rule.cases.iter().find(|case| case.name == result.name);
+            let case = result.case();
             let reached = case.map(|case| model_run(suite, case, edition).1).unwrap_or_default();
             let known = reached
                 .iter()
