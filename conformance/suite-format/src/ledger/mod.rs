@@ -9,9 +9,11 @@ mod asciidoc;
 mod carriers;
 mod check;
 mod collector;
+mod comments;
 mod digest;
 mod kind;
 mod manual;
+mod markdown;
 mod printed_page;
 mod split;
 #[cfg(test)]

@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::collector::TextSection;
-use super::{asciidoc, manual, web};
+use super::{asciidoc, comments, manual, markdown, web};
 
 /// How the text of a document is set out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -20,6 +20,10 @@ pub enum Form {
     Web,
     /// A printed manual with numbered headings, in the XML that `pdftohtml -xml -i -stdout` writes.
     Manual,
+    /// Markdown source text.
+    Markdown,
+    /// The comments of a C file: a section per function and step.
+    Comments,
 }
 
 /// Splits a document. Sections without items are left out; so is text before the first heading.
@@ -31,6 +35,8 @@ pub fn extract(document_text: &str, form: Form) -> Vec<TextSection> {
         }
         Form::Web => web::split(document_text),
         Form::Manual => manual::split(document_text),
+        Form::Markdown => markdown::split(document_text),
+        Form::Comments => comments::split(document_text),
     };
     sections.retain(|section| !section.items.is_empty());
     sections
