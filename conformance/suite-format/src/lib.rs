@@ -279,15 +279,26 @@ impl Suite {
         Options(first.collect())
     }
 
-    /// Whether the documents leave a choice open: none of their editions reads it in another way than the rest.
-    pub fn is_open(&self, choice: &Choice) -> bool {
+    /// Whether the documents of an edition leave a choice open: none of the editions of documents reads it in another
+    /// way than the rest.
+    ///
+    /// An edition of documented rules counts for itself only. It leaves a choice open if one of its rules depends on it and none
+    /// of its documents is a source of it.
+    pub fn is_open(&self, choice: &Choice, edition: &Edition) -> bool {
         if choice.kind != ChoiceKind::Choice {
             return false;
         }
+        if edition.documented_only {
+            let depends =
+                |rule: &Rule| rule.exists_in(edition) && rule.options.contains(&choice.id);
+            return !edition.cites(&choice.sources) && self.rules.iter().any(depends);
+        }
+        let is_of_documents = |it: &&Edition| !it.documented_only && !self.is_observed(it);
         let of_documents = self
             .editions
             .iter()
-            .filter(|edition| edition.language == choice.language && !self.is_observed(edition));
+            .filter(|edition| edition.language == choice.language)
+            .filter(is_of_documents);
         let options: BTreeSet<Option<String>> = of_documents
             .map(|edition| self.options(edition).get(&choice.id).map(str::to_owned))
             .collect();

@@ -24,11 +24,8 @@ impl Suite {
     /// Makes each rule void in the editions that have documented rules alone, if none of their documents is a source.
     pub(crate) fn leave_out_undocumented(&mut self) {
         for edition in self.editions.iter().filter(|edition| edition.documented_only) {
-            let is_documented = |rule: &Rule| {
-                rule.sources.iter().any(|source| edition.documents.contains(&source.document))
-            };
             let of_language = self.rules.iter_mut().filter(|it| it.language == edition.language);
-            for rule in of_language.filter(|rule| !is_documented(rule)) {
+            for rule in of_language.filter(|rule| !edition.cites(&rule.sources)) {
                 let why = "its documents do not say so".to_owned();
                 rule.void.entry(edition.id.clone()).or_insert(why);
             }

@@ -380,6 +380,13 @@ pub struct Edition {
     pub has: Option<DeclaredLanguage>,
 }
 
+impl Edition {
+    /// Whether one of these sources is in one of its documents.
+    pub fn cites(&self, sources: &[Source]) -> bool {
+        sources.iter().any(|source| self.documents.contains(&source.document))
+    }
+}
+
 /// A named and versioned list of rules that a vendor can claim: those whose pages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]

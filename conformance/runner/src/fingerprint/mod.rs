@@ -118,7 +118,7 @@ pub fn shown_open_options(
     let asked = suite.choices.iter().filter(|choice| {
         options.get(&choice.id).is_some()
             && declared.get(&choice.id).is_none()
-            && suite.is_open(choice)
+            && suite.is_open(choice, edition)
             && choice.under.iter().all(|(id, option)| options.is(id, option))
     });
     for choice in asked {

@@ -3,6 +3,7 @@
 mod expectations;
 mod fingerprint;
 mod fuzz;
+mod language;
 mod machine_units;
 mod never_refuses;
 mod production;

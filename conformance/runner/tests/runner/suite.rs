@@ -71,7 +71,10 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
     ] {
         let edition = suite.edition(edition).expect("the edition");
         let choices = suite.choices.iter().find(|it| it.id == choice).expect(choice);
-        assert!(suite.is_open(choices) && !suite.options(edition).is(choice, option), "{choice}");
+        assert!(
+            suite.is_open(choices, edition) && !suite.options(edition).is(choice, option),
+            "{choice}"
+        );
         let options = Options([(choice.to_owned(), option.to_owned())].into());
         let plan = Plan {
             suite: &suite,

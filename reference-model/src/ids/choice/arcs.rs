@@ -31,12 +31,15 @@ choices! {
     }
 
     /// How far the radii at start and end of an arc may be apart when that is more than a thousandth of them:
-    /// 0.005 mm or 0.0005 inch in the section on arcs, 0.001 mm or 0.0001 inch in the advice.
+    /// 0.005 mm or 0.0005 inch in the section on arcs, 0.001 mm or 0.0001 inch in the advice. Grbl has 0.005
+    /// mm, and 0.5 mm for the greater bound, in inches too.
     SmallTolerance = "arcs.small-tolerance" {
         /// 0.005 mm or 0.0005 inch
         Coarse = "coarse",
         /// 0.001 mm or 0.0001 inch
         Fine = "fine",
+        /// 0.005 mm, and 0.5 mm for the greater bound, whatever the unit
+        Millimetres = "millimetres",
     }
 
     /// What an arc with P0 or a negative P is: the document wants an integer, and counts turns from 1.
@@ -45,6 +48,15 @@ choices! {
         Refused = "refused",
         /// it has one turn
         One = "one",
+    }
+
+    /// Whether G2 and G3 with offsets of a centre and without a word of an axis of the plane make a full
+    /// circle: LinuxCNC says so, Grbl refuses them.
+    WithoutAxisWords = "arcs.without-axis-words" {
+        /// a full circle
+        FullCircle = "full-circle",
+        /// an arc needs a word of an axis of its plane
+        Refused = "refused",
     }
 
     /// Whether an arc whose centre is its start and its end is executed, turning in place; no error is listed

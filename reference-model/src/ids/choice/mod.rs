@@ -8,6 +8,7 @@ pub mod coolant;
 pub mod cycles;
 pub mod expressions;
 pub mod fanuc_subs;
+pub mod feed;
 mod first;
 pub mod gpp;
 pub mod inputs;
@@ -15,6 +16,7 @@ pub mod modal_groups;
 pub mod motion;
 pub mod nct;
 pub mod offsets;
+pub mod order;
 pub mod orient;
 pub mod outputs;
 pub mod overrides;
@@ -49,12 +51,14 @@ pub(crate) const CHAPTERS: &[&[Page]] = &[
     cycles::CHAPTER_PAGES,
     expressions::CHAPTER_PAGES,
     fanuc_subs::CHAPTER_PAGES,
+    feed::CHAPTER_PAGES,
     gpp::CHAPTER_PAGES,
     inputs::CHAPTER_PAGES,
     modal_groups::CHAPTER_PAGES,
     motion::CHAPTER_PAGES,
     nct::CHAPTER_PAGES,
     offsets::CHAPTER_PAGES,
+    order::CHAPTER_PAGES,
     orient::CHAPTER_PAGES,
     outputs::CHAPTER_PAGES,
     overrides::CHAPTER_PAGES,

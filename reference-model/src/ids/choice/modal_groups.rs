@@ -3,6 +3,15 @@
 choices! {
     super::first::MODAL_GROUPS;
 
+    /// How far the number of a code can be from that of a code of the language: LinuxCNC says 0.0001, of an M
+    /// number or of ten times a G number; Grbl rounds its decimals to hundredths.
+    CodeDecimals = "modal-groups.code-decimals" {
+        /// G91.001 is not a code
+        TenThousandths = "ten-thousandths",
+        /// G91.001 is G91
+        Hundredths = "hundredths",
+    }
+
     /// The motion mode at the start of a program. One is always in effect; the documents do not say which.
     InitialMotion = "modal-groups.initial-motion" {
         /// G80

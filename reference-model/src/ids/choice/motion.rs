@@ -3,6 +3,16 @@
 choices! {
     super::first::MOTION;
 
+    /// Whether the axis words of G10, G28, G30, G43.1 and G92 are refused while G80 is active. LinuxCNC
+    /// refuses words that no code of group 0 uses; Grbl's table of errors speaks of unused words, its parser
+    /// of all.
+    OffsetWordsAfterCancel = "motion.offset-words-after-cancel" {
+        /// the code uses the words
+        Accepted = "accepted",
+        /// any axis word is refused
+        Refused = "refused",
+    }
+
     /// Whether a motion code without axis words makes a move to where the point is. All axis words are
     /// optional, and an axis without a word keeps its value.
     WithoutAxisWords = "motion.without-axis-words" {

@@ -11,4 +11,30 @@ choices! {
         /// it cannot
         Refused = "refused",
     }
+
+    /// What G92 does to the local offset of an axis for which it has no word: LinuxCNC takes it away, Grbl
+    /// changes only axes that have a word.
+    PositionOtherAxes = "offsets.position-other-axes" {
+        /// it is zero
+        Cleared = "cleared",
+        /// it is as it was
+        Kept = "kept",
+    }
+
+    /// Whether G10 L2 needs an axis word: LinuxCNC calls all of them optional, Grbl lists their absence as an
+    /// error.
+    SetWithoutAxes = "offsets.set-without-axes" {
+        /// nothing changes
+        Accepted = "accepted",
+        /// a word is missing
+        Refused = "refused",
+    }
+
+    /// How many coordinate systems there are: nine from G54 to G59.3, or six from G54 to G59.
+    Systems = "offsets.systems" {
+        /// G10 sets systems 1 to 9
+        Nine = "nine",
+        /// G10 sets systems 1 to 6, and refuses P7 to P9 as it refuses P10
+        Six = "six",
+    }
 }

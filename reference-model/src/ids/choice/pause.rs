@@ -21,6 +21,15 @@ choices! {
         StandsStill = "stands-still",
     }
 
+    /// Whether there is an optional stop: in LinuxCNC M1 stops while a switch is on, Grbl accepts M1 and
+    /// ignores it.
+    OptionalStop = "pause.optional-stop" {
+        /// M1 stops while the switch is on
+        Switch = "switch",
+        /// M1 does nothing
+        Ignored = "ignored",
+    }
+
     /// Which of M30 and M60 ends the program and which pauses it: EMC2 2.5's table calls M30 with M60 a pause
     /// and M60 an end, its sections say the contrary.
     PalletCodes = "pause.pallet-codes" {

@@ -11,6 +11,33 @@ choices! {
         Plain = "plain",
     }
 
+    /// What a comment without its right parenthesis is: LinuxCNC refuses it, in Grbl it takes the rest of the
+    /// line.
+    CommentToLineEnd = "text.comment-to-line-end" {
+        /// the comment is not closed
+        Refused = "refused",
+        /// it ends with its line
+        ToLineEnd = "to-line-end",
+    }
+
+    /// Whether a comment can stand between a letter and its value: LinuxCNC refuses it, Grbl removes comments
+    /// before it reads words.
+    CommentsRemoved = "text.comments-removed" {
+        /// the letter has no value
+        Refused = "refused",
+        /// the line is read as if the comment were not there
+        Removed = "removed",
+    }
+
+    /// Whether there is a greatest line number: in LinuxCNC it is an unsigned integer, Grbl refuses one above
+    /// 9,999,999.
+    GreatestLineNumber = "text.greatest-line-number" {
+        /// a line number has no bound
+        None = "none",
+        /// a line number above 9,999,999 is refused
+        SevenDigits = "seven-digits",
+    }
+
     /// Whether the line end is one of the at most 256 characters of a line. The document lists it among a
     /// line's parts and does not say.
     LineEndCounted = "text.line-end-counted" {

@@ -39,6 +39,15 @@ choices! {
         Refused = "refused",
     }
 
+    /// Whether G49 can be in a block with a motion: in LinuxCNC it acts before the motion, Grbl counts it
+    /// among the codes that use axis words.
+    LengthOffWithMotion = "tool.length-off-with-motion" {
+        /// the offset is cancelled, then the move is made
+        Accepted = "accepted",
+        /// two codes use axis words
+        Refused = "refused",
+    }
+
     /// Whether G43, G43.1, G43.2 and G49 are allowed while cutter compensation is on. The sections on them
     /// name no such error.
     LengthUnderCompensation = "tool.length-under-compensation" {

@@ -59,8 +59,11 @@ rules! {
     /// P of an arc must be an integer.
     TURNS_INTEGER = "arcs.turns-integer",
     /// An arc is refused when its radius at the end is not that at the start: by more than 0.5 mm or 0.05
-    /// inch, or by more than a thousandth of the radius and a small bound, which is a choice.
+    /// inch, or by more than a thousandth of the radius and a small bound; which bounds hold is a choice.
     UNEQUAL_RADII = "arcs.unequal-radii",
+    /// Whether an arc with offsets of its centre and without a word of an axis of its plane is refused is a
+    /// choice.
+    WITHOUT_AXIS_WORDS = "arcs.without-axis-words",
     /// Whether an arc about its own point is refused is a choice.
     ZERO_RADIUS = "arcs.zero-radius",
 }

@@ -3,6 +3,8 @@
 rules! {
     super::first::FEED;
 
+    /// Whether a block without F under G93 sets the feed rate to zero is a choice.
+    AFTER_INVERSE_TIME = "feed.after-inverse-time",
     /// A linear move is made at the feed rate that is current.
     APPLIES_TO_FEED_MOVES = "feed.applies-to-feed-moves",
     /// A feed counts X, Y, Z if one of them moves, else U, V, W if one of them does, else A, B, C; the others

@@ -11,6 +11,9 @@ rules! {
     AXIS_WORDS_WITHOUT_MODE = "modal-groups.axis-words-without-mode",
     /// An M number, and ten times a G number, must lie within 0.0001 of an integer.
     CODE_CLOSE_TO_INTEGER = "modal-groups.code-close-to-integer",
+    /// Whether decimals of a code that round to zero hundredths count is a choice; greater ones make another
+    /// code of it.
+    CODE_DECIMALS = "modal-groups.code-decimals",
     /// The number of a code may be an expression.
     CODE_FROM_EXPRESSION = "modal-groups.code-from-expression",
     /// Two cutter compensation codes (group 7) in one block are refused.
@@ -53,6 +56,9 @@ rules! {
     PATH_GROUP = "modal-groups.path-group",
     /// Two plane selections (group 2) in one block are refused.
     PLANE_GROUP = "modal-groups.plane-group",
+    /// Grbl begins with G0, G17, G21, G54, G90, G91.1, G94, G49, M5 and M9, without a tool, a speed and a
+    /// feed rate.
+    POWER_UP = "modal-groups.power-up",
     /// Every letter other than G and M appears at most once in a block.
     REPEATED_LETTER = "modal-groups.repeated-letter",
     /// Two return modes (group 10) in one block are refused.

@@ -19,6 +19,8 @@ rules! {
     MODE_HOLDS = "motion.mode-holds",
     /// An axis letter that the machine does not have is refused.
     NO_SUCH_AXIS = "motion.no-such-axis",
+    /// Whether the axis words of offset and position codes are refused while G80 is active is a choice.
+    OFFSET_WORDS_AFTER_CANCEL = "motion.offset-words-after-cancel",
     /// An axis without a word keeps its value.
     OMITTED_AXES = "motion.omitted-axes",
     /// @ is a distance from the XY origin and ^ an angle counterclockwise from the X axis.

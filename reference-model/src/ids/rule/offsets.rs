@@ -52,6 +52,8 @@ rules! {
     POSITION_NEEDS_AXES = "offsets.position-needs-axes",
     /// After G92 an axis for which it has no word has no local offset.
     POSITION_OMITTED_AXES = "offsets.position-omitted-axes",
+    /// Whether G92 leaves the local offset of axes alone for which it has no word is a choice.
+    POSITION_OTHER_AXES = "offsets.position-other-axes",
     /// `#5211` to `#5219` hold the offset of G92 in the machine's unit, and `#5210` is 1.
     POSITION_PARAMETERS = "offsets.position-parameters",
     /// The offset that G92 makes takes the place of an earlier one, of G52 or G92.
@@ -89,8 +91,12 @@ rules! {
     SET_REPLACES = "offsets.set-replaces",
     /// G10 L2 with an axis that the machine does not have is refused.
     SET_UNKNOWN_AXIS = "offsets.set-unknown-axis",
+    /// Whether G10 L2 without an axis word is refused is a choice.
+    SET_WITHOUT_AXES = "offsets.set-without-axes",
     /// `#5220` names the coordinate system at the start; without a number from 1 to 9 it is the first.
     START_SYSTEM = "offsets.start-system",
     /// The origin of a coordinate system comes from its stored parameters.
     STORED = "offsets.stored",
+    /// P of G10 L2 and L20 is 0 to 6 at least, and not above 9; whether P7 to P9 are refused is a choice.
+    SYSTEMS = "offsets.systems",
 }

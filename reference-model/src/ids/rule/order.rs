@@ -37,6 +37,8 @@ rules! {
     FEED_BEFORE_UNITS = "order.feed-before-units",
     /// The feed mode is set before the feed rate.
     FEED_MODE_BEFORE_FEED = "order.feed-mode-before-feed",
+    /// Whether F in the block that changes the length unit is read in the old unit is a choice.
+    FEED_UNIT = "order.feed-unit",
     /// An axis offset is cancelled or brought back before the block's motion.
     OFFSET_DATA_BEFORE_MOTION = "order.offset-data-before-motion",
     /// In a block the outputs are switched before the tool change.

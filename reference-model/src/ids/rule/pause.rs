@@ -21,6 +21,8 @@ rules! {
     MODE_KEPT = "pause.mode-kept",
     /// M1 pauses the program while the optional-stop switch is on, and else does not.
     OPTIONAL = "pause.optional",
+    /// Whether M1 is an optional stop, or does nothing, is a choice.
+    OPTIONAL_STOP = "pause.optional-stop",
     /// M60 exchanges the pallet shuttles and then pauses the program, whatever the optional-stop switch is.
     PALLET = "pause.pallet",
     /// Cycle start lets the program go on at the following block after M60.

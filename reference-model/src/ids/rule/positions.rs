@@ -19,6 +19,9 @@ rules! {
     SECOND = "positions.second",
     /// G28.1 stores the machine position in `#5161` to `#5169`, in the machine's unit, and moves nothing.
     STORE = "positions.store",
+    /// Axis words in the block of G28.1 and G30.1 belong to the motion mode; the position before the move is
+    /// stored.
+    STORE_WITH_MOTION = "positions.store-with-motion",
     /// G28, G28.1, G30 and G30.1 are refused while cutter compensation is on.
     UNDER_COMPENSATION = "positions.under-compensation",
 }

@@ -25,10 +25,17 @@ rules! {
     COMMENT_PARENTHESES = "text.comment-parentheses",
     /// A semicolon begins a comment that takes the rest of the line, but not inside parentheses.
     COMMENT_SEMICOLON = "text.comment-semicolon",
+    /// Whether a comment without its right parenthesis is refused, or takes the rest of its line, is a
+    /// choice.
+    COMMENT_TO_LINE_END = "text.comment-to-line-end",
     /// A comment whose right parenthesis is missing, and a right parenthesis without a comment, are refused.
     COMMENT_UNCLOSED = "text.comment-unclosed",
     /// Inside a comment blanks and case stay as they are written.
     COMMENT_VERBATIM = "text.comment-verbatim",
+    /// Whether a comment between a letter and its value is refused is a choice.
+    COMMENTS_REMOVED = "text.comments-removed",
+    /// Whether a line number above 9,999,999 is refused is a choice.
+    GREATEST_LINE_NUMBER = "text.greatest-line-number",
     /// Characters that no rule allows are refused.
     ILLEGAL_INPUT = "text.illegal-input",
     /// What is neither a word, a parameter setting nor a comment is refused.

@@ -97,6 +97,8 @@ rules! {
     LENGTH_NOT_AN_INTEGER = "tool.length-not-an-integer",
     /// G49 cancels the tool length offset.
     LENGTH_OFF = "tool.length-off",
+    /// Whether G49 in the block of a motion is refused is a choice.
+    LENGTH_OFF_WITH_MOTION = "tool.length-off-with-motion",
     /// The same tool length offset may be programmed again, and G49 when none is used.
     LENGTH_REPEATED = "tool.length-repeated",
     /// Whether the tool offset can be changed while cutter compensation is on is a choice.

@@ -21,6 +21,7 @@ pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     let codes = known(words, state)?;
     groups(words, &codes, state)?;
     state.dialect().check_axis_words(words, &codes, state)?;
+    length_off_alone(&codes, state)?;
     match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
         Some((text, what)) => Err(StepError::Unsupported(format!("{text}: {what}"))),
         None => Ok(()),
@@ -243,4 +244,22 @@ fn axis_words_once(
         }
         _ => Ok(()),
     }
+}
+
+/// Rule tool.length-off-with-motion. Whether G49 and a code that uses axis words, a motion or of group 0, exclude each
+/// other is a choice.
+fn length_off_alone(codes: &[(Written, Code)], state: &mut State) -> Result<(), StepError> {
+    let uses_axes = |(_, code): &&(Written, Code)| {
+        code.axis_words && matches!(code.group, Some(ModalGroup::Motion | ModalGroup::NonModal))
+    };
+    let is_off = |(text, _): &(Written, Code)| *text == Written::G(490);
+    let other = codes.iter().find(uses_axes).filter(|_| codes.iter().any(is_off));
+    let Some((other, _)) = other else { return Ok(()) };
+    let rule = rule::tool::LENGTH_OFF_WITH_MOTION;
+    if state.choices.is(choice::tool::LengthOffWithMotion::Refused) {
+        let message = format!("{other} in a block with G49");
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
 }

@@ -12,6 +12,7 @@ use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
+use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -139,7 +140,7 @@ fn one_format(axes: Axes, words: &Words) -> Result<(), StepError> {
 /// Rule arcs.diameter-centre. Whether I is a diameter in diameter mode is a choice.
 ///
 /// # Errors
-/// Rules arcs.needs-offsets, arcs.absolute-needs-both, arcs.unequal-radii, arcs.zero-radius.
+/// Rules arcs.needs-offsets, arcs.without-axis-words, arcs.absolute-needs-both, arcs.unequal-radii, arcs.zero-radius.
 fn centre_of_offsets(
     axes: Axes,
     end: Position,
@@ -160,6 +161,7 @@ fn centre_of_offsets(
         let message = "an arc without a radius or an offset of its centre";
         return Err(refuse(rule::arcs::NEEDS_OFFSETS, FaultKind::MissingWord, message));
     }
+    check_axis_words(axes, words, state)?;
     let start = axes.in_plane(state.position);
     let centre = if state.modes.arc_distance == Distance::Absolute {
         let (Some(first), Some(second)) = offsets else {
@@ -177,6 +179,22 @@ fn centre_of_offsets(
     Ok(centre)
 }
 
+/// Rule arcs.without-axis-words. Whether offsets of a centre without a word of an axis of the plane are refused is a
+/// choice. A word of the normal axis alone does not count.
+fn check_axis_words(axes: Axes, words: &Words, state: &mut State) -> Result<(), StepError> {
+    if names_axis(axes, words) || names_polar(words) {
+        return Ok(());
+    }
+    let rule = rule::arcs::WITHOUT_AXIS_WORDS;
+    if state.choices.is(choice::arcs::WithoutAxisWords::Refused) {
+        let message =
+            "an arc with offsets of its centre needs a word of an axis of the selected plane";
+        return Err(refuse(rule, FaultKind::MissingWord, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
+}
+
 /// The distance between two points of the plane.
 fn distance(from: InPlane, to: InPlane) -> f64 {
     math::hypotenuse(to.0 - from.0, to.1 - from.1)
@@ -187,14 +205,17 @@ pub(crate) trait ArcRules {
     /// The tolerances for the difference between the radius at the start and the radius at the end, active length unit.
     /// The first one applies to every arc, the second one if the difference is more than a thousandth of the radius.
     ///
-    /// Choice arcs.small-tolerance: the manual has two numbers for the second one.
+    /// Choice arcs.small-tolerance: LinuxCNC's manual has two numbers for the second one; Grbl has both tolerances in
+    /// millimetres, whatever the unit.
     fn radius_tolerances(&self, state: &State) -> (f64, f64) {
-        let fine = state.choices.is(choice::arcs::SmallTolerance::Fine);
-        match (state.modes.units, fine) {
-            (LengthUnit::Inch, false) => (0.05, 0.000_5),
-            (LengthUnit::Inch, true) => (0.05, 0.000_1),
-            (LengthUnit::Millimetre, false) => (0.5, 0.005),
-            (LengthUnit::Millimetre, true) => (0.5, 0.001),
+        use choice::arcs::SmallTolerance::{Coarse, Fine, Millimetres};
+        let units = state.modes.units;
+        match (state.choices.get(), units) {
+            (Coarse, LengthUnit::Inch) => (0.05, 0.000_5),
+            (Fine, LengthUnit::Inch) => (0.05, 0.000_1),
+            (Coarse, LengthUnit::Millimetre) => (0.5, 0.005),
+            (Fine, LengthUnit::Millimetre) => (0.5, 0.001),
+            (Millimetres, _) => (0.5 / unit_size(units), 0.005 / unit_size(units)),
         }
     }
 
@@ -219,7 +240,7 @@ pub(crate) trait ArcRules {
     /// Rule arcs.radius-needs-axis. Whether a word of an arc with a radius names an axis of the selected plane; polar
     /// words do.
     fn names_axis_of_plane(&self, axes: Axes, words: &Words, _state: &State) -> bool {
-        names_axis(axes, words) || ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
+        names_axis(axes, words) || names_polar(words)
     }
 
     /// The centre of an arc with a radius, from its start and half of its chord.
@@ -249,6 +270,11 @@ pub(crate) trait ArcRules {
 /// Whether a word names an axis of the plane.
 pub(crate) fn names_axis(axes: Axes, words: &Words) -> bool {
     [axes.first, axes.second].iter().any(|axis| word(words, letter(*axis)).is_some())
+}
+
+/// Whether there is a polar word, which names a point of the plane.
+fn names_polar(words: &Words) -> bool {
+    ['@', '^'].iter().any(|polar| word(words, *polar).is_some())
 }
 
 /// Rule arcs.radius-too-small. A radius of less than half the chord is refused.
@@ -292,6 +318,7 @@ fn check_finite(centre: InPlane, radius: f64) -> Result<(), StepError> {
 }
 
 /// Rule arcs.unequal-radii. The distances of the centre from the start and from the end are equal, within a tolerance.
+/// Choice arcs.small-tolerance: Grbl's thousandth is of the radius at the start.
 fn same_radius(
     start: InPlane,
     centre: InPlane,
@@ -302,7 +329,9 @@ fn same_radius(
     check_finite(centre, to_start.max(to_end))?;
     let (large, small) = state.dialect().radius_tolerances(state);
     let apart = (to_start - to_end).abs();
-    if apart > large || apart > small && apart > 0.001 * to_start.max(to_end) {
+    let by_start = state.choices.is(choice::arcs::SmallTolerance::Millimetres);
+    let radius = if by_start { to_start } else { to_start.max(to_end) };
+    if apart > large || apart > small && apart > 0.001 * radius {
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");
         return Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message));
     }

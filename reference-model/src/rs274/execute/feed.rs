@@ -4,9 +4,11 @@ use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
 
 use super::probe::is_probing;
 use super::programmed_motion::{is_arc, is_feed, is_spline, motion_of};
+use super::units_planes::programmed_units;
 use super::word;
-use crate::ids::rule;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
+use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -59,10 +61,29 @@ pub(crate) trait FeedRules {
     }
 }
 
+/// Prepares the feed rate for a block, before any of its phases but the comment.
+///
+/// Rule feed.after-inverse-time. Whether a block without F under G93 sets the feed rate to zero is a choice.
+pub fn begin_block(words: &Words, state: &mut State) {
+    let is_inverse_time = if words.g_tenths.iter().any(|code| [940, 950].contains(code)) {
+        false
+    } else {
+        words.g_tenths.contains(&930) || state.modes.feed_mode == FeedMode::InverseTime
+    };
+    if !is_inverse_time || word(words, 'f').is_some() {
+        return;
+    }
+    state.coverage.accepted(rule::feed::AFTER_INVERSE_TIME);
+    if state.choices.is(choice::feed::AfterInverseTime::Zero) {
+        state.modes.feed_rate = 0.0;
+    }
+}
+
 /// Sets the feed rate.
 ///
 /// Rule feed.rate. F holds until another F, except under inverse time, where it counts for the feed move of its own
 /// block and is ignored in any other block (feed.inverse-time-stray-rate).
+/// Choice feed.after-inverse-time: where a block without F leaves no feed rate, each F is taken.
 ///
 /// # Errors
 /// Rule feed.negative-rate.
@@ -74,7 +95,8 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     let motion = motion_of(words, state);
     let feeds = motion.is_some_and(|motion| state.dialect().takes_feed_rate(motion, state));
-    if state.modes.feed_mode == FeedMode::InverseTime && !feeds {
+    let is_stray = state.modes.feed_mode == FeedMode::InverseTime && !feeds;
+    if is_stray && state.choices.is(choice::feed::AfterInverseTime::Kept) {
         state.coverage.accepted(rule::feed::INVERSE_TIME_STRAY_RATE);
         return Ok(());
     }
@@ -82,8 +104,25 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     if motion.is_none() {
         state.coverage.accepted(rule::feed::RATE_MOVES_NOTHING);
     }
+    let rate = in_unit_before(rate, words, state);
     state.dialect().use_feed_rate(rate, state);
     Ok(())
+}
+
+/// F of a block as it is read before the block changes the length unit, which converts it where it converts feeds.
+///
+/// Rule order.feed-unit. Whether F in the block that changes the unit is read in the new one is a choice. Under inverse
+/// time it is no length.
+fn in_unit_before(rate: f64, words: &Words, state: &mut State) -> f64 {
+    let before = state.modes.units;
+    let Some(unit) = programmed_units(words).filter(|unit| *unit != before) else { return rate };
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        return rate;
+    }
+    state.coverage.accepted(rule::order::FEED_UNIT);
+    let is_converted =
+        state.choices.is(choice::order::FeedUnit::New) && state.dialect().rescales_feed(state);
+    if is_converted { rate * unit_size(unit) / unit_size(before) } else { rate }
 }
 
 /// Rule feed.inverse-time-needs-rate. Under inverse time a feed move needs F in its own block; one that stood elsewhere
@@ -105,9 +144,12 @@ pub(super) fn check_feed_rate(words: &Words, state: &mut State) -> Result<(), St
         state.coverage.accepted(rule::feed::INVERSE_TIME_NEEDS_RATE);
     }
     if state.modes.feed_rate == 0.0 && state.dialect().needs_feed_rate(words, state) {
-        if state.modes.feed_awaited {
-            state.coverage.refused(rule::feed::RATE_AFTER_MODE_CHANGE);
-        }
+        // Rule modal-groups.power-up. A controller begins without a feed rate.
+        state.coverage.refused(if state.modes.feed_awaited {
+            rule::feed::RATE_AFTER_MODE_CHANGE
+        } else {
+            rule::modal_groups::POWER_UP
+        });
         if motion_of(words, state).is_some_and(is_arc) {
             state.coverage.refused(rule::arcs::NEEDS_FEED_RATE);
         }

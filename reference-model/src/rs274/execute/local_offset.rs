@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Axis, Position};
 
 use super::offset_storage::{in_force_changes, store_length};
 use super::target::offset_words;
-use crate::ids::rule;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::each;
 use crate::rs274::refusal::StepError;
@@ -15,9 +15,13 @@ const APPLIES: u32 = 5210;
 
 /// The rules of the local offset that a controller may follow differently.
 pub(crate) trait LocalOffsetRules {
-    /// Rule offsets.position-omitted-axes. The local offset of axes for which G92 has no word: they have none.
-    fn offset_without_word(&self, _before: Position, _state: &State) -> Position {
-        Position::default()
+    /// Rules offsets.position-omitted-axes and offsets.position-other-axes. The local offset of axes for which G92 has
+    /// no word: whether they have none, or keep theirs, is a choice.
+    fn offset_without_word(&self, before: Position, state: &State) -> Position {
+        match state.choices.get() {
+            choice::offsets::PositionOtherAxes::Cleared => Position::default(),
+            choice::offsets::PositionOtherAxes::Kept => before,
+        }
     }
 }
 
@@ -73,8 +77,8 @@ fn shift(words: &Words, state: &mut State) -> Result<(), StepError> {
 ///
 /// Rule offsets.position. The point where the machine is gets the coordinates of the axis words, and nothing moves.
 /// Rule offsets.position-replaces. The offset that does this takes the place of an earlier one, whatever the distance
-/// mode. Rule offsets.position-omitted-axes. Axes without a word have none. Rule offsets.position-parameters. #5211
-/// to #5219 hold the offset.
+/// mode. Rules offsets.position-omitted-axes and offsets.position-other-axes. Axes without a word have none, or keep
+/// theirs. Rule offsets.position-parameters. #5211 to #5219 hold the offset.
 ///
 /// # Errors
 /// Rule offsets.change-under-compensation.
@@ -85,6 +89,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
         rule::offsets::POSITION_REPLACES,
         rule::offsets::POSITION_ALL_SYSTEMS,
         rule::offsets::POSITION_OMITTED_AXES,
+        rule::offsets::POSITION_OTHER_AXES,
         rule::offsets::POSITION_PARAMETERS,
     ] {
         state.coverage.accepted(rule);

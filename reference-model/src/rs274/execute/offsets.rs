@@ -3,10 +3,11 @@
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 
 use super::offset_storage::{in_force_changes, store_length};
+use super::programmed_motion::check_words_after_cancel;
 use super::target::offset_words;
 use super::tool_table::{self, Values};
 use super::{local_offset, positions, whole, word};
-use crate::ids::rule;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{each, first_parameter};
 use crate::rs274::order::has_axis_words;
@@ -98,8 +99,9 @@ pub(crate) fn reload(state: &mut State) {
 /// Rule modal-groups.motion-suspended. The axis words are not the motion mode's, which holds again in the next block.
 ///
 /// # Errors
-/// Those of G10, G28, G30, G52 and G92.
+/// Those of G10, G28, G30, G52 and G92. Rule motion.offset-words-after-cancel, a choice.
 pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    check_words_after_cancel(words, state)?;
     if has_axis_words(words) && state.modes.motion != Motion::None {
         state.coverage.accepted(rule::modal_groups::MOTION_SUSPENDED);
     }
@@ -123,6 +125,19 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Step
     }
 }
 
+/// Rule offsets.set-without-axes. Whether G10 L2 without an axis word is refused is a choice.
+fn check_set_axes(words: &Words, state: &mut State) -> Result<(), StepError> {
+    if has_axis_words(words) {
+        return Ok(());
+    }
+    let rule = rule::offsets::SET_WITHOUT_AXES;
+    if state.choices.is(choice::offsets::SetWithoutAxes::Refused) {
+        return Err(refuse(rule, FaultKind::MissingWord, "G10 L2 needs an axis word"));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
+}
+
 /// G10 L2 and L20.
 ///
 /// Rule offsets.set. It sets the origin of system P to the axis values; P0 is the active one (offsets.set-active).
@@ -132,6 +147,8 @@ fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Step
 fn set_origin(calculated: bool, words: &Words, state: &mut State) -> Result<(), StepError> {
     if calculated {
         state.dialect().check_calculated_axes(words, state)?;
+    } else {
+        check_set_axes(words, state)?;
     }
     let system = system(words, state)?;
     if system == state.modes.work_offset {
@@ -207,20 +224,32 @@ fn kind(words: &Words) -> Result<i32, StepError> {
 }
 
 /// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
+/// Rule offsets.systems. Whether there are systems 7 to 9 is a choice.
 fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
     let Some(number) = state.dialect().programmed_system(words, state) else {
         let message = "G10 L2 and L20 need P, the coordinate system";
         return Err(refuse(rule::offsets::SET_NEEDS_NUMBER, FaultKind::MissingWord, message));
     };
-    let message = || format!("P{number} is not a coordinate system; expected 0 to 9");
+    let last = match state.choices.get() {
+        choice::offsets::Systems::Nine => 9,
+        choice::offsets::Systems::Six => 6,
+    };
+    let message = || format!("P{number} is not a coordinate system; expected 0 to {last}");
     let rule = rule::offsets::SET_NUMBER;
     let whole = whole(number).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
     match u32::try_from(whole) {
-        Ok(0) => {
+        Ok(system) if system <= last => {
+            state.coverage.accepted(rule::offsets::SYSTEMS);
+            if system > 0 {
+                return Ok(system);
+            }
             state.coverage.accepted(rule::offsets::SET_ACTIVE);
             Ok(state.modes.work_offset)
         }
-        Ok(system @ 1..=9) => Ok(system),
-        _ => Err(refuse(rule, FaultKind::WordOutOfRange, message())),
+        Ok(7..=9) => Err(refuse(rule::offsets::SYSTEMS, FaultKind::WordOutOfRange, message())),
+        Ok(_) | Err(_) => {
+            state.coverage.refused(rule::offsets::SYSTEMS);
+            Err(refuse(rule, FaultKind::WordOutOfRange, message()))
+        }
     }
 }

@@ -50,6 +50,8 @@ pub(crate) fn moves(words: &Words) -> bool {
 /// Goes to a stored position, or stores where the machine is.
 ///
 /// Rule positions.second. G30 and G30.1 are a second pair of codes with parameters of their own.
+/// Rule positions.store-with-motion. Axis words in a block with G28.1 or G30.1 belong to the motion mode, which moves
+/// after the position is stored.
 ///
 /// # Errors
 /// Rule positions.under-compensation: none of the four codes is allowed while the cutter is compensated.
@@ -74,6 +76,9 @@ pub(super) fn perform(
         return Err(StepError::Unspecified(why.to_owned()));
     }
     if !moves(words) {
+        if has_axis_words(words) {
+            state.coverage.accepted(rule::positions::STORE_WITH_MOTION);
+        }
         store(first, state);
         Ok(())
     } else if has_axis_words(words) {

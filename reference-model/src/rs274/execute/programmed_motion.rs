@@ -1,11 +1,12 @@
 //! Which motion a block programs.
 
-use gaugeblock_vocabulary::Motion;
+use gaugeblock_vocabulary::{FaultKind, Motion};
 
-use crate::ids::choice;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::motion_mode;
-use crate::rs274::order::{moves_by_axis_words, moves_without_code};
+use crate::rs274::order::{has_axis_words, moves_by_axis_words, moves_without_code};
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 /// The motion that a block programs.
@@ -25,6 +26,22 @@ pub(crate) fn motion_of(words: &Words, state: &State) -> Option<Motion> {
             || words.g_tenths.contains(&530);
         implied.then_some(state.modes.motion)
     })
+}
+
+/// Rule motion.offset-words-after-cancel. Whether axis words that an offset, a position or a tool length uses are
+/// refused while G80 is active, by this block or an earlier one, is a choice. A motion code of the block replaces G80.
+pub(super) fn check_words_after_cancel(words: &Words, state: &mut State) -> Result<(), StepError> {
+    let is_cancelled = motion_of(words, state).unwrap_or(state.modes.motion) == Motion::None;
+    if !is_cancelled || !has_axis_words(words) || moves_by_axis_words(words) {
+        return Ok(());
+    }
+    let rule = rule::motion::OFFSET_WORDS_AFTER_CANCEL;
+    if state.choices.is(choice::motion::OffsetWordsAfterCancel::Refused) {
+        let message = "axis words while G80 is active";
+        return Err(refuse(rule, FaultKind::AxisWords, message));
+    }
+    state.coverage.accepted(rule);
+    Ok(())
 }
 
 /// Whether offsets of a centre alone repeat the arc that is in force.

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::Effect;
 
 use super::program_end;
-use crate::ids::choice::pause::PalletCodes;
+use crate::ids::choice::pause::{OptionalStop, PalletCodes};
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::order::AfterPhase;
@@ -14,6 +14,7 @@ use crate::rs274::task::Record;
 ///
 /// Rule pause.always. M0 pauses the program.
 /// Rule pause.optional. M1 pauses it only while the optional-stop switch is on.
+/// Rule pause.optional-stop. Whether M1 does that, or nothing, is a choice.
 /// Rule pause.last-in-block. Everything else of the block comes before.
 /// Choice pause.pallet-codes. One document says of M30 and M60 in its table what its sections say of the other.
 /// Rule pause.pallet. M60 exchanges the pallet shuttles and then pauses it, whatever that switch is.
@@ -27,6 +28,12 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> AfterPh
         return AfterPhase::ProgramEnd;
     }
     let optional = words.m.contains(&1);
+    if optional {
+        state.coverage.accepted(rule::pause::OPTIONAL_STOP);
+        if state.choices.is(OptionalStop::Ignored) {
+            return AfterPhase::Execute;
+        }
+    }
     if words.m.contains(&pauses) {
         state.coverage.accepted(rule::pause::PALLET);
         record.effect(state, Effect::PalletShuttle {});

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
+use super::programmed_motion::check_words_after_cancel;
 use super::target::offset_words;
 use super::tool::named;
 use super::{not_under_compensation, whole, word};
@@ -18,8 +19,10 @@ use crate::rs274::state::State;
 /// Rule tool.length-repeated. The same offset may be programmed again, and G49 when there is none.
 ///
 /// # Errors
-/// A tool or a word that the code does not allow. Rule tool.length-under-compensation, a choice.
+/// A tool or a word that the code does not allow. Rules tool.length-under-compensation and
+/// motion.offset-words-after-cancel, which are choices.
 pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+    check_words_after_cancel(words, state)?;
     not_under_compensation(
         rule::tool::LENGTH_UNDER_COMPENSATION,
         choice::tool::LengthUnderCompensation::Refused,

@@ -43,16 +43,12 @@ pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
 ///
 /// Rules units-planes.diameter and units-planes.radius. G7 makes X words diameters, and G8 radii.
 pub fn select_units(words: &Words, state: &mut State) {
+    if let Some(units) = programmed_units(words) {
+        use_units(units, state);
+        state.coverage.accepted(rule::units_planes::UNITS);
+    }
     for code in &words.g_tenths {
         let rule = match code {
-            200 => {
-                use_units(LengthUnit::Inch, state);
-                rule::units_planes::UNITS
-            }
-            210 => {
-                use_units(LengthUnit::Millimetre, state);
-                rule::units_planes::UNITS
-            }
             70 => {
                 state.modes.lathe = Lathe::Diameter;
                 rule::units_planes::DIAMETER
@@ -65,6 +61,15 @@ pub fn select_units(words: &Words, state: &mut State) {
         };
         state.coverage.accepted(rule);
     }
+}
+
+/// The length unit that a block selects.
+pub(super) fn programmed_units(words: &Words) -> Option<LengthUnit> {
+    words.g_tenths.iter().find_map(|code| match code {
+        200 => Some(LengthUnit::Inch),
+        210 => Some(LengthUnit::Millimetre),
+        _ => None,
+    })
 }
 
 /// Tells everything that is a length in another unit; nothing moves and nothing is longer or shorter than before.

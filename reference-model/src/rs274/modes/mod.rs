@@ -138,8 +138,10 @@ impl Modes {
     /// Rule modal-groups.initial-modes. XY plane, radius mode, incremental arc distance, blending without a
     /// tolerance, and the coordinate system that #5220 names. Motion mode, return mode and length unit are choices.
     ///
-    /// The documents say no more. Everything else begins as the README of this crate tells: absolute distance, feed per
-    /// minute, nothing on but overrides and feed stop.
+    /// LinuxCNC's documents say no more. Everything else begins as the README of this crate tells: absolute distance,
+    /// feed per minute, nothing on but overrides and feed stop.
+    ///
+    /// Rule modal-groups.power-up. Grbl's documents list all of this; their motion mode is G0.
     pub fn new(machine: &Machine, choices: &Choices) -> Self {
         let stored = |number: u32| stored(machine, number).unwrap_or(0.0);
         // Choice units-planes.initial-unit.

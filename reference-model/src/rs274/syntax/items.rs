@@ -6,7 +6,7 @@ use super::parser::Parser;
 use super::value::Wanted;
 use super::{Block, Comment, Setting, Word};
 use crate::Choices;
-use crate::ids::rule;
+use crate::ids::{choice, rule};
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -18,6 +18,9 @@ fn begins_word(letter: char) -> bool {
 }
 
 const AXIS_LETTERS: &str = "xyzabcuvw";
+
+/// The greatest line number, where there is one.
+const GREATEST_LINE_NUMBER: f64 = 9_999_999.0;
 
 /// How the items of a line are read.
 pub(crate) trait SyntaxRules {
@@ -96,6 +99,7 @@ impl Parser<'_> {
     /// unsigned integer.
     /// Rule text.line-number-form. One with a sign, without digits on either side of its period, or computed, is
     /// refused.
+    /// Rule text.greatest-line-number. Whether one above 9,999,999 is refused is a choice.
     pub(crate) fn line_number(&mut self) -> Result<Option<String>, StepError> {
         if !self.take("n") {
             return Ok(None);
@@ -118,6 +122,16 @@ impl Parser<'_> {
             }
             number = format!("{number}.{second}");
         }
+        let is_bounded = self.choices.is(choice::text::GreatestLineNumber::SevenDigits);
+        if is_bounded && number.parse::<f64>().is_ok_and(|number| number > GREATEST_LINE_NUMBER) {
+            let message = "a line number above 9999999 ends";
+            return Err(self.refuse(
+                rule::text::GREATEST_LINE_NUMBER,
+                FaultKind::WordOutOfRange,
+                message,
+            ));
+        }
+        self.reach(rule::text::GREATEST_LINE_NUMBER);
         self.reach(rule::text::LINE_NUMBER);
         self.reach(rule::text::LINE_NUMBER_ORDER);
         Ok(Some(number))

@@ -47,6 +47,8 @@ impl Parser<'_> {
             Some('#') => self.parameter().map(Expression::Parameter),
             Some('[') => self.bracketed(),
             Some(Glyph::COMMENT) => {
+                // Where comments are removed, none is met here.
+                self.fail(rule::text::COMMENTS_REMOVED);
                 let message = "a value is missing";
                 Err(self.refuse(rule::text::COMMENT_INSIDE_WORD, FaultKind::BadComment, message))
             }

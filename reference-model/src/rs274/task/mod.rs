@@ -100,6 +100,7 @@ pub fn run(
     let mut state = start(scenario, choices, rounding);
     state.room = std::mem::take(&mut cache.room);
     state.coverage.accepted(rule::modal_groups::INITIAL_MODES);
+    state.coverage.accepted(rule::modal_groups::POWER_UP);
     state.coverage.accepted(rule::offsets::START_SYSTEM);
     let mut record = Record::new(&state);
     record.allow(&scenario.budget);

@@ -115,7 +115,9 @@ impl ModelRun<'_> {
         }
         check::check(&words, &mut self.state)?;
         self.is_within_block = true;
-        let after_phase = self.execute(&words)?;
+        let is_empty = block.words.is_empty() && block.settings.is_empty();
+        let comment_only = is_empty && block.line_number.is_none();
+        let after_phase = self.execute(&words, comment_only)?;
         stub::after_block(self.record.moves(), &mut self.state)?;
         if after_phase == AfterPhase::ProgramEnd {
             self.ended(block.block_delete)?;
@@ -124,14 +126,20 @@ impl ModelRun<'_> {
             return Ok(Next::End(End::ProgramEnd));
         }
         self.done()?;
-        let comment_only = block.words.is_empty() && block.settings.is_empty();
-        if comment_only && block.line_number.is_none() && self.record.is_idle(&self.state) {
+        if comment_only && self.record.is_idle(&self.state) {
             // An inactive comment is not a block.
             self.record.is_no_block();
             return Ok(Next::Following);
         }
         self.record.step(place, &mut self.state);
         Ok(Next::Following)
+    }
+
+    /// Prepares the feed rate, once, after the comment of a block.
+    fn begin_feed(&mut self, words: &mut Option<&Words>) {
+        if let Some(words) = words.take() {
+            execute::feed::begin_block(words, &mut self.state);
+        }
     }
 
     /// A block has been executed, with as many effects as the budget allows.
@@ -157,7 +165,8 @@ impl ModelRun<'_> {
     /// they pause, or before them and after its comment.
     ///
     /// In a phase that takes time the operator may act. What an abort breaks off has not been done.
-    fn execute(&mut self, words: &Words) -> Result<AfterPhase, StepError> {
+    fn execute(&mut self, words: &Words, comment_only: bool) -> Result<AfterPhase, StepError> {
+        let mut feed = (!comment_only).then_some(words);
         let mut after_phase = AfterPhase::Execute;
         let mut is_whole = true;
         let mut settings = (!words.settings.is_empty()).then_some(&words.settings);
@@ -165,6 +174,9 @@ impl ModelRun<'_> {
             && self.state.choices.is(choice::parameters::SettingTime::BeforeWords);
         let phases = self.state.dialect().phases(words, &mut self.state);
         for phase in phases.iter() {
+            if phase != Phase::Comment {
+                self.begin_feed(&mut feed);
+            }
             if before_words
                 && phase != Phase::Comment
                 && let Some(settings) = settings.take()
@@ -222,6 +234,7 @@ impl ModelRun<'_> {
                 return Err(refused);
             }
         }
+        self.begin_feed(&mut feed);
         if is_whole {
             order::completed(words, phases, &mut self.state);
         }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
-use super::comments::{Comment, comment_at};
+use super::comments::{Comment, comment_at, is_open};
 use super::glyph::{Glyph, place};
 use super::{Line, Source};
 use crate::Choices;
@@ -14,6 +14,7 @@ use crate::rs274::state::State;
 ///
 /// Rule text.blanks. Spaces and tabs are allowed anywhere, within words and numbers too, and change nothing.
 /// Rule text.case. A letter outside a comment means the same in upper and in lower case.
+/// Rule text.comments-removed. Whether comments are taken out of the line, as blanks are, is a choice.
 /// Rule text.comment-verbatim. Inside a comment blanks and case stay as they are written.
 /// Rule text.comment-format-checked. Each of several comments on a line is checked, also those that are ignored.
 ///
@@ -29,6 +30,8 @@ pub fn condense(
     glyphs.clear();
     glyphs.reserve(bytes.len());
     let mut comments: Vec<Comment> = Vec::new();
+    let is_removed = state.choices.is(choice::text::CommentsRemoved::Removed);
+    let mut removed = Vec::new();
     let (mut blanks, mut upper_case) = (false, false);
     let mut at = 0;
     while let Some(byte) = bytes.get(at) {
@@ -38,7 +41,11 @@ pub fn condense(
             b';' | b'(' | b')' => {
                 let comment = checked_comment(line, at, !comments.is_empty(), state)?;
                 let (start, end) = (comment.span.start, comment.span.end);
-                glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
+                if is_removed {
+                    removed.push(glyphs.len());
+                } else {
+                    glyphs.push(Glyph { character: Glyph::COMMENT, start, end });
+                }
                 comments.push(comment);
                 at = end as usize;
                 continue;
@@ -57,6 +64,9 @@ pub fn condense(
         }
         at += 1;
     }
+    if removed.iter().any(|place| divides_word(glyphs, *place)) {
+        state.coverage.accepted(rule::text::COMMENTS_REMOVED);
+    }
     if blanks {
         state.coverage.accepted(rule::text::BLANKS);
     }
@@ -70,7 +80,14 @@ pub fn condense(
     Ok(comments)
 }
 
+/// Whether a number goes on after a comment that was removed before the glyph at a place.
+fn divides_word(glyphs: &[Glyph], place: usize) -> bool {
+    let next = glyphs.get(place).map(|glyph| glyph.character);
+    place > 0 && next.is_some_and(|next| matches!(next, '0'..='9' | '.' | '+' | '-'))
+}
+
 /// The comment that begins somewhere in a line; `another` where there is one before it. Most lines have none.
+/// Rule text.comment-to-line-end. Whether one without its right parenthesis takes the rest of the line is a choice.
 #[inline(never)]
 fn checked_comment(
     line: &str,
@@ -82,7 +99,13 @@ fn checked_comment(
         if another {
             state.coverage.refused(rule::text::COMMENT_FORMAT_CHECKED);
         }
+        if is_open(line, at) {
+            state.coverage.refused(rule::text::COMMENT_TO_LINE_END);
+        }
     })?;
+    if is_open(line, at) {
+        state.coverage.accepted(rule::text::COMMENT_TO_LINE_END);
+    }
     state.coverage.accepted(if comment.semicolon {
         rule::text::COMMENT_SEMICOLON
     } else {

@@ -18,6 +18,11 @@ pub struct Comment {
     pub span: Span,
 }
 
+/// Whether a comment that a left parenthesis begins at a byte of the line has no right one.
+pub(super) fn is_open(line: &str, at: usize) -> bool {
+    line[at..].starts_with('(') && !line[at..].contains(')')
+}
+
 /// The comment that begins at a byte of the line, which is a semicolon or a parenthesis.
 ///
 /// Rule text.comment-semicolon. A semicolon begins a comment that takes the rest of the line, but not inside
@@ -25,6 +30,8 @@ pub struct Comment {
 /// Rule text.comment-unclosed. A comment whose right parenthesis is missing, and a right parenthesis without a comment,
 /// are refused.
 /// Choice text.comment-nested: whether a comment may contain a left parenthesis.
+/// Choice text.comment-to-line-end: whether a comment without its right parenthesis takes the rest of the line. Then
+/// everything up to a right parenthesis is its text, a left one too.
 ///
 /// # Errors
 /// It is not closed, or closed without having begun.
@@ -40,11 +47,17 @@ pub(super) fn comment_at(line: &str, at: usize, choices: &Choices) -> Result<Com
     let Some(text) = rest.strip_prefix('(') else {
         return wrong(at + 1, "a right parenthesis without a comment");
     };
+    let to_line_end = choices.is(choice::text::CommentToLineEnd::ToLineEnd);
     let Some((text, _)) = text.split_once(')') else {
+        if to_line_end {
+            let span = span(at, line.len());
+            return Ok(Comment { text: text.to_owned(), semicolon: false, span });
+        }
         return wrong(line.len(), "the comment is not closed");
     };
     let end = at + 1 + text.len() + 1;
-    if text.contains('(') && choices.is(choice::text::CommentNested::Refused) {
+    let is_refused = !to_line_end && choices.is(choice::text::CommentNested::Refused);
+    if is_refused && text.contains('(') {
         return wrong(end, "a left parenthesis within a comment");
     }
     Ok(Comment { text: text.to_owned(), semicolon: false, span: span(at, end) })
