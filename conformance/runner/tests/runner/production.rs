@@ -39,7 +39,16 @@ fn it_is_compared_with_editions_of_documents() {
     let ids: Vec<_> = editions(&suite).iter().map(|edition| edition.id.as_str()).collect();
     assert_eq!(
         ids,
-        ["emc2-2.5", "m70-draft", "linuxcnc-2.8", "linuxcnc-2.9", "gpp2", "gpp-classic", "nct-99m"]
+        [
+            "emc2-2.5",
+            "m70-draft",
+            "linuxcnc-2.8",
+            "linuxcnc-2.9",
+            "gpp2",
+            "gpp-classic",
+            "nct-99m",
+            "grbl-1.1"
+        ]
     );
 }
 

@@ -267,11 +267,11 @@ impl Evaluator {
                 self.push_truth(quirks::is_parameter(number));
             }
             Op::Absent => return Err(no_such("of this INI entry or pin")),
-            Op::G => match g_number(self.pop()) {
+            Op::G => match g_number(self.pop(), compiler.choices.code_hundredths) {
                 Some(code) => push_g(words, code)?,
                 None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such G code")),
             },
-            Op::M => match m_number(self.pop()) {
+            Op::M => match m_number(self.pop(), compiler.choices.code_hundredths) {
                 Some(code) => push_m(words, code)?,
                 None => return Err(Refusal::fault(FaultKind::UnknownCode, "no such M code")),
             },

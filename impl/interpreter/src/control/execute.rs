@@ -175,6 +175,9 @@ impl Interpreter {
             self.evaluator.apply(&mut self.parameters);
         }
         if self.words.is_empty() {
+            if !block.bare {
+                self.modal.execute_wordless(block.line, sink);
+            }
             return Ok(Some(if stopped { Flow::Stopped } else { Flow::More }));
         }
         if called {

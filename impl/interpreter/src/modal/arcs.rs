@@ -11,6 +11,7 @@ use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
+use super::choices::ArcTolerance;
 use super::coordinates::Coordinates;
 use super::letters::{I, J, K, R, X, Y, Z};
 use super::refusal::{Refusal, refuse};
@@ -112,6 +113,19 @@ impl Tolerances {
         }
     }
 
+    /// The same by another option of `arcs.small-tolerance`.
+    #[cold]
+    fn chosen(self, option: ArcTolerance, units: LengthUnit) -> Self {
+        match (option, units) {
+            (ArcTolerance::Fine, LengthUnit::Inch) => Self { fine: 0.0001, ..self },
+            (ArcTolerance::Fine, LengthUnit::Millimetre) => Self { fine: 0.001, ..self },
+            (ArcTolerance::Millimetres, LengthUnit::Inch) => {
+                Self { coarse: 0.5 / 25.4, fine: 0.005 / 25.4, ..self }
+            }
+            (ArcTolerance::Millimetres, LengthUnit::Millimetre) | (ArcTolerance::Coarse, _) => self,
+        }
+    }
+
     /// Whether the distances of both ends from the centre are radii of one arc: an error is "more than coarse, or
     /// more than fine and than a thousandth of the radius"; the radius is that of the start.
     fn agree(&self, start: f64, end: f64) -> bool {
@@ -134,11 +148,8 @@ impl Modal {
         let plane = self.arc_plane(start)?;
         let counterclockwise = motion == Motion::ArcCounterclockwise;
         let mut tolerances = Tolerances::of(self.active.now().units);
-        if self.choices.arc_fine_tolerance {
-            tolerances.fine = match self.active.now().units {
-                LengthUnit::Inch => 0.0001,
-                LengthUnit::Millimetre => 0.001,
-            };
+        if self.choices.arc_tolerance != ArcTolerance::Coarse {
+            tolerances = tolerances.chosen(self.choices.arc_tolerance, self.active.now().units);
         }
         if self.emulates_rs274 {
             tolerances.of_larger = true;
@@ -210,6 +221,10 @@ impl Modal {
         }
         if given == 0 {
             return refuse(FaultKind::MissingWord, "an arc without offsets and without R");
+        }
+        let is_open = words.present & plane.axis_words != 0 || words.is_polar();
+        if !is_open && self.choices.arc_needs_axis_word {
+            return refuse(FaultKind::MissingWord, "an arc without an axis word of the plane");
         }
         if planted(PlantedFault::ArcReturnRefused)
             && words.present & plane.axis_words != 0

@@ -10,6 +10,7 @@ use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
+use super::choices::Choices;
 use super::codes::{
     COMPENSATION, COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
@@ -79,7 +80,7 @@ impl Modal {
             axes_move: false,
         };
         let mut used = WordUse::default();
-        add_g_codes(&mut block, &mut used)?;
+        add_g_codes(&mut block, &mut used, &self.choices)?;
         self.add_m_codes(&mut block, &mut used)?;
         if let Some(tenths) = used.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
@@ -208,12 +209,21 @@ impl Modal {
             {
                 return refuse(FaultKind::UnusedWord, "G10 L0 with axis words");
             }
+            (_, None | Some(800 | 53)) if self.is_cancelled_for_offsets(explicit) => {
+                return refuse(FaultKind::AxisWords, "axis words while G80 is in force");
+            }
             // G43.1 and a code of group 0 may both use them: only a code of group 1 together with one of those is an
             // error (11.4.13, 11.5.29).
             (_, None | Some(800 | 53)) => block.motion = explicit,
             _ => return refuse(FaultKind::AxisWords, "axis words that two codes use"),
         }
         Ok(())
+    }
+
+    /// Whether no motion mode is in force, and codes that use axis words of their own are refused for that.
+    fn is_cancelled_for_offsets(&self, explicit: Option<u16>) -> bool {
+        self.choices.no_axis_words_after_cancel
+            && (explicit == Some(800) || (explicit.is_none() && self.motion == Motion::None))
     }
 
     /// Whether the block has the code of the cycle in force, and that needs no axis word: a planted fault.
@@ -223,7 +233,7 @@ impl Modal {
             && code == Some(code_of(self.motion))
     }
 
-    /// G43.1 and G43.2: their own rules on words (11.5.29, 11.5.30); G53 needs a straight move.
+    /// G43.1, G43.2 and G49: their own rules on words (11.5.29, 11.5.30); G53 needs a straight move.
     fn check_length_alone(&self, block: &Block<'_>) -> Result<(), Refusal> {
         let words = block.words;
         let machine_coordinates = block.g(NON_MODAL) == Some(530);
@@ -242,6 +252,9 @@ impl Modal {
             }
             Some(432) if words.present & (H | AXES) == 0 => {
                 return refuse(FaultKind::MissingWord, "G43.2 without H and without axis words");
+            }
+            Some(490) if self.choices.length_off_without_motion && has_axis_code(block) => {
+                return refuse(FaultKind::AxisWords, "G49 in the block of a code with axis words");
             }
             Some(_) | None => {}
         }
@@ -291,10 +304,17 @@ fn rank_of(number: u16, rank: u8) -> u8 {
     if matches!(number, 70 | 73) && planted(PlantedFault::SaveAfterCoolant) { 55 } else { rank }
 }
 
-fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
+fn add_g_codes(
+    block: &mut Block<'_>,
+    used: &mut WordUse,
+    choices: &Choices,
+) -> Result<(), Refusal> {
     for tenths in block.words.g_words() {
-        let code =
-            if *tenths == 100 { Some(set_data(block.words.get(b'L'))) } else { g_code(*tenths) };
+        let code = if *tenths == 100 {
+            Some(set_data(block.words.get(b'L'), choices.set_needs_axes))
+        } else {
+            g_code(*tenths)
+        };
         let Some(code) = code else {
             return refuse(
                 FaultKind::UnknownCode,
@@ -324,6 +344,12 @@ fn add_g_codes(block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal>
         used.axis_codes = used.axis_codes.saturating_sub(1);
     }
     Ok(())
+}
+
+/// Whether a block has a code besides G49 that Grbl counts among those that use axis words.
+fn has_axis_code(block: &Block<'_>) -> bool {
+    matches!(block.g(MOTION), Some(0 | 10 | 20 | 30 | 382..=385))
+        || matches!(block.g(NON_MODAL), Some(100 | 280 | 300 | 920))
 }
 
 /// Words that nothing uses, and words that are missing. F, S and T are codes of their own.

@@ -11,6 +11,8 @@ macro_rules! choices {
         #[derive(Clone, Debug)]
         pub(crate) struct Choices {
             $($(#[$about])* pub(crate) $name: bool,)*
+            /// `arcs.small-tolerance`.
+            pub(crate) arc_tolerance: ArcTolerance,
             /// `modal-groups.initial-motion`.
             pub(crate) initial_motion: InitialMotion,
         }
@@ -18,7 +20,11 @@ macro_rules! choices {
         impl Choices {
             /// Reads the options that concern modes; others are not looked at.
             pub(crate) fn read(options: &Options) -> Result<Self, Error> {
-                let mut choices = Self { $($name: false,)* initial_motion: InitialMotion::None };
+                let mut choices = Self {
+                    $($name: false,)*
+                    arc_tolerance: ArcTolerance::Coarse,
+                    initial_motion: InitialMotion::None,
+                };
                 for (id, option) in &options.0 {
                     match id.as_str() {
                         $($id => choices.$name = match option.as_str() {
@@ -26,6 +32,9 @@ macro_rules! choices {
                             $second => true,
                             _ => return Err(Error::Configuration(concat!("no such option of ", $id))),
                         },)*
+                        "arcs.small-tolerance" => {
+                            choices.arc_tolerance = ArcTolerance::of(option)?;
+                        }
                         "modal-groups.initial-motion" => {
                             choices.initial_motion = InitialMotion::of(option)?;
                         }
@@ -47,10 +56,10 @@ choices! {
     arc_offsets_alone: "arcs.offsets-alone", "unused", "arc";
     /// R of an arc that is a little too small makes half a circle.
     arc_half_circle: "arcs.radius-just-too-small", "refused", "half-circle";
-    /// Radii of an arc differ by less than the section on arcs says.
-    arc_fine_tolerance: "arcs.small-tolerance", "coarse", "fine";
     /// Fewer turns than one are one.
     arc_turns_one: "arcs.turns-below-one", "refused", "one";
+    /// An arc with offsets of its centre needs a word of an axis of its plane.
+    arc_needs_axis_word: "arcs.without-axis-words", "full-circle", "refused";
     /// An arc may go round the point where it begins.
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
     /// One block may have M7 and M8.
@@ -65,6 +74,8 @@ choices! {
     tap_turns_back: "cycles.tap-return", "reversed", "as-before";
     /// G84 and G74 without P dwell for zero seconds.
     tap_without_dwell: "cycles.tap-without-dwell", "refused", "zero";
+    /// Under G93 F holds for its own block only.
+    feed_for_one_block: "feed.after-inverse-time", "kept", "zero";
     /// M66 is refused under cutter compensation.
     input_uncompensated: "inputs.under-compensation", "accepted", "refused";
     /// M66 without Q waits for ever.
@@ -77,10 +88,20 @@ choices! {
     independent_io: "modal-groups.io-members", "exclusive", "independent";
     /// M50 to M53 are in the group of M48 and M49.
     one_override_group: "modal-groups.override-members", "listed", "all";
+    /// Under G80 no code uses axis words.
+    no_axis_words_after_cancel: "motion.offset-words-after-cancel", "accepted", "refused";
     /// A motion code without axis words moves in place.
     move_in_place: "motion.without-axis-words", "nothing", "move-in-place";
     /// Offsets in force do not change under cutter compensation.
     offset_uncompensated: "offsets.change-under-compensation", "accepted", "refused";
+    /// G92 leaves the offset of axes that have no word.
+    position_keeps_other_axes: "offsets.position-other-axes", "cleared", "kept";
+    /// G10 L2 needs an axis word.
+    set_needs_axes: "offsets.set-without-axes", "accepted", "refused";
+    /// G10 sets G54 to G59 only.
+    six_systems: "offsets.systems", "nine", "six";
+    /// F in the block of G20 or G21 is in the unit that the block selects.
+    feed_in_new_unit: "order.feed-unit", "old", "new";
     /// M19 without $ orients all spindles.
     orient_all: "orient.without-dollar", "first", "all";
     /// Q0 of M19 is allowed.
@@ -103,6 +124,8 @@ choices! {
     spindle_on_turning: "parameters.spindle-on-at-zero", "commanded", "turning";
     /// A tolerance of G64 below zero counts as no tolerance.
     negative_tolerance_none: "path-control.negative-tolerance", "refused", "left-out";
+    /// M1 does nothing.
+    no_optional_stop: "pause.optional-stop", "switch", "ignored";
     /// M60 ends the program and M30 pauses it.
     pallet_table: "pause.pallet-codes", "sections", "table";
     /// G28 and G30 with axis words go to the stored position along axes of the program.
@@ -143,6 +166,8 @@ choices! {
     tool_must_exist: "tool.empty-slot", "accepted", "refused";
     /// G10 L1, L10 and L11 need something to set.
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
+    /// G49 is refused in a block with a code that uses axis words.
+    length_off_without_motion: "tool.length-off-with-motion", "accepted", "refused";
     /// G43, G43.1, G43.2 and G49 are refused under cutter compensation.
     length_uncompensated: "tool.length-under-compensation", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
@@ -167,6 +192,28 @@ choices! {
     plane_uncompensated: "units-planes.plane-under-compensation", "accepted", "refused";
     /// A missing argument of a user-defined code is an empty text.
     empty_argument: "user-codes.missing-argument", "minus-one", "empty";
+}
+
+/// Options of `arcs.small-tolerance`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ArcTolerance {
+    /// As the section on arcs says.
+    Coarse,
+    /// As the advice says, which allows a smaller difference of small radii.
+    Fine,
+    /// As the section on arcs says for millimetres, in inches too.
+    Millimetres,
+}
+
+impl ArcTolerance {
+    fn of(option: &str) -> Result<Self, Error> {
+        match option {
+            "coarse" => Ok(Self::Coarse),
+            "fine" => Ok(Self::Fine),
+            "millimetres" => Ok(Self::Millimetres),
+            _ => Err(Error::Configuration("no such option of arcs.small-tolerance")),
+        }
+    }
 }
 
 /// Options of `modal-groups.initial-motion`.

@@ -137,14 +137,15 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
     })
 }
 
-/// G10, of which L says what it takes (11.5.12 to 11.5.17).
-pub(crate) fn set_data(l: Option<f64>) -> GCode {
+/// G10, of which L says what it takes (11.5.12 to 11.5.17). Whether L2 needs an axis word is a choice.
+pub(crate) fn set_data(l: Option<f64>, set_needs_axes: bool) -> GCode {
     let plain = GCode::plain(NON_MODAL).needing(L).using(AXES);
     let l = l.map(|l| narrowed(PlantedFault::OffsetKindWraps, l, 256.0));
     match l.and_then(math::near_integer) {
         Some(0) => plain,
         Some(1 | 10 | 11) => plain.needing(P).using(R | I | J | Q),
         Some(2) if planted(PlantedFault::SetWithoutSystem) => plain.using(P | R),
+        Some(2) if set_needs_axes => plain.needing(P).using(R).needing_axes(),
         Some(2) => plain.needing(P).using(R),
         Some(20) => plain.needing(P).needing_axes(),
         _ => plain.using(P | R | I | J | Q),

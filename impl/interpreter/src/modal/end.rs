@@ -41,6 +41,9 @@ impl Modal {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
+            if code == 1 && self.choices.no_optional_stop {
+                return Ok(false);
+            }
             let optional = code == 1 && !planted(PlantedFault::NotOptional)
                 || code == 60 && planted(PlantedFault::PalletStopOptional);
             self.perform(line, &Effect::Stop { optional }, sink)?;

@@ -14,8 +14,8 @@ use super::codes::{
     ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, MOTION, NON_MODAL, PATH, PLANE,
     RETRACT, STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
-use super::coordinates::Coordinates;
-use super::mode_select::checked_feed;
+use super::coordinates::{Conversion, Coordinates};
+use super::mode_select::{checked_feed, unit_of};
 use super::refusal::{Flow, Refusal, refuse};
 
 impl Modal {
@@ -229,7 +229,10 @@ impl Modal {
         }
         let feed = block.words.get(b'F');
         if self.active.now().feed_mode != FeedMode::InverseTime {
-            return feed.map_or(Ok(()), |feed| self.set_feed(feed));
+            return feed.map_or(Ok(()), |feed| self.set_feed(self.feed_before_units(block, feed)));
+        }
+        if self.choices.feed_for_one_block {
+            return self.set_feed(feed.unwrap_or(0.0));
         }
         // Under inverse time F belongs to one move; on any other line it is ignored (11.5.59).
         let kept = planted(PlantedFault::IgnoredRateKept);
@@ -239,12 +242,33 @@ impl Modal {
         feed.map_or(Ok(()), |feed| self.set_feed(feed))
     }
 
-    /// Reads F in the new unit of its block: a planted fault.
+    /// F in the unit that is in force before the block selects one. In which of them F is read is a choice.
+    fn feed_before_units(&self, block: &Block<'_>, feed: f64) -> f64 {
+        match block.g(UNITS) {
+            Some(code) if self.choices.feed_in_new_unit => {
+                Conversion::between(unit_of(code), self.active.now().units).of(feed)
+            }
+            Some(_) | None => feed,
+        }
+    }
+
+    /// Reads F in the new unit of its block, where it is to be read in that one (or by a planted fault): converted
+    /// there and back it would lose its last bits. M72 has restored another feed rate.
     fn read_feed_again(&mut self, block: &Block<'_>) {
-        let reads_late = planted(PlantedFault::FeedAfterUnits)
+        let in_new_unit = self.choices.feed_in_new_unit && block.m().all(|(_, code)| code != 72);
+        let reads_late = (in_new_unit || planted(PlantedFault::FeedAfterUnits))
             && self.active.now().feed_mode != FeedMode::InverseTime;
         if let Some(feed) = block.words.get(b'F').filter(|_| reads_late) {
             self.active.set_feed_rate(feed);
+        }
+    }
+
+    /// Executes a block that has no words, and so no F for the choice by which F holds for its own block under G93.
+    #[inline]
+    pub(crate) fn execute_wordless<K: Sink>(&mut self, line: u32, sink: &mut K) {
+        if self.choices.feed_for_one_block && self.active.now().feed_mode == FeedMode::InverseTime {
+            self.active.set_feed_rate(0.0);
+            self.active.report(line, sink);
         }
     }
 

@@ -63,7 +63,7 @@ impl Modal {
 
     /// G20, G21.
     pub(super) fn select_units(&mut self, code: u16) {
-        self.change_units(if code == 200 { LengthUnit::Inch } else { LengthUnit::Millimetre });
+        self.change_units(unit_of(code));
     }
 
     /// Converts every length to another unit.
@@ -168,6 +168,11 @@ impl Modal {
             None => Ok(None),
         }
     }
+}
+
+/// The length unit that G20 or G21 selects.
+pub(super) const fn unit_of(code: u16) -> LengthUnit {
+    if code == 200 { LengthUnit::Inch } else { LengthUnit::Millimetre }
 }
 
 /// The value of an F word.

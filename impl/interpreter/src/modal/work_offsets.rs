@@ -128,13 +128,19 @@ impl Modal {
         Ok(())
     }
 
-    /// The offset of G92: the point gets the coordinates of the words; an axis without a word gets no offset.
+    /// The offset of G92: the point gets the coordinates of the words. Whether an axis without a word keeps its offset
+    /// or gets none is a choice.
     fn new_g92_offset(&self, words: &Words) -> Coordinates {
-        let local = self.position.plus(self.active.now().g92_offset);
-        let words = self.offset_words(words);
-        let target = local.replaced(&words);
+        let old = self.active.now().g92_offset;
+        let local = self.position.plus(old);
+        let target = local.replaced(&self.offset_words(words));
         // Where no word stands `target` is `local`, which leaves zero.
-        local.minus(target)
+        let offset = local.minus(target);
+        if self.choices.position_keeps_other_axes {
+            old.taking(words.present, offset)
+        } else {
+            offset
+        }
     }
 
     fn set_g92(&mut self, offset: Coordinates, numbered: &mut Numbered) {
@@ -174,7 +180,8 @@ impl Modal {
         let active = self.active.now().work_offset;
         let system = words.get(b'P').unwrap_or(0.0);
         let system = narrowed(PlantedFault::OffsetSystemWraps, system, 256.0);
-        let system = match integer_in(system, 0, 9, "P of G10")? {
+        let last = if self.choices.six_systems { 6 } else { 9 };
+        let system = match integer_in(system, 0, last, "P of G10")? {
             0 if kind == 20 && planted(PlantedFault::ZeroIsFirst) => 1,
             0 => active,
             system => u32::try_from(system).unwrap_or(active),

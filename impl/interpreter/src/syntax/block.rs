@@ -5,9 +5,9 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::faults::{PlantedFault, narrowed, planted};
-use crate::math;
+use crate::faults::{PlantedFault, planted};
 use crate::syntax::bytecode::{Block, CodeSegment, Kind, NONE, Op, ParameterRef};
+use crate::syntax::code_number::{g_number, m_number};
 use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::parameter::is_machine_state;
@@ -33,6 +33,20 @@ pub(crate) struct LinePlace {
     pub(crate) offset: u64,
 }
 
+/// Most digits of a line number, where it has a greatest one.
+const LINE_NUMBER_DIGITS_MAX: usize = 7;
+
+/// A line that becomes a block.
+#[derive(Clone, Copy, Debug)]
+struct LineText<'a> {
+    /// As it is written.
+    written: &'a [u8],
+    /// The same, with blanks in the place of removed comments.
+    code: &'a [u8],
+    /// The last removed comment.
+    comment: Option<&'a [u8]>,
+}
+
 /// State that the items of a block share.
 struct Items<'a> {
     /// Letters that were used, a bit each; 26 to 28 are `$`, `@` and `^`.
@@ -51,8 +65,59 @@ impl LineCompiler {
         place: LinePlace,
         into: &mut CodeSegment,
     ) -> LineKind {
+        if self.choices.comments_removed && line.iter().any(|byte| matches!(byte, b'(' | b';')) {
+            return self.compile_without_comments(line, place, into);
+        }
+        self.compile_text(LineText { written: line, code: line, comment: None }, place, into)
+    }
+
+    /// Compiles a line whose comments count as blanks.
+    #[cold]
+    fn compile_without_comments(
+        &mut self,
+        line: &[u8],
+        place: LinePlace,
+        into: &mut CodeSegment,
+    ) -> LineKind {
+        let mut code = core::mem::take(&mut self.uncommented);
+        code.clear();
+        code.extend_from_slice(line);
+        let comment = self.blank_comments(line, &mut code);
+        let kind = self.compile_text(LineText { written: line, code: &code, comment }, place, into);
+        self.uncommented = code;
+        kind
+    }
+
+    /// Puts blanks in the place of a line's comments, and returns the last one. A comment that is not valid stays, and
+    /// all after it, so that it is refused in its place.
+    fn blank_comments<'a>(&self, line: &'a [u8], code: &mut [u8]) -> Option<&'a [u8]> {
+        let mut items = Items { letters: 0, comment: None };
         let mut cursor = Cursor::new(line);
-        if cursor.is_at_end() {
+        while let Some(before) = cursor.rest().iter().position(|byte| matches!(byte, b'(' | b';')) {
+            cursor.advance_to_next(before);
+            let start = cursor.at();
+            if self.comment(&mut cursor, &mut items).is_err() {
+                break;
+            }
+            if let Some(comment) = code.get_mut(start..cursor.at()) {
+                comment.fill(b' ');
+            }
+        }
+        items.comment
+    }
+
+    /// Compiles a line as [`Self::compile_line`] does.
+    #[inline]
+    fn compile_text(
+        &mut self,
+        text: LineText<'_>,
+        place: LinePlace,
+        into: &mut CodeSegment,
+    ) -> LineKind {
+        let line = text.written;
+        let is_removed = text.comment.is_some();
+        let mut cursor = Cursor::new(text.code);
+        if cursor.is_at_end() && !is_removed {
             return LineKind::Nothing;
         }
         if cursor.peek() == b'%' && is_percent(line) {
@@ -65,7 +130,7 @@ impl LineCompiler {
         if slash && self.block_delete && skips && !behind {
             return LineKind::Nothing;
         }
-        let alone = cursor.is_at_end();
+        let alone = cursor.is_at_end() && !is_removed;
         if alone && !(slash && self.report_comments) {
             return LineKind::Nothing;
         }
@@ -80,9 +145,10 @@ impl LineCompiler {
             refused: NONE,
             offset: place.offset,
         };
-        let mut parsed = self.items(cursor, &mut block, into);
+        let mut parsed = self.items(cursor, text.comment, &mut block, into);
         let within = self.within_length(line);
         if within.len() < line.len() && !planted(PlantedFault::AnyLength) {
+            let within = text.code.get(..within.len()).unwrap_or(text.code);
             self.truncate_o_word(within, &mut block, into);
             parsed = cursor.refuse(FaultKind::LineTooLong, "a line has at most 256 characters");
         }
@@ -98,18 +164,19 @@ impl LineCompiler {
         LineKind::Block
     }
 
-    /// Everything after the block delete character.
+    /// Everything after the block delete character. `removed` is the last comment that the cursor does not meet.
     fn items<'a>(
         &mut self,
         mut cursor: Cursor<'a>,
+        removed: Option<&'a [u8]>,
         block: &mut Block,
         into: &mut CodeSegment,
     ) -> Parsed<()> {
         let numbered = cursor.peek() == b'n';
         if numbered {
-            line_number(&mut cursor)?;
+            self.line_number(&mut cursor)?;
         }
-        let mut items = Items { letters: 0, comment: None };
+        let mut items = Items { letters: 0, comment: removed };
         let mut other = false;
         while !cursor.is_at_end() {
             match cursor.peek() {
@@ -156,7 +223,7 @@ impl LineCompiler {
         let mut cursor = Cursor::new(within);
         cursor.take(b'/');
         // Why it is refused is known.
-        let _refused = self.items(cursor, block, into);
+        let _refused = self.items(cursor, None, block, into);
     }
 
     /// A setting, or a word that has no letter.
@@ -221,7 +288,7 @@ impl LineCompiler {
             return Ok(());
         }
         if letter == G || letter == M {
-            return code(into, letter == G, known)
+            return code(into, letter == G, known, self.choices.code_hundredths)
                 .or_else(|message| cursor.refuse_from(start, FaultKind::UnknownCode, message));
         }
         let bit = 1_u32.wrapping_shl(u32::from(letter));
@@ -312,6 +379,11 @@ impl LineCompiler {
         }
         let text = cursor.raw_after();
         let Some(length) = text.iter().position(|byte| *byte == b')') else {
+            if self.choices.comment_to_line_end {
+                items.comment = Some(text);
+                cursor.finish();
+                return Ok(());
+            }
             return cursor.refuse(FaultKind::BadComment, "a comment is not closed");
         };
         let text = text.get(..length).unwrap_or(&[]);
@@ -322,7 +394,8 @@ impl LineCompiler {
             cursor.finish();
             return Ok(());
         }
-        if !self.choices.comment_nested && text.contains(&b'(') {
+        let nested = self.choices.comment_nested || self.choices.comment_to_line_end;
+        if !nested && text.contains(&b'(') {
             return cursor.refuse(FaultKind::BadComment, "a comment within a comment");
         }
         if items.comment.is_none() || !planted(PlantedFault::FirstComment) {
@@ -350,61 +423,48 @@ impl LineCompiler {
         }
         Ok(items.comment.is_some())
     }
-}
 
-/// `N`, an unsigned integer, and possibly a point and another (11.4.2.2).
-fn line_number(cursor: &mut Cursor<'_>) -> Parsed<()> {
-    let mut text = String::new();
-    cursor.step();
-    number::read_digits(cursor, &mut text);
-    let mut complete = !text.is_empty();
-    if cursor.take(b'.') {
-        complete &= !planted(PlantedFault::LineNumberPoint);
-        text.clear();
+    /// `N`, an unsigned integer, and possibly a point and another (11.4.2.2). Whether it has a bound is a choice.
+    fn line_number(&self, cursor: &mut Cursor<'_>) -> Parsed<()> {
+        let start = cursor.at();
+        let mut text = String::new();
+        cursor.step();
         number::read_digits(cursor, &mut text);
-        complete &= !text.is_empty();
+        let mut complete = !text.is_empty();
+        let exceeds = self.choices.line_number_seven_digits
+            && text.trim_start_matches('0').len() > LINE_NUMBER_DIGITS_MAX;
+        if cursor.take(b'.') {
+            complete &= !planted(PlantedFault::LineNumberPoint);
+            text.clear();
+            number::read_digits(cursor, &mut text);
+            complete &= !text.is_empty();
+        }
+        if exceeds {
+            let message = "a line number is 9,999,999 at most";
+            return cursor.refuse_from(start, FaultKind::WordOutOfRange, message);
+        }
+        if complete {
+            return Ok(());
+        }
+        cursor.refuse(FaultKind::BadNumber, "a line number is an unsigned integer")
     }
-    if complete {
-        return Ok(());
-    }
-    cursor.refuse(FaultKind::BadNumber, "a line number is an unsigned integer")
 }
 
 /// A G or M code: its number where that is known, and what takes it from the stack where it is not.
 #[inline]
-fn code(into: &mut CodeSegment, is_g: bool, known: Option<f64>) -> Result<(), &'static str> {
+fn code(
+    into: &mut CodeSegment,
+    is_g: bool,
+    known: Option<f64>,
+    hundredths: bool,
+) -> Result<(), &'static str> {
     into.ops.push(match (known, is_g) {
-        (Some(value), true) => Op::GCode(g_number(value).ok_or("no such G code")?),
-        (Some(value), false) => Op::MCode(m_number(value).ok_or("no such M code")?),
+        (Some(value), true) => Op::GCode(g_number(value, hundredths).ok_or("no such G code")?),
+        (Some(value), false) => Op::MCode(m_number(value, hundredths).ok_or("no such M code")?),
         (None, true) => Op::G,
         (None, false) => Op::M,
     });
     Ok(())
-}
-
-/// A G code in tenths, where a number is one.
-#[inline]
-pub(crate) fn g_number(value: f64) -> Option<u16> {
-    code_number(narrowed(PlantedFault::GcodeWraps, value, 65_536.0) * 10.0, 999)
-}
-
-/// An M code, where a number is one.
-#[inline]
-pub(crate) fn m_number(value: f64) -> Option<u16> {
-    if planted(PlantedFault::MCodeExactly) && math::whole(value).is_none() {
-        return None;
-    }
-    code_number(narrowed(PlantedFault::McodeWraps, value, 65_536.0), u16::MAX)
-}
-
-/// The integer that a code is, where it is one in the range.
-#[inline]
-fn code_number(value: f64, most: u16) -> Option<u16> {
-    let cut = planted(PlantedFault::GcodeCut);
-    let value = if cut { math::floor(value + math::CLOSE) } else { value };
-    math::near_integer(value)
-        .and_then(|number| u16::try_from(number).ok())
-        .filter(|number| *number <= most)
 }
 
 /// Whether a line is a percent sign, possibly between blanks.

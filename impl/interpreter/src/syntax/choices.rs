@@ -167,6 +167,8 @@ choices! {
         value_kept "fanuc-subs.value-after-call" ["cleared", "kept"],
         /// A subprogram that is executed no time need not exist.
         uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
+        /// The decimals of a G or M number are rounded to hundredths.
+        code_hundredths "modal-groups.code-decimals" ["ten-thousandths", "hundredths"],
         /// A global parameter that was never set is zero.
         absent_zero "parameters.absent-global" ["refused", "zero"],
         /// A function may follow a number sign.
@@ -179,6 +181,12 @@ choices! {
         return_own "subroutines.return-label" ["any", "own"],
         /// A comment may hold a left parenthesis.
         comment_nested "text.comment-nested" ["refused", "plain"],
+        /// A comment without its right parenthesis ends with its line.
+        comment_to_line_end "text.comment-to-line-end" ["refused", "to-line-end"],
+        /// Comments are blanks, also between a letter and its value.
+        comments_removed "text.comments-removed" ["refused", "removed"],
+        /// A line number has seven digits at most.
+        line_number_seven_digits "text.greatest-line-number" ["none", "seven-digits"],
         /// The line end is not one of the 256 characters.
         line_end_free "text.line-end-counted" ["counted", "not-counted"],
         /// A file that begins with a percent line needs the second one although it has an M2.

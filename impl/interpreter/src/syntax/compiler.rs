@@ -42,6 +42,8 @@ pub(crate) struct LineCompiler {
     pub(crate) bracket_depth: u32,
     /// Scratch memory for a name.
     pub(crate) scratch: String,
+    /// Scratch memory for a line with blanks in the place of its comments.
+    pub(crate) uncommented: Vec<u8>,
     /// The reference of each named parameter, by its number.
     pub(crate) parameter_refs: Vec<ParameterRef>,
 }
@@ -68,6 +70,7 @@ impl LineCompiler {
             names_max: limits.named_parameters,
             bracket_depth: limits.bracket_depth,
             scratch: String::new(),
+            uncommented: Vec::new(),
             parameter_refs: Vec::new(),
         }
     }

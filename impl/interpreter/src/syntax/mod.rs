@@ -4,6 +4,7 @@ pub(crate) mod arithmetic;
 mod block;
 pub(crate) mod bytecode;
 mod choices;
+mod code_number;
 mod comment;
 mod compiler;
 mod cursor;
@@ -16,9 +17,10 @@ use alloc::boxed::Box;
 
 use gaugeblock_vocabulary::FaultKind;
 
-pub(crate) use block::{LineKind, LinePlace, g_number, is_o_word, is_percent, m_number};
+pub(crate) use block::{LineKind, LinePlace, is_o_word, is_percent};
 pub(crate) use bytecode::{CodeSegment, ParameterRef};
 pub(crate) use choices::{AbsentName, Choices, DoLabel, PercentAlone, RepeatFraction, RoundHalf};
+pub(crate) use code_number::{g_number, m_number};
 pub(crate) use compiler::LineCompiler;
 pub(crate) use expression::group;
 pub(crate) use number::read_short_prefix;

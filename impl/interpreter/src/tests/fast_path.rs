@@ -118,12 +118,14 @@ fn item() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Words of canned cycles, probing, splines and threads, and blocks of them that are accepted.
+/// Words of canned cycles, probing, splines and threads, blocks of them that are accepted, and what Grbl's choices
+/// decide.
 fn cycle_item() -> impl Strategy<Value = String> {
     prop_oneof![
         3 => "(G80|G81|G82|G83|g73|g84|G74|G85|G86|G87|g89|G98|G99|G5\\.[123]|G33|G33\\.1|g38\\.[345]|g76|G18|G93|G42)",
         2 => "(g81 x1 z-1 r1 |g83 y1 z-2 r0 q\\.5 l2 |g84 z-1 r1 p0 |g91 g89 x1 z-1 r1 p0 l3 |m3 g86 z-1 r1 p1 )",
         1 => "(g18 g76 p1 z-9 i-1 j1 k2 |g38\\.3 z-3 |g5 i1 j1 p1 q1 x1 y1 |g5\\.2 x1 y1 l2 |m4 g33 z1 k1 )",
+        2 => "(x\\(a\\)[12]|g\\(a\\)[01]|y1\\(a\\)2|g91\\.00[16]|m8\\.00[16]|g59\\.1|g93|x3 f4)",
         3 => "([rR]1|r-1|z-2|Q0?\\.5|p0|l2|L3|k1|i-?1|j1|h2|e1|l1000)",
     ]
 }
@@ -131,7 +133,7 @@ fn cycle_item() -> impl Strategy<Value = String> {
 fn line() -> impl Strategy<Value = String> {
     let blank = "( |  |\t|)";
     let items = proptest::collection::vec((item(), blank), 0..5);
-    let head = prop_oneof![12 => "", 2 => "n[0-9]{1,4} ?", 1 => "( |/|n|n1\\.5|n1\\.)"];
+    let head = prop_oneof![12 => "", 2 => "n[0-9]{1,9} ?", 1 => "( |/|n|n1\\.5|n1\\.)"];
     let end = prop_oneof![8 => "\n", 2 => "\r\n", 1 => "\r"];
     (head, items, end).prop_map(|(head, items, end)| {
         let items: String = items.into_iter().map(|(item, blank)| item + &blank).collect();
@@ -140,7 +142,7 @@ fn line() -> impl Strategy<Value = String> {
 }
 
 /// Choices that have a say in words and values.
-const CHOICES: [(&str, &str); 8] = [
+const CHOICES: [(&str, &str); 14] = [
     ("expressions.unary-minus", "refused"),
     ("parameters.absent-global", "zero"),
     ("parameters.read-only-numbered", "written"),
@@ -149,13 +151,22 @@ const CHOICES: [(&str, &str); 8] = [
     ("text.comment-nested", "plain"),
     ("expressions.order-tolerance", "tolerant"),
     ("active-comments.msg-without-comma", "message"),
+    ("feed.after-inverse-time", "zero"),
+    ("modal-groups.code-decimals", "hundredths"),
+    ("order.feed-unit", "new"),
+    ("text.comment-to-line-end", "to-line-end"),
+    ("text.comments-removed", "removed"),
+    ("text.greatest-line-number", "seven-digits"),
 ];
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn fast_path_agrees_with_complete_path(lines in proptest::collection::vec(line(), 1..5), chosen in 0_usize..64) {
+    fn fast_path_agrees_with_complete_path(
+        lines in proptest::collection::vec(line(), 1..5),
+        chosen in 0_usize..1 << CHOICES.len(),
+    ) {
         let chosen = CHOICES.iter().enumerate().filter(|(place, _)| chosen >> place & 1 == 1);
         let options = Options(chosen.map(|(_, (id, name))| ((*id).into(), (*name).into())).collect());
         let head = "g1 f100\n#1=1 #2=-2.5 #3=0.125 #4=100\n#<a>=2 #<b1>=-3 #<_g>=0.5\n";

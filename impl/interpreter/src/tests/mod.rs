@@ -5,6 +5,7 @@ mod comments;
 mod cycles;
 mod expressions;
 mod fast_path;
+mod grbl;
 mod loops;
 mod numbered;
 mod parameters;

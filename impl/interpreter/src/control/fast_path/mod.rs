@@ -43,7 +43,7 @@ impl Interpreter {
         if !self.reader.is_aligned() {
             return Ok(None);
         }
-        let mut line;
+        let (mut line, mut bare);
         loop {
             line = self.reader.line();
             self.words.clear(line);
@@ -53,7 +53,8 @@ impl Interpreter {
                 words: &mut self.words,
                 settings: &mut self.evaluator.settings,
             };
-            let Some((length, bare)) = reading.line(source.text()?) else { return Ok(None) };
+            let Some((length, no_words)) = reading.line(source.text()?) else { return Ok(None) };
+            bare = no_words;
             self.reader.consume_line(source, length);
             if self.percent.is_none() {
                 self.percent = Some(false);
@@ -69,6 +70,9 @@ impl Interpreter {
             self.evaluator.apply(&mut self.parameters);
         }
         let flow = if empty {
+            if !bare {
+                self.modal.execute_wordless(line, sink);
+            }
             Ok(Flow::More)
         } else {
             self.modal.execute(&self.words, &mut self.parameters.numbered, sink)
@@ -151,8 +155,13 @@ impl FastLine<'_> {
         match letter {
             G | M if negative => return None,
             G => {
-                let tenths = number.tenths().filter(|tenths| *tenths <= 999)?;
-                let added = self.words.push_g(u16::try_from(tenths).ok()?);
+                let tenths = match number.integer() {
+                    Some(code) => code.wrapping_mul(10),
+                    None if self.values.compiler.choices.code_hundredths => return None,
+                    None => number.tenths()?,
+                };
+                let code = u16::try_from(tenths).ok().filter(|tenths| *tenths <= 999)?;
+                let added = self.words.push_g(code);
                 return added.then_some(text);
             }
             M => {
@@ -210,11 +219,11 @@ impl FastLine<'_> {
     }
 }
 
-/// The text after the digits of a line number; they have no point and no blanks.
+/// The text after the digits of a line number; they have no point and no blanks, and are few enough for every choice.
 fn line_number(text: &[u8]) -> Option<&[u8]> {
     let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
     let behind = text.get(digits..)?;
-    (digits != 0 && behind.first() != Some(&b'.')).then_some(behind)
+    ((1..=7).contains(&digits) && behind.first() != Some(&b'.')).then_some(behind)
 }
 
 /// The text after a plain comment. One that begins like the name of an active one is not looked at any further.

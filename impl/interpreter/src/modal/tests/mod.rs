@@ -4,6 +4,7 @@ mod arcs;
 mod arcs_property;
 mod cycles;
 mod ends;
+mod grbl;
 mod groups;
 mod inputs_outputs;
 mod motions_property;

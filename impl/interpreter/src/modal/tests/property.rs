@@ -65,6 +65,16 @@ fn options() -> impl Strategy<Value = Options> {
         ("tool.old-tool-place", "slot-of-the-new"),
         ("tool.change-without-selection", "accepted"),
         ("units-planes.diameter-offsets", "every-word"),
+        ("arcs.small-tolerance", "millimetres"),
+        ("arcs.without-axis-words", "refused"),
+        ("feed.after-inverse-time", "zero"),
+        ("motion.offset-words-after-cancel", "refused"),
+        ("offsets.position-other-axes", "kept"),
+        ("offsets.set-without-axes", "refused"),
+        ("offsets.systems", "six"),
+        ("order.feed-unit", "new"),
+        ("pause.optional-stop", "ignored"),
+        ("tool.length-off-with-motion", "refused"),
     ];
     prop::sample::subsequence(pairs.to_vec(), 0..=pairs.len()).prop_map(|chosen| {
         Options(chosen.iter().map(|(id, to)| ((*id).into(), (*to).into())).collect())
