@@ -176,6 +176,13 @@ impl Suite {
                     errors.push(format!("{}: {error}", choice.id));
                 }
             }
+            let is_source = |it: &&String| choice.sources.iter().any(|by| by.document == **it);
+            for document in choice.decided_by.iter().filter(|it| !is_source(it)) {
+                errors.push(format!(
+                    "{}: `{document}` decides it and is none of its sources",
+                    choice.id
+                ));
+            }
         }
         for edition in &self.editions {
             for (id, option) in &edition.options {
@@ -280,12 +287,13 @@ impl Suite {
     }
 
     /// Whether the documents of an edition leave a choice open: none of the editions of documents reads it in another
-    /// way than the rest.
+    /// way than the rest, and its page names none of its documents as one that decides it.
     ///
-    /// An edition of documented rules counts for itself only. It leaves a choice open if one of its rules depends on it and none
-    /// of its documents is a source of it.
+    /// An edition of documented rules counts for itself only. It leaves a choice open if one of its rules depends on it
+    /// and none of its documents is a source of it.
     pub fn is_open(&self, choice: &Choice, edition: &Edition) -> bool {
-        if choice.kind != ChoiceKind::Choice {
+        let is_decided = choice.decided_by.iter().any(|it| edition.documents.contains(it));
+        if choice.kind != ChoiceKind::Choice || is_decided {
             return false;
         }
         if edition.documented_only {

@@ -295,6 +295,9 @@ pub struct Choice {
     pub sources: Vec<Source>,
     /// A program that tells the options apart.
     pub program: String,
+    /// Documents among its sources that decide it, although they do so in the same way in all editions that have them.
+    #[serde(default)]
+    pub decided_by: Vec<String>,
     /// Options of other choices under which alone it does.
     #[serde(default)]
     pub under: BTreeMap<String, String>,
@@ -384,6 +387,13 @@ impl Edition {
     /// Whether one of these sources is in one of its documents.
     pub fn cites(&self, sources: &[Source]) -> bool {
         sources.iter().any(|source| self.documents.contains(&source.document))
+    }
+
+    /// Those of these sources that are in its documents; all where none is.
+    pub fn cited(&self, sources: &[Source]) -> Vec<Source> {
+        let cites_any = self.cites(sources);
+        let is_cited = |it: &&Source| !cites_any || self.documents.contains(&it.document);
+        sources.iter().filter(is_cited).cloned().collect()
     }
 }
 
