@@ -2,7 +2,6 @@
 
 use gaugeblock_compare::StateDifference;
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
-use gaugeblock_suite::sections;
 use serde::Serialize;
 
 use super::Report;
@@ -67,7 +66,7 @@ pub(super) struct Kind<'a> {
 pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     let mut left = TRACE_BYTES_MAX;
     let mut card = |(result, divergence): (&'a CaseResult<'_>, &'a RuleDivergence)| {
-        let mut card = card(&report.header.controller, result, divergence);
+        let mut card = card(report, result, divergence);
         let traces = divergence.traces.as_ref();
         let texts = traces.map_or(["", ""], |traces| [traces.expected.as_str(), &traces.found]);
         let size: usize =
@@ -100,7 +99,7 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
 }
 
 fn card<'a>(
-    controller: &str,
+    report: &Report<'_>,
     result: &'a CaseResult<'_>,
     divergence: &'a RuleDivergence,
 ) -> Card<'a> {
@@ -113,10 +112,11 @@ fn card<'a>(
         class: class(word),
         excuse: result.verdict.accepted_by(),
         sentence: &result.rule.sentence,
-        sources: sections(&result.rule.sources).join("; "),
+        sources: report.sections(result.rule).join("; "),
         assertion: assertion.map(|(said, found)| abridged(without_guard(said), found)),
         divergence: divergence.difference.as_deref(),
-        explanation: explain(controller, divergence).map(|explanation| explanation.text),
+        explanation: explain(&report.header.controller, divergence)
+            .map(|explanation| explanation.text),
         repeated: result.rerun,
         program: result.program,
         shrunk: divergence.shrunk.as_deref(),

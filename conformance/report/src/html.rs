@@ -6,7 +6,6 @@ use std::cmp::Reverse;
 use std::time::Duration;
 
 use gaugeblock_runner::certify::{CaseResult, Scope};
-use gaugeblock_suite::sections;
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -271,7 +270,7 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
         verdict: result.verdict.word(),
         class: class(result.verdict.word()),
         sentence: &result.rule.sentence,
-        sources: sections(&result.rule.sources).join("; "),
+        sources: report.sections(result.rule).join("; "),
         cases: cases(result.counts),
     };
     rules.into_iter().map(row).collect()

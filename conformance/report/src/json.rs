@@ -152,7 +152,7 @@ pub struct JudgedRule {
     pub sentence: String,
     /// The profile that it belongs to.
     pub profile: String,
-    /// Where that stands.
+    /// Where the documents of the edition state it.
     pub sources: Vec<Source>,
     /// The verdict.
     pub verdict: RuleVerdict,
@@ -190,7 +190,7 @@ pub fn document(report: &Report<'_>) -> Document {
         rule: result.rule.id.clone(),
         sentence: result.rule.sentence.clone(),
         profile: result.rule.profile.clone(),
-        sources: result.rule.sources.clone(),
+        sources: report.run.edition.cited(&result.rule.sources),
         verdict: result.verdict,
         cases: result.counts.all(),
         compared: result.compared,

@@ -30,7 +30,7 @@ pub use rule::{Counts, RuleResult, RuleVerdict};
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::{Finding, findings};
-use gaugeblock_suite::Suite;
+use gaugeblock_suite::{Rule, Suite, sections};
 
 /// A run with its mismatches.
 #[derive(Clone, Debug)]
@@ -52,6 +52,11 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
+    /// Where the documents of the edition state a rule: sections, with the sentences in them.
+    pub(crate) fn sections(&self, rule: &Rule) -> Vec<String> {
+        sections(&self.run.edition.cited(&rule.sources))
+    }
+
     /// The report of a run without notes and profiles, compared with no list.
     pub fn of(suite: &'a Suite, run: &'a Run<'a>, header: Header) -> Self {
         Self {

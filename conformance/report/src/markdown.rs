@@ -6,7 +6,6 @@
 
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::Finding;
-use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
 use super::abridge::abridged;
@@ -167,7 +166,7 @@ fn card(report: &Report<'_>, finding: &Finding<'_, '_>) -> String {
     let mut text =
         format!("\n<details><summary>{severity}: <code>{rule}</code> ({size})</summary>\n\n");
     if let Some(rule) = finding.rule {
-        let sources = sections(&rule.sources);
+        let sources = report.sections(rule);
         let sources: Vec<_> = sources.iter().map(|section| plain(section)).collect();
         text.push_str(&format!("{} ({})\n\n", plain(&rule.sentence), sources.join("; ")));
     }

@@ -6,7 +6,6 @@ use std::fmt::Write as _;
 use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Scope, Verdict};
 use gaugeblock_runner::findings::{Finding, FindingCause};
-use gaugeblock_suite::sections;
 use gaugeblock_vocabulary::Language;
 
 use super::abridge::{abridged, wrapped};
@@ -47,6 +46,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
     waived(&mut text, report);
     mismatches(&mut text, report);
     profiles(&mut text, report);
+    void(&mut text, report, verbose);
     unseen(&mut text, report, verbose);
     verdict(&mut text, report);
     text
@@ -99,12 +99,22 @@ fn chapters(text: &mut String, report: &Report<'_>) {
         );
     }
     line!(text);
-    if !report.run.not_applicable.is_empty() {
+}
+
+/// The rules that do not exist in the edition: how many, or each with the reason.
+fn void(text: &mut String, report: &Report<'_>, verbose: bool) {
+    let void = &report.run.not_applicable;
+    if void.is_empty() {
+        return;
+    }
+    if verbose {
         line!(text, "void in this edition:");
-        for (rule, why) in &report.run.not_applicable {
+        for (rule, why) in void {
             line!(text, "  {:<36} {}", rule.id, styled(DIM, why));
         }
-        line!(text);
+    } else {
+        let is = if void.len() == 1 { "rule is" } else { "rules are" };
+        line!(text, "{} {is} void in this edition (-v says why)", void.len());
     }
 }
 
@@ -114,7 +124,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     let word = result.verdict.word();
     line!(text, "{} {} / {}", styled(RED, word), styled(BOLD, &result.rule.id), result.name);
     line!(text, "  {}", result.rule.sentence);
-    for section in sections(&result.rule.sources) {
+    for section in report.sections(result.rule) {
         line!(text, "  {}", styled(DIM, &section));
     }
     program(text, result.program, result.rule.language);
@@ -203,7 +213,8 @@ fn finding(text: &mut String, report: &Report<'_>, number: usize, finding: &Find
         Some(rule) => {
             line!(text, "{}: {}", styled(RED, &heading), styled(BOLD, &rule.id));
             line!(text, "   {}", rule.sentence);
-            sections(&rule.sources)
+            report
+                .sections(rule)
                 .iter()
                 .for_each(|section| line!(text, "   {}", styled(DIM, section)));
         }
