@@ -144,8 +144,8 @@ impl Source {
         })
     }
 
-    /// Whether a line has one of these G codes, written plainly and in lower case, such as `g38.2`.
-    pub(crate) fn has_g_code(&self, codes: &[&str]) -> bool {
+    /// Whether a line has one of these codes, written plainly, such as `g38.2` or `m0`.
+    pub(crate) fn has_code(&self, codes: &[&str]) -> bool {
         self.all().any(|(_, _, line)| {
             let code = code(line);
             codes.iter().any(|wanted| {
@@ -434,7 +434,7 @@ mod tests {
     fn g_codes_are_found() {
         let has = |line: &str| {
             let program = Program { main: format!("g0\n{line}\n"), ..Program::default() };
-            Source::new(&program).has_g_code(&["g33", "g38.2"])
+            Source::new(&program).has_code(&["g33", "g38.2"])
         };
         assert!(has("G33 z1 k1") && has("m3g38.2x1"));
         assert!(!has("g33.1 z1 k1") && !has("g3 x1") && !has("(g33)"));

@@ -128,11 +128,11 @@ impl Adapter for Rs274 {
         if source.names_line() {
             observables.fields.remove("position");
         }
-        if source.has_g_code(&["g93"]) && source.computes_word('f') {
+        if source.has_code(&["g93"]) && source.computes_word('f') {
             observables.fields.remove("feed_rate");
             observables.fields_at_effects.remove("feed_rate");
         }
-        if source.has_g_code(&["g20"]) {
+        if source.has_code(&["g20"]) {
             let coarser = observables.resolution * 25.4;
             observables
                 .unconverted_lengths

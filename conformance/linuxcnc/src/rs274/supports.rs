@@ -44,7 +44,7 @@ fn stored_lengths(scenario: &Scenario) -> Result<(), String> {
     let source = Source::new(&scenario.program);
     let parameters = source.parameters();
     let is_set = parameters.set.iter().copied().any(is_linear)
-        || parameters.numbered.iter().copied().any(is_linear) && source.has_g_code(STORING);
+        || parameters.numbered.iter().copied().any(is_linear) && source.has_code(STORING);
     if !inch && is_set {
         return Err("lengths that are stored are always in inches".to_owned());
     }

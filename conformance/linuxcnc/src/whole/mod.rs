@@ -196,7 +196,7 @@ impl Adapter for LinuxCnc {
     fn observables(&self, scenario: &Scenario) -> Capabilities {
         let mut observables = self.capabilities.clone();
         let source = Source::new(&scenario.program);
-        if source.has_g_code(&["g93"]) && source.has_g_code(&["g1", "g2", "g3"]) {
+        if source.has_code(&["g93"]) && source.has_code(&["g1", "g2", "g3"]) {
             observables.fields.remove("feed_rate");
             observables.fields_at_effects.remove("feed_rate");
         }
@@ -205,9 +205,14 @@ impl Adapter for LinuxCnc {
         }
         // The pins of a spindle at its angle say what an abort does with it, its commands do not.
         let aborts = scenario.operator.iter().any(|event| event.action == Action::Abort);
-        if aborts && source.has_g_code(&["m19"]) {
+        if aborts && source.has_code(&["m19"]) {
             observables.fields.remove("spindle");
             observables.fields_at_effects.remove("spindle");
+        }
+        // A program that is left at a pause is aborted before its parameters can be read, and an abort selects what the
+        // last motion had: another coordinate system, and whether the offset of G92 is active.
+        if source.has_code(&["m0", "m00", "m1", "m01", "m60"]) {
+            observables.hidden_parameters.extend([5210..=5210, 5220..=5220]);
         }
         if has(&source, "g96") {
             for pin in [Pin::SpindleSpeed(0), Pin::SpindleBrake(0)] {

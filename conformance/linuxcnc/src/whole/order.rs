@@ -130,12 +130,12 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
         outputs = digital.chain(analog).collect();
     }
 
-    let axes: String = scenario
-        .machine
-        .axes
-        .iter()
-        .map(|axis| format!(" {}0", axis.word().to_uppercase()))
-        .collect();
+    // All away, then back one after another: an axis that moves with others, or stays where an arc has ended, is a
+    // rounding away from where it began.
+    let words = machine.axes.iter().map(|axis| axis.word().to_uppercase());
+    let words: Vec<_> = words.collect();
+    let away: String = words.iter().map(|word| format!(" {word}1")).collect();
+    let back: String = words.iter().map(|word| format!("G53 G0 {word}0\nG4 P0.001\n")).collect();
     // The angle that was asked for last stays at the pins.
     let turns_back = has(source, "m19") && scenario.environment.orient.is_empty();
     let spindles = (0..machine.spindles).filter(|_| turns_back);
@@ -150,7 +150,7 @@ pub(super) fn after(scenario: &Scenario, source: &Source, plan: &Plan) -> String
     // The controller stands off a corner that it has rounded: a wait parts the two ways.
     let tool = if scenario.machine.random_tool_changer { "" } else { "M61 Q0\n" };
     format!(
-        "{}M71\nG40\n{stopped}G17 {unit} G90 G94 G99 G49 F0\nG53 G0 X1\nG4 P0.001\nG53 G0{axes}\n{tool}{outputs}M2\n",
+        "{}M71\nG40\n{stopped}G17 {unit} G90 G94 G99 G49 F0\nG53 G0{away}\nG4 P0.001\n{back}{tool}{outputs}M2\n",
         plan.checkpoint(0, 0)
     )
 }

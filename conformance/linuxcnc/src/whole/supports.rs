@@ -119,7 +119,7 @@ fn simultaneous_events(scenario: &Scenario) -> Result<(), String> {
     let goes_on =
         |event: &OperatorEvent| matches!(event.action, Action::Resume | Action::CycleStart);
     let stays = pauses.is_some_and(|place| !events.iter().skip(place).any(goes_on));
-    if stays && Source::new(&scenario.program).has_g_code(&["g4"]) {
+    if stays && Source::new(&scenario.program).has_code(&["g4"]) {
         return Err("it does not report the end of a dwell before it resumes".to_owned());
     }
     Ok(())
@@ -145,13 +145,13 @@ fn program(program: &Program) -> Result<(), String> {
         }
     }
     let source = Source::new(program);
-    if source.has_g_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
+    if source.has_code(&["g38.2", "g38.3", "g38.4", "g38.5"]) {
         return Err("its environment has no probe".to_owned());
     }
-    if source.has_g_code(&["g33", "g33.1", "g76"]) {
+    if source.has_code(&["g33", "g33.1", "g76"]) {
         return Err("its spindles have no encoder".to_owned());
     }
-    if source.has_g_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
+    if source.has_code(&["g5", "g5.1", "g5.2", "g5.3"]) {
         return Err("it reports a spline as the arcs that it is divided into".to_owned());
     }
     if source.leaves_block_order() {
