@@ -173,7 +173,7 @@ fn comments_stand_between_words() {
     check_all(&[
         ("g0 (to; the start) x1 (b) y2;c (d\nm2 ; (e\n", "at 1 straight_traverse end=(x1 y2)"),
         ("(a) (b) ; c\nm2\n", "accepted"),
-        ("g0 x(a)1\nm2\n", "refused at 1 bad_number"),
+        ("g0 x(a)1\nm2\n", "refused at 1 bad_comment"),
         ("#31=[1 (a) +1]\nm2\n", "refused at 1 bad_expression"),
         ("g0 x1 (a\nm2\n", "refused at 1 bad_comment"),
         ("g0 x1 (a (b)\nm2\n", "refused at 1 bad_comment"),
