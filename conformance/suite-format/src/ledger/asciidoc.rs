@@ -183,15 +183,10 @@ fn resolved(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ledger::collector::TextItem;
-    use crate::ledger::split::{Form, extract};
+    use crate::ledger::split::{Form, extract, extracted_items};
 
     fn items(text: &str) -> Vec<(Kind, String)> {
-        extract(text, Form::Asciidoc)
-            .into_iter()
-            .flat_map(|section| section.items)
-            .map(|TextItem { kind, text }| (kind, text))
-            .collect()
+        extracted_items(text, Form::Asciidoc)
     }
 
     #[test]

@@ -123,15 +123,10 @@ fn plain(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ledger::collector::TextItem;
-    use crate::ledger::split::{Form, extract};
+    use crate::ledger::split::{Form, extract, extracted_items};
 
     fn items(text: &str) -> Vec<(Kind, String)> {
-        extract(text, Form::Markdown)
-            .into_iter()
-            .flat_map(|section| section.items)
-            .map(|TextItem { kind, text }| (kind, text))
-            .collect()
+        extracted_items(text, Form::Markdown)
     }
 
     #[test]

@@ -42,6 +42,13 @@ pub fn extract(document_text: &str, form: Form) -> Vec<TextSection> {
     sections
 }
 
+/// Kind and text of each item of a document, for the tests of its form.
+#[cfg(test)]
+pub(super) fn extracted_items(document_text: &str, form: Form) -> Vec<(super::kind::Kind, String)> {
+    let items = extract(document_text, form).into_iter().flat_map(|section| section.items);
+    items.map(|item| (item.kind, item.text)).collect()
+}
+
 /// The text after the printed line number; nothing for a line that has none.
 fn without_line_number(line: &str) -> Option<&str> {
     let rest = line.trim_start();

@@ -137,7 +137,7 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
     })
 }
 
-/// G10, of which L says what it takes (11.5.12 to 11.5.17). Whether L2 needs an axis word is a choice.
+/// G10: L selects the table that it changes (11.5.12 to 11.5.17). Whether L2 needs an axis word is a choice.
 pub(crate) fn set_data(l: Option<f64>, set_needs_axes: bool) -> GCode {
     let plain = GCode::plain(NON_MODAL).needing(L).using(AXES);
     let l = l.map(|l| narrowed(PlantedFault::OffsetKindWraps, l, 256.0));

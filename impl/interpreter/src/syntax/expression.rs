@@ -159,7 +159,7 @@ impl LineCompiler {
             }
             b'[' => self.expression(cursor, into, depth),
             b'a'..=b'z' => self.call_function(cursor, into, depth),
-            b'(' => cursor.refuse(FaultKind::BadComment, "a comment is in the place of a number"),
+            b'(' => cursor.refuse(FaultKind::BadComment, "expected a number, found a comment"),
             _ => cursor.refuse(FaultKind::BadNumber, "a number is missing"),
         }
     }

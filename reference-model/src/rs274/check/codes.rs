@@ -221,7 +221,7 @@ fn axis_words_once(
     let user = |group: ModalGroup| {
         codes.iter().find(|(_, code)| code.group == Some(group) && code.axis_words)
     };
-    // Whether G5.3 takes a point is left open where it is executed.
+    // The documents leave open whether G5.3 takes a point: its execution reports that.
     let motion = user(ModalGroup::Motion).filter(|(code, _)| *code != Written::G(53));
     let Some((motion, _)) = motion else {
         let offset = user(ModalGroup::ToolLength).filter(|_| has_axis_words(words));

@@ -33,7 +33,7 @@ pub(super) fn m_code(word: &Word, value: f64, state: &mut State) -> Result<u32, 
     }
 }
 
-/// Rule modal-groups.code-decimals. How far the number of a code can be from that of a code of the language is a choice.
+/// Rule modal-groups.code-decimals. How far a number can be from that of a code of the language is a choice.
 fn counts_hundredths(state: &State) -> bool {
     state.choices.is(choice::modal_groups::CodeDecimals::Hundredths)
 }

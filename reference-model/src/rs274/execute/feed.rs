@@ -112,7 +112,7 @@ pub fn set_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// F of a block as it is read before the block changes the length unit, which converts it where it converts feeds.
 ///
 /// Rule order.feed-unit. Whether F in the block that changes the unit is read in the new one is a choice. Under inverse
-/// time it is no length.
+/// time F is the inverse of a time, and the unit does not change it.
 fn in_unit_before(rate: f64, words: &Words, state: &mut State) -> f64 {
     let before = state.modes.units;
     let Some(unit) = programmed_units(words).filter(|unit| *unit != before) else { return rate };
