@@ -22,6 +22,8 @@ REALTIME_DELAY = "Unexpected realtime delay"
 REQUESTS = ("cycle_start", "resume", "pause", "abort", "mode", "mdi")
 # How long a motion stands still before it counts as held, seconds.
 STILL = 1.0
+# In how many cycles a change has reached the samples.
+CYCLES = 4
 
 
 def guard(command):
@@ -79,14 +81,17 @@ class Bench:
         self.inputs = []
         self.begun = None
         self.first_sample = None
+        self.newest = 0
 
     def set(self, pin, value):
         self.hal.set_p(pin, str(value))
 
-    def begin(self, inputs):
+    def prepare(self, inputs):
         self.rest()
         self.inputs = sorted(inputs, key=lambda change: change[0])
         self.change_inputs(0.0)
+
+    def begin(self):
         self.record()
         self.changes = []
         if self.at_first is None:
@@ -119,7 +124,7 @@ class Bench:
             parts = [stream.read() for stream in self.streams]
             if any(part is None for part in parts):
                 break
-            number = self.streams[0].sampleno
+            number = self.newest = self.streams[0].sampleno
             if self.first_sample is None:
                 self.first_sample = number
             values = [value for part in parts for value in part]
@@ -297,6 +302,15 @@ class Driver:
         """Until the last command has been taken; one that starts a program is done only when that ends or pauses."""
         serial = self.command.serial
         self.wait(lambda: self.stat.echo_serial_number == serial, 5.0)
+
+    def sample(self):
+        """Until the samples have what was set last, counted in cycles: on a busy machine they come late."""
+        self.poll()
+        if not self.bench.streams:
+            self.wait(lambda: False, CYCLES * self.settings["period"])
+            return
+        last = self.bench.newest + CYCLES
+        self.wait(lambda: self.bench.newest >= last, 5.0)
 
     # Before a run.
 
@@ -534,7 +548,9 @@ class Driver:
         self.pace = order["feed_override"]
         self.mode_told = None
         self.reset(order)
-        self.bench.begin(order["inputs"])
+        self.bench.prepare(order["inputs"])
+        self.sample()
+        self.bench.begin()
         self.mode(self.linuxcnc.MODE_AUTO if order["by_hand"] is None else self.linuxcnc.MODE_MDI)
         self.mode_told = self.modes.get(self.stat.task_mode)
         if self.prepared_at_first is None:
@@ -547,9 +563,7 @@ class Driver:
             self.run_file(order["program"])
             self.taken()
             ending = self.follow(order["seconds"])
-        # What was set last shows in the samples of the next cycles.
-        self.wait(lambda: False, 4 * self.settings["period"] if order["linger"] else 0.0)
-        self.poll()
+        self.sample()
         self.mode_told = None
         report(ends=ending, pins=self.bench.changes, queued_moves=self.stat.queue, motion=self.stat.motion_type)
         if ending == "late":

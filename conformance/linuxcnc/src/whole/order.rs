@@ -95,7 +95,6 @@ pub(super) fn order(scenario: &Scenario, source: &Source, plan: &Plan, by_hand: 
         "checkpoint": plan.checkpoint(0, 0).lines().collect::<Vec<_>>(),
         "program": "programs/main.ngc",
         "after": "after.ngc",
-        "linger": true,
     })
 }
 
