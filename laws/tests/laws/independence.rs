@@ -68,12 +68,13 @@ fn main_path_of_the_model_knows_no_quirk() {
 /// An adapter uses what an adapter in another language could use.
 #[test]
 fn adapter_of_a_real_controller_imports_no_model() {
-    let adapter = sources("conformance/linuxcnc/src");
+    let mut adapter = sources("conformance/linuxcnc/src");
+    adapter.extend(sources("conformance/grbl/src"));
     let imported = lines_with(
         &adapter,
         &["gaugeblock_reference", "gaugeblock_interpreter", "gaugeblock_planner"],
     );
-    holds("the adapters of LinuxCNC import neither model nor production", &imported);
+    holds("the adapters of LinuxCNC and Grbl import neither model nor production", &imported);
 }
 
 /// Two runs give the same bytes.

@@ -156,7 +156,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     if let Some(like) = &arguments.restrict_to {
         controller = controller::restricted(controller, like)?;
     }
-    let own = controller::own_edition(controller.as_ref());
+    let own = controller::own_edition(controller.as_ref(), suite);
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     profiles_in_edition(&arguments.profile, suite, edition)?;
     controller::check_observed_edition(controller.as_ref(), suite)?;

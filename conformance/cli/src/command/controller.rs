@@ -5,6 +5,7 @@ use std::path::Path;
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::{Adapter, ControllerError};
 use gaugeblock_controllers::{Production, Reference, Restricted};
+use gaugeblock_grbl::Grbl;
 use gaugeblock_linuxcnc::{LinuxCnc, Rs274};
 use gaugeblock_offline::Offline;
 use gaugeblock_runner::language::check_program;
@@ -21,16 +22,19 @@ pub(crate) const NAMES: &str = "The controller:
   linuxcnc       the whole LinuxCNC controller with a simulated machine
   exec:COMMAND   a controller with an adapter (`gaugeblock adapter --help`)
   tcp:HOST:PORT  a controller whose adapter listens there
+  grbl:DEVICE, grbl:HOST:PORT
+                 Grbl 1.1 or grblHAL at a serial line or a socket, in check mode; add ?motion=real to move the machine
   offline:DIR    answer sheets of a control (`gaugeblock offline --help`)";
 
 /// The forms of a controller's name.
-const FORMS: [&str; 7] = [
+const FORMS: [&str; 8] = [
     "reference",
     "production",
     "rs274",
     "linuxcnc",
     "exec:COMMAND",
     "tcp:HOST:PORT",
+    "grbl:DEVICE",
     "offline:DIR",
 ];
 
@@ -56,6 +60,7 @@ pub(crate) fn controller_with_limits(
         Some(("rs274", path)) => rs274(Some(Path::new(path))),
         None if name == "linuxcnc" => Ok(Box::new(linuxcnc()?)),
         Some(("faulty", fault)) => faulty(fault),
+        Some(("grbl", place)) => Ok(Box::new(super::grbl::open(place)?)),
         Some(("offline", folder)) => Ok(Box::new(offline(Path::new(folder))?)),
         None if Path::new(name).is_file() => Err(CliError::usage(
             format!("unknown controller `{name}`"),
@@ -281,8 +286,14 @@ pub(crate) fn check_language(controller: &dyn Adapter, edition: &Edition) -> Res
 }
 
 /// The default edition of a controller.
-pub(crate) fn own_edition(controller: &dyn Adapter) -> &str {
-    controller.own_edition().unwrap_or(gaugeblock_suite::DEFAULT_EDITION)
+pub(crate) fn own_edition<'a>(controller: &'a dyn Adapter, suite: &Suite) -> &'a str {
+    named_edition(controller, suite).unwrap_or(gaugeblock_suite::DEFAULT_EDITION)
+}
+
+/// The edition that a controller names. Another suite than the built-in one may be without that of the Grbl family.
+pub(crate) fn named_edition<'a>(controller: &'a dyn Adapter, suite: &Suite) -> Option<&'a str> {
+    let is_there = |id: &&str| *id != Grbl::EDITION || suite.edition(id).is_some();
+    controller.own_edition().filter(is_there)
 }
 
 /// Refuses a controller that names an observed edition which the suite does not have.

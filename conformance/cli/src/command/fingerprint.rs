@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn fingerprint(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let controller = controller::controller(&arguments.controller)?;
-    let own = controller::own_edition(controller.as_ref());
+    let own = controller::own_edition(controller.as_ref(), suite);
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     controller::check_observed_edition(controller.as_ref(), suite)?;
     let options = suite.options(edition);

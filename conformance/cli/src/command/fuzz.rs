@@ -119,7 +119,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     let iut = controller::controller(&arguments.controller)?;
-    let own = controller::own_edition(iut.as_ref());
+    let own = controller::own_edition(iut.as_ref(), suite);
     let edition = crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
     controller::declared_options(iut.as_ref(), suite)?;
     let declared = iut.options();

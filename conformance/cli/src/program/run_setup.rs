@@ -12,7 +12,8 @@ use gaugeblock_vocabulary::{Language, Options, Program, Scenario};
 use super::called_files;
 use super::machine_files::{MachineFiles, fit_to};
 use super::own_name::TOOLPATH;
-use crate::command::{controller, user_files};
+use crate::command::controller::{self, named_edition};
+use crate::command::user_files;
 use crate::documents;
 use crate::error::CliError;
 use crate::streams::write_error;
@@ -20,8 +21,8 @@ use crate::streams::write_error;
 /// How programs are run.
 #[derive(Debug, Args)]
 pub(crate) struct RunSetup {
-    /// Edition of the documents [default: the controller's own: linuxcnc-2.9 for rs274 and linuxcnc, else linuxcnc-2.8;
-    /// gpp2 for a program *.gpp, nct-99m for *.nct]
+    /// Edition of the documents [default: the controller's own: linuxcnc-2.9 for rs274 and linuxcnc, grbl-1.1 for grbl,
+    /// else linuxcnc-2.8; gpp2 for a program *.gpp, nct-99m for *.nct]
     #[arg(long, value_name = "EDITION")]
     edition: Option<String>,
     /// Set the option of a choice or quirk; may be repeated
@@ -46,7 +47,7 @@ impl RunSetup {
         file: &Path,
         controllers: &[&dyn Adapter],
     ) -> Result<Scenario, CliError> {
-        let own = controllers.iter().find_map(|controller| controller.own_edition());
+        let own = controllers.iter().find_map(|controller| named_edition(*controller, suite));
         let by_default = edition_by_name(file).or(own).unwrap_or(DEFAULT_EDITION);
         let edition = documents::edition(suite, self.edition.as_deref().unwrap_or(by_default))?;
         if edition.language != Language::Rs274 && self.edition.is_none() {

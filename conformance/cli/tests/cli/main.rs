@@ -10,6 +10,7 @@ mod deployment;
 mod explain;
 mod extensions;
 mod fuzz;
+mod grbl;
 mod known_issues;
 mod language;
 mod libraries;

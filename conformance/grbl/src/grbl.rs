@@ -1,0 +1,229 @@
+//! The controller as an adapter.
+
+use std::num::NonZero;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError};
+use gaugeblock_compare::Capabilities;
+use gaugeblock_vocabulary::{Outcome, Program, Scenario};
+
+use crate::case::Case;
+use crate::identity::{Identity, LanguageCheck};
+use crate::interrupt::Interrupt;
+use crate::port::Traffic;
+use crate::session::{Limits, Session};
+use crate::setup::{Motion, Setup};
+use crate::supports::supports;
+use crate::words::Words;
+
+/// A controller of the family.
+#[derive(Debug)]
+pub struct Grbl {
+    setup: Setup,
+    limits: Limits,
+    identity: Identity,
+    capabilities: Capabilities,
+    language_check: Option<LanguageCheck>,
+    interrupt: Interrupt,
+    link: Mutex<Link>,
+}
+
+/// The session, if there is one, and the traffic of those before.
+#[derive(Debug)]
+struct Link {
+    session: Option<Session>,
+    before: Traffic,
+}
+
+impl Grbl {
+    /// The edition that describes the family.
+    pub const EDITION: &str = "grbl-1.1";
+
+    /// Connects to a controller, resets it and queries what it is. The first Ctrl-C then ends runs instead of the
+    /// process, so that a machine is stopped and restored.
+    ///
+    /// # Errors
+    /// Nothing answers, it does not belong to the family, or it is locked and may not be unlocked.
+    pub fn open(setup: Setup, limits: Limits) -> Result<Self, ControllerError> {
+        let interrupt = Interrupt::install();
+        let (mut session, welcome) =
+            Session::open(&setup, limits, interrupt.clone()).map_err(ControllerError::Broken)?;
+        let identity = Identity::query(&mut session, &welcome, &setup)?;
+        let capabilities = identity.capabilities(setup.motion);
+        let link = Mutex::new(Link { session: Some(session), before: Traffic::default() });
+        let language_check = None;
+        Ok(Self { setup, limits, identity, capabilities, language_check, interrupt, link })
+    }
+
+    /// Leaves out programs that need a part of the language that the documents of the dialect do not list.
+    #[must_use]
+    pub fn check_language_by(mut self, check: LanguageCheck) -> Self {
+        self.language_check = Some(check);
+        self
+    }
+
+    /// Bytes that went over the link so far.
+    pub fn traffic(&self) -> Traffic {
+        let link = self.link();
+        let now = link.session.as_ref().map(Session::traffic).unwrap_or_default();
+        sum(link.before, now)
+    }
+
+    fn link(&self) -> MutexGuard<'_, Link> {
+        self.link.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Runs the program in a session that is reset, and closes a session whose connection has ended.
+    fn run_in(&self, link: &mut Link, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        let mut session = match link.session.take() {
+            Some(session) => session,
+            None => self.reopen()?,
+        };
+        let run = self.run_guarded(&mut session, scenario);
+        if run.is_err() {
+            session.fail();
+        }
+        if session.is_closed() {
+            link.before = sum(link.before, session.traffic());
+        } else {
+            link.session = Some(session);
+        }
+        run
+    }
+
+    fn reopen(&self) -> Result<Session, HarnessError> {
+        let (mut session, _) = Session::open(&self.setup, self.limits, self.interrupt.clone())?;
+        session.unit = self.identity.unit;
+        Ok(session)
+    }
+
+    /// Runs the program, stops a machine whose run failed, and restores what the program may have written.
+    fn run_guarded(
+        &self,
+        session: &mut Session,
+        scenario: &Scenario,
+    ) -> Result<Outcome, HarnessError> {
+        session.reset()?;
+        session.make_ready(self.setup.unlock)?;
+        let (identity, setup) = (&self.identity, &self.setup);
+        let run = Case { session, identity, setup, scenario }.run();
+        if run.is_err() && self.setup.motion == Motion::Real {
+            // The run's own error says more.
+            let _halted = session.halt();
+        }
+        if !writes_coordinate_system(&scenario.program) {
+            return run;
+        }
+        // The Ctrl-C that ended the run does not end this.
+        let interrupted = self.interrupt.suspend();
+        let restored = self.restore(session);
+        self.interrupt.resume(interrupted);
+        match restored {
+            Ok(()) => run,
+            Err(error) => Err(HarnessError::NotRun(format!(
+                "the coordinate systems could not be restored ({error}); they were {:?}",
+                self.identity.stored
+            ))),
+        }
+    }
+
+    /// Writes back the coordinate systems that differ from those at the start.
+    fn restore(&self, session: &mut Session) -> Result<(), HarnessError> {
+        session.fail();
+        session.reset()?;
+        session.make_ready(self.setup.unlock)?;
+        let refused = || HarnessError::NotRun("`$#` is refused".to_owned());
+        let axes = self.identity.axes();
+        let before = &self.identity.stored;
+        for block in
+            before.blocks_from(&session.stored()?.ok_or_else(refused)?, &axes, self.identity.unit)
+        {
+            session.accepted(&block)?;
+        }
+        let now = session.stored()?.ok_or_else(refused)?;
+        match before.blocks_from(&now, &axes, self.identity.unit).first() {
+            None => Ok(()),
+            Some(block) => Err(HarnessError::NotRun(format!("{block} has no effect"))),
+        }
+    }
+}
+
+impl Adapter for Grbl {
+    fn capabilities(&self) -> &Capabilities {
+        &self.capabilities
+    }
+
+    fn observables(&self, scenario: &Scenario) -> Capabilities {
+        self.identity.observables(&self.capabilities, &scenario.program)
+    }
+
+    fn observables_vary(&self) -> bool {
+        true
+    }
+
+    fn supports(&self, scenario: &Scenario) -> Result<(), String> {
+        supports(scenario, &self.setup)?;
+        match self.language_check {
+            Some(check) => {
+                check(&self.identity.dialect.language(&self.identity.features), scenario)
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn own_edition(&self) -> Option<&str> {
+        Some(Self::EDITION)
+    }
+
+    fn best_jobs(&self) -> Option<NonZero<usize>> {
+        Some(NonZero::<usize>::MIN)
+    }
+
+    fn is_out_of_process(&self) -> bool {
+        true
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if self.setup.motion == Motion::Checked {
+            notes.push(
+                "programs run in check mode: no axis moves, and no position is observable"
+                    .to_owned(),
+            );
+        }
+        if !self.identity.stored.has_zero_systems() {
+            notes.push(
+                "a stored coordinate system is not zero, so that offsets of coordinate systems are not compared"
+                    .to_owned(),
+            );
+        }
+        notes
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        // What is refused here could move or change the machine.
+        supports(scenario, &self.setup).map_err(HarnessError::NotRun)?;
+        self.interrupt.check()?;
+        self.run_in(&mut self.link(), scenario)
+    }
+}
+
+impl Drop for Grbl {
+    /// Leaves check mode.
+    fn drop(&mut self) {
+        let _interrupted = self.interrupt.suspend();
+        let link = self.link.get_mut().unwrap_or_else(PoisonError::into_inner);
+        if let Some(session) = &mut link.session {
+            let _reset = session.halt();
+        }
+    }
+}
+
+fn writes_coordinate_system(program: &Program) -> bool {
+    let mut lines = program.language.lines(&program.main);
+    lines.any(|line| Words::of(line).writes_coordinate_system())
+}
+
+fn sum(one: Traffic, other: Traffic) -> Traffic {
+    Traffic { sent: one.sent + other.sent, received: one.received + other.received }
+}

@@ -1,0 +1,185 @@
+//! What the text of a block may do to the machine. The controller decides what a block means; this only finds what must
+//! not be sent, and what cannot be observed.
+
+/// Characters that a controller picks out of the stream, also in comments, and obeys at once.
+const REAL_TIME: [char; 3] = ['?', '!', '~'];
+
+/// Largest difference, in tenths, of a number that a controller may round to a code.
+const CODE_TOLERANCE: f64 = 0.1;
+
+/// The words of a block.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Words {
+    /// Letters in upper case with their numbers, in order.
+    words: Vec<(char, f64)>,
+    /// Whether something else is in the block: a parameter, an expression, a bad number.
+    pub(crate) has_more: bool,
+    /// Whether the number of a G word is something else: the block can be any code.
+    pub(crate) has_computed_code: bool,
+}
+
+impl Words {
+    /// Reads a block without its comments.
+    pub(crate) fn of(line: &str) -> Self {
+        let text = condense(line);
+        let mut rest = text.strip_prefix('/').unwrap_or(&text);
+        let mut read = Self::default();
+        while let Some(letter) = rest.chars().next() {
+            rest = &rest[letter.len_utf8()..];
+            let end = rest
+                .find(|c: char| !(c.is_ascii_digit() || "+-.".contains(c)))
+                .unwrap_or(rest.len());
+            match rest[..end].parse::<f64>() {
+                Ok(number) if letter.is_ascii_uppercase() => read.words.push((letter, number)),
+                _ => {
+                    read.has_more = true;
+                    read.has_computed_code |= letter == 'G';
+                }
+            }
+            rest = &rest[end..];
+        }
+        read
+    }
+
+    /// Whether the line has only comments and blanks, so that it is not a block.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.words.is_empty() && !self.has_more
+    }
+
+    /// The numbers of a letter.
+    pub(crate) fn numbers(&self, letter: char) -> impl Iterator<Item = f64> {
+        self.words.iter().filter(move |(word, _)| *word == letter).map(|(_, number)| *number)
+    }
+
+    /// Whether the block has one of these codes of a letter, in tenths: 281 for G28.1.
+    pub(crate) fn has(&self, letter: char, codes: &[i32]) -> bool {
+        self.numbers(letter).any(|number| {
+            let tenths = number * 10.0;
+            codes.iter().any(|code| (tenths - f64::from(*code)).abs() < CODE_TOLERANCE)
+        })
+    }
+
+    /// Whether it writes a coordinate system into the EEPROM (G10), by the interface document.
+    pub(crate) fn writes_coordinate_system(&self) -> bool {
+        self.has('G', &[100])
+    }
+
+    /// Whether it writes a reference point into the EEPROM (G28.1, G30.1), by the interface document.
+    pub(crate) fn writes_reference_point(&self) -> bool {
+        self.has('G', &[281, 301])
+    }
+
+    /// Whether it can change an offset, or the unit in which offsets are known.
+    pub(crate) fn may_change_offsets(&self) -> bool {
+        const CODES: [i32; 26] = [
+            70, 80, 100, 200, 210, 280, 281, 300, 301, 430, 431, 432, 490, 540, 550, 560, 570, 580,
+            590, 591, 592, 593, 920, 921, 922, 923,
+        ];
+        self.has_more || self.has('G', &CODES) || self.has('M', &[20, 60, 300, 610])
+    }
+
+    /// Seconds for which the block may wait: P of G4.
+    pub(crate) fn dwell_seconds(&self) -> f64 {
+        if self.has('G', &[40]) { self.numbers('P').fold(0.0, f64::max) } else { 0.0 }
+    }
+}
+
+/// The block without comments and blanks, in upper case, as a controller of the family reads it.
+fn condense(line: &str) -> String {
+    let mut text = String::new();
+    let mut in_comment = false;
+    for c in line.chars() {
+        match c {
+            '(' => in_comment = true,
+            ')' => in_comment = false,
+            ';' if !in_comment => break,
+            _ if in_comment || c.is_whitespace() => {}
+            _ => text.push(c.to_ascii_uppercase()),
+        }
+    }
+    text
+}
+
+/// Whether a line is blank.
+pub(crate) fn is_blank(line: &str) -> bool {
+    line.trim().is_empty()
+}
+
+/// Why a line must not be sent.
+///
+/// # Errors
+/// It has a real-time command, or is a system command.
+pub(crate) fn check_sendable(line: &str) -> Result<(), String> {
+    let is_text = |c: char| c == '\t' || c.is_ascii() && !c.is_ascii_control();
+    if let Some(c) = line.chars().find(|c| !is_text(*c)) {
+        return Err(format!(
+            "the character {} is or contains a real-time command",
+            c.escape_unicode()
+        ));
+    }
+    if let Some(c) = line.chars().find(|c| REAL_TIME.contains(c)) {
+        return Err(format!("the character `{c}` is a real-time command"));
+    }
+    // A system command may follow what a controller leaves out.
+    let rest = condense(line);
+    if rest.trim_start_matches(['/', '%']).starts_with('$') {
+        return Err("a line that begins with `$` is a system command".to_owned());
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_read_without_comments_and_blanks() {
+        let words = Words::of("/ n5 g1 (f9) x1 . 5 f-20.25 ; s3");
+        assert_eq!(words.words, [('N', 5.0), ('G', 1.0), ('X', 1.5), ('F', -20.25)]);
+        assert!(!words.has_more);
+        assert!(Words::of("g1 x#5").has_more && Words::of("g1 x[5]").has_more);
+        assert_eq!(Words::of("(x)"), Words::default());
+    }
+
+    #[test]
+    fn blocks_that_write_the_eeprom_are_found() {
+        assert!(Words::of("G10L2P1X0").writes_coordinate_system());
+        assert!(Words::of("g1 0 l20 p1 x0").writes_coordinate_system());
+        assert!(!Words::of("g1 x10").writes_coordinate_system());
+        for line in ["g28.1", "g 30 .1", "g28.104"] {
+            assert!(Words::of(line).writes_reference_point(), "{line}");
+        }
+        assert!(!Words::of("g28").writes_reference_point());
+        assert!(Words::of("g[10] l2 p1 x0").has_computed_code);
+        assert!(!Words::of("g0 x[10]").has_computed_code);
+    }
+
+    #[test]
+    fn wait_of_a_dwell_is_found() {
+        assert!((Words::of("g4 p2.5").dwell_seconds() - 2.5).abs() < 1e-12);
+        assert!(Words::of("g10 l2 p2").dwell_seconds() < 1e-12);
+    }
+
+    #[test]
+    fn nothing_is_sent_that_acts_besides_the_program() {
+        for line in [
+            "g0 x1 (really?)",
+            "(stop!)",
+            "~",
+            "\u{18}",
+            "g0\u{84}",
+            "(µ)",
+            "$H",
+            " $ H",
+            "(x)$h",
+            "/$H",
+            "%$H",
+            "$J=x1",
+        ] {
+            assert!(check_sendable(line).is_err(), "{line:?}");
+        }
+        for line in ["g0 x1 (a comment, $1)", "m3 $0", "%", "", "\tg0"] {
+            assert_eq!(check_sendable(line), Ok(()), "{line:?}");
+        }
+    }
+}
