@@ -96,7 +96,8 @@ impl Case<'_> {
                     return Ok(false);
                 }
                 Answer::Error(code) => {
-                    let meaning = self.identity.dialect.error(code, &words);
+                    let meaning =
+                        self.identity.dialect.error(code, &words, known.settings.feed_mode);
                     outcome.end = refusal(meaning, &format!("error:{code}"), block)?;
                     return Ok(false);
                 }

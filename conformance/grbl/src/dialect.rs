@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use gaugeblock_adapter::protocol::{CommentKind, DeclaredLanguage, ParameterKind};
-use gaugeblock_vocabulary::FaultKind;
+use gaugeblock_vocabulary::{FaultKind, FeedMode};
 
 use crate::message::Welcome;
 use crate::words::Words;
@@ -57,10 +57,16 @@ impl Dialect {
         }
     }
 
-    /// What `error:N` means after a block with these words.
-    pub(crate) fn error(self, number: u16, block: &Words) -> Meaning {
+    /// What `error:N` means after a block with these words, in the feed mode before it. A block with two errors may be
+    /// refused for either: the documents do not say which is reported.
+    pub(crate) fn error(self, number: u16, block: &Words, before: Option<FeedMode>) -> Meaning {
         let refused = |kind| Meaning::Refused(Some(kind));
         match number {
+            4 | 20 if block.repeats_a_letter() => Meaning::Refused(None),
+            // Two codes that use axis words, and of one group.
+            24 if block.has_two_of_a_group() => Meaning::Refused(None),
+            22 if block.is_in_inverse_time(before) => refused(FaultKind::MissingWord),
+            23 if block.has_code_with_decimals() => refused(FaultKind::UnknownCode),
             1 => refused(FaultKind::BadCharacter),
             2 => refused(FaultKind::BadNumber),
             4 | 27 => refused(FaultKind::WordOutOfRange),
@@ -204,20 +210,40 @@ mod tests {
     fn lock_is_no_fault_of_the_program() {
         let none = Words::default();
         for dialect in [Dialect::Grbl, Dialect::GrblHal] {
-            assert_eq!(dialect.error(9, &none), Meaning::NotReady(LOCKED));
+            assert_eq!(dialect.error(9, &none, None), Meaning::NotReady(LOCKED));
             assert_eq!(dialect.alarm(2), Meaning::Refused(Some(FaultKind::BeyondLimit)));
         }
     }
 
     #[test]
     fn number_means_what_the_dialect_lists() {
-        let none = Words::default();
+        let after =
+            |dialect: Dialect, number, block| dialect.error(number, &Words::of(block), None);
         let kind = |kind| Meaning::Refused(Some(kind));
-        assert_eq!(Dialect::Grbl.error(38, &none), kind(FaultKind::WordOutOfRange));
-        assert_eq!(Dialect::GrblHal.error(38, &none), kind(FaultKind::ToolNotFound));
-        assert_eq!(Dialect::Grbl.error(72, &none), Meaning::Unknown);
-        assert_eq!(Dialect::GrblHal.error(72, &none), kind(FaultKind::DivideByZero));
-        assert_eq!(Dialect::Grbl.error(33, &Words::of("g2x0i1")), kind(FaultKind::BadArc));
-        assert_eq!(Dialect::Grbl.error(33, &Words::of("g38.2x0")), kind(FaultKind::Probe));
+        let (grbl, hal) = (Dialect::Grbl, Dialect::GrblHal);
+        assert_eq!(after(grbl, 38, ""), kind(FaultKind::WordOutOfRange));
+        assert_eq!(after(hal, 38, ""), kind(FaultKind::ToolNotFound));
+        assert_eq!(after(grbl, 72, ""), Meaning::Unknown);
+        assert_eq!(after(hal, 72, ""), kind(FaultKind::DivideByZero));
+        assert_eq!(after(grbl, 33, "g2x0i1"), kind(FaultKind::BadArc));
+        assert_eq!(after(grbl, 33, "g38.2x0"), kind(FaultKind::Probe));
+        assert_eq!(after(grbl, 23, "t1.5"), kind(FaultKind::NotAnInteger));
+        assert_eq!(after(grbl, 23, "g17.5"), kind(FaultKind::UnknownCode));
+        let of_inverse_time =
+            |block| grbl.error(22, &Words::of(block), Some(FeedMode::InverseTime));
+        assert_eq!(after(grbl, 22, "g1x1"), kind(FaultKind::ZeroFeed));
+        assert_eq!(after(grbl, 22, "g93g1x1"), kind(FaultKind::MissingWord));
+        assert_eq!(of_inverse_time("g1x1"), kind(FaultKind::MissingWord));
+        assert_eq!(of_inverse_time("g94g1x1"), kind(FaultKind::ZeroFeed));
+    }
+
+    #[test]
+    fn number_of_a_block_with_two_errors_has_no_kind() {
+        let after = |number, block| Dialect::Grbl.error(number, &Words::of(block), None);
+        for (number, block) in [(20, "d1d2"), (4, "g4p-1p1"), (24, "g28g92x1"), (24, "g49g43.1z1")]
+        {
+            assert_eq!(after(number, block), Meaning::Refused(None), "{block}");
+        }
+        assert_eq!(after(24, "g10l2p1g1x1"), Meaning::Refused(Some(FaultKind::AxisWords)));
     }
 }

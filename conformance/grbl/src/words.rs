@@ -1,8 +1,17 @@
 //! What the text of a block may do to the machine. The controller decides what a block means; this only finds what must
 //! not be sent, and what cannot be observed.
 
+use gaugeblock_vocabulary::FeedMode;
+
 /// Characters that a controller picks out of the stream, also in comments, and obeys at once.
 const REAL_TIME: [char; 3] = ['?', '!', '~'];
+
+/// Codes of which a block may have one, in tenths: motion, once only, tool length.
+const GROUPS: [&[i32]; 3] = [
+    &[0, 10, 20, 30, 382, 383, 384, 385, 800],
+    &[40, 100, 280, 281, 300, 301, 530, 920, 921],
+    &[431, 490],
+];
 
 /// Largest difference, in tenths, of a number that a controller may round to a code.
 const CODE_TOLERANCE: f64 = 0.1;
@@ -76,6 +85,37 @@ impl Words {
             590, 591, 592, 593, 920, 921, 922, 923,
         ];
         self.has_more || self.has('G', &CODES) || self.has('M', &[20, 60, 300, 610])
+    }
+
+    /// Whether a letter other than G and M comes twice.
+    pub(crate) fn repeats_a_letter(&self) -> bool {
+        let letters = self.words.iter().map(|(letter, _)| *letter);
+        let mut letters: Vec<char> = letters.filter(|letter| !"GM".contains(*letter)).collect();
+        letters.sort_unstable();
+        letters.windows(2).any(|two| two[0] == two[1])
+    }
+
+    /// Whether two of its codes are of one group, or one is there twice.
+    pub(crate) fn has_two_of_a_group(&self) -> bool {
+        let of = |group: &[i32]| {
+            let is_one = |number: &f64| {
+                group.iter().any(|code| (number * 10.0 - f64::from(*code)).abs() < CODE_TOLERANCE)
+            };
+            self.numbers('G').filter(is_one).count()
+        };
+        GROUPS.iter().any(|group| of(group) > 1)
+    }
+
+    /// Whether a G or M word has a number with a fraction.
+    pub(crate) fn has_code_with_decimals(&self) -> bool {
+        let mut codes = self.numbers('G').chain(self.numbers('M'));
+        codes.any(|number| number.fract().abs() > 0.0)
+    }
+
+    /// Whether it runs in inverse time: by its own code, or by the mode before it.
+    pub(crate) fn is_in_inverse_time(&self, before: Option<FeedMode>) -> bool {
+        let own = [(930, true), (940, false)].into_iter().find(|(code, _)| self.has('G', &[*code]));
+        own.map_or(before == Some(FeedMode::InverseTime), |(_, is_inverse)| is_inverse)
     }
 
     /// Seconds for which the block may wait: P of G4.

@@ -16,7 +16,7 @@ fn wrong_name_is_refused_with_what_was_expected() {
     for (name, words) in [
         ("grbl:", "missing address"),
         ("grbl:no-such-device", "expected DEVICE"),
-        ("grbl:/dev/null?fast", "expected one of: motion=real"),
+        ("grbl:/dev/null?fast", "expected one of motion=real"),
     ] {
         refused(&["certify", "--controller", name], 2, &[words, "for example"]);
     }
