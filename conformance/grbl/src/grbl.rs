@@ -8,6 +8,7 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Outcome, Program, Scenario};
 
 use crate::case::Case;
+use crate::dialect::Dialect;
 use crate::identity::{Identity, LanguageCheck};
 use crate::interrupt::Interrupt;
 use crate::port::Traffic;
@@ -38,6 +39,9 @@ struct Link {
 impl Grbl {
     /// The edition that describes the family.
     pub const EDITION: &str = "grbl-1.1";
+
+    /// The edition that describes what Grbl 1.1h really does.
+    pub const OBSERVED: &str = "grbl-1.1-observed";
 
     /// Connects to a controller, resets it and queries what it is. The first Ctrl-C then ends runs instead of the
     /// process, so that a machine is stopped and restored.
@@ -173,6 +177,10 @@ impl Adapter for Grbl {
 
     fn own_edition(&self) -> Option<&str> {
         Some(Self::EDITION)
+    }
+
+    fn observed_edition(&self) -> Option<&str> {
+        (self.identity.dialect == Dialect::Grbl).then_some(Self::OBSERVED)
     }
 
     fn best_jobs(&self) -> Option<NonZero<usize>> {

@@ -83,13 +83,13 @@ fn block(words: &Words, setup: &Setup) -> Result<(), String> {
         return Err("G10 writes the EEPROM; permit it with the option `eeprom=restore`".to_owned());
     }
     if words.has_computed_code {
-        return Err("a code that is computed could write the EEPROM".to_owned());
+        return Err("a code that is computed or too large could write the EEPROM".to_owned());
     }
     if words.writes_reference_point() {
         return Err("G28.1 and G30.1 write the EEPROM, and only motion could restore it".to_owned());
     }
     match setup.motion {
-        Motion::Checked if words.has('M', &[0, 600]) => {
+        Motion::Checked if words.may_pause() => {
             Err("check mode does not pause at M0 and M60".to_owned())
         }
         Motion::Checked if words.has('G', &[382, 383, 384, 385]) => {

@@ -13,6 +13,9 @@ const GROUPS: [&[i32]; 3] = [
     &[431, 490],
 ];
 
+/// From here on a controller that calculates in single precision leaves digits out.
+const SINGLE_EXACT: f64 = 16_777_216.0;
+
 /// Largest difference, in tenths, of a number that a controller may round to a code.
 const CODE_TOLERANCE: f64 = 0.1;
 
@@ -23,7 +26,7 @@ pub(crate) struct Words {
     words: Vec<(char, f64)>,
     /// Whether something else is in the block: a parameter, an expression, a bad number.
     pub(crate) has_more: bool,
-    /// Whether the number of a G word is something else: the block can be any code.
+    /// Whether the number of a G word is something else, or too long to be exact: the block can be any code.
     pub(crate) has_computed_code: bool,
 }
 
@@ -39,7 +42,10 @@ impl Words {
                 .find(|c: char| !(c.is_ascii_digit() || "+-.".contains(c)))
                 .unwrap_or(rest.len());
             match rest[..end].parse::<f64>() {
-                Ok(number) if letter.is_ascii_uppercase() => read.words.push((letter, number)),
+                Ok(number) if letter.is_ascii_uppercase() => {
+                    read.has_computed_code |= letter == 'G' && number.abs() >= SINGLE_EXACT;
+                    read.words.push((letter, number));
+                }
                 _ => {
                     read.has_more = true;
                     read.has_computed_code |= letter == 'G';
@@ -68,14 +74,28 @@ impl Words {
         })
     }
 
-    /// Whether it writes a coordinate system into the EEPROM (G10), by the interface document.
+    /// Whether it writes a coordinate system into the EEPROM (G10), by the interface document. A controller may keep
+    /// eight bits of a number: G65546 is G10 then.
     pub(crate) fn writes_coordinate_system(&self) -> bool {
-        self.has('G', &[100])
+        self.has_folded('G', &[100])
     }
 
     /// Whether it writes a reference point into the EEPROM (G28.1, G30.1), by the interface document.
     pub(crate) fn writes_reference_point(&self) -> bool {
-        self.has('G', &[281, 301])
+        self.has_folded('G', &[281, 301])
+    }
+
+    /// Whether it can pause the program: M0, M60, or an M number too long to be exact.
+    pub(crate) fn may_pause(&self) -> bool {
+        let is_inexact = |number: f64| number.abs() >= SINGLE_EXACT;
+        self.has_folded('M', &[0, 600]) || self.numbers('M').any(is_inexact)
+    }
+
+    /// Whether it has one of these codes of a letter, in tenths, in the last eight bits of a number.
+    fn has_folded(&self, letter: char, codes: &[i32]) -> bool {
+        let folded = self.numbers(letter).map(|number| (letter, number % 256.0));
+        let folded = Self { words: folded.collect(), ..Self::default() };
+        folded.has(letter, codes)
     }
 
     /// Whether it can change an offset, or the unit in which offsets are known.
@@ -191,7 +211,19 @@ mod tests {
         }
         assert!(!Words::of("g28").writes_reference_point());
         assert!(Words::of("g[10] l2 p1 x0").has_computed_code);
+        assert!(Words::of("g65546 l2 p1 x0").writes_coordinate_system());
+        assert!(Words::of("g266 l2 p1 x0").writes_coordinate_system());
+        assert!(Words::of("g16412.1").writes_reference_point());
+        assert!(Words::of("g4294967306 l2 p1 x0").has_computed_code);
         assert!(!Words::of("g0 x[10]").has_computed_code);
+    }
+
+    #[test]
+    fn codes_that_can_pause_are_found() {
+        for line in ["m0", "g1 x1 m60", "m256", "m4294967298"] {
+            assert!(Words::of(line).may_pause(), "{line}");
+        }
+        assert!(!Words::of("m1 m3").may_pause() && !Words::of("m30").may_pause());
     }
 
     #[test]

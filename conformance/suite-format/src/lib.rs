@@ -72,6 +72,7 @@ impl Suite {
         suite.rules.sort_by(|a, b| a.id.cmp(&b.id));
         suite.choices.sort_by(|a, b| a.id.cmp(&b.id));
         suite.motion_choices.sort_by(|a, b| a.id.cmp(&b.id));
+        suite.hand_down_languages();
         suite.expand_grids(&mut errors);
         suite.resolve_needs(&mut errors);
         suite.leave_out_undocumented();

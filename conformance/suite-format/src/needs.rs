@@ -8,6 +8,19 @@ use crate::{Edition, Rule, Suite, scenario_of};
 type WithOptions<'a> = (&'a Edition, Options);
 
 impl Suite {
+    /// Gives each edition the part of the language that its base has, unless it names its own.
+    pub(crate) fn hand_down_languages(&mut self) {
+        for place in 0..self.editions.len() {
+            let base = self.editions[place].base.clone();
+            let Some(base) = base.and_then(|id| self.edition(&id).cloned()) else { continue };
+            let edition = &mut self.editions[place];
+            edition.documented_only |= base.documented_only;
+            if edition.has.is_none() {
+                edition.has = base.has;
+            }
+        }
+    }
+
     /// Limits each case that needs an option to the editions of its language with that option.
     pub(crate) fn resolve_needs(&mut self, errors: &mut Vec<String>) {
         let mut rules = std::mem::take(&mut self.rules);

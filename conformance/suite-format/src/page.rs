@@ -375,10 +375,10 @@ pub struct Edition {
     /// Options that differ from its base's.
     #[serde(default)]
     pub options: BTreeMap<String, String>,
-    /// Whether a rule exists only if one of its sources is in one of the documents.
+    /// Whether a rule exists only if one of its sources is in one of the documents; so too if its base says so.
     #[serde(default)]
     pub documented_only: bool,
-    /// The part of the language that its documents have; no case needs more.
+    /// The part of the language that its documents have, or else its base's; no case needs more.
     #[serde(default)]
     pub has: Option<DeclaredLanguage>,
 }

@@ -20,7 +20,7 @@
 //! and the model still says what every document says.
 
 mod deviations;
-mod linuxcnc;
+mod observed;
 #[macro_use]
 mod page;
 pub mod quirk;
@@ -28,7 +28,7 @@ pub mod quirk;
 use crate::Choices;
 use crate::rs274::dialect::{Dialect, Documented};
 pub(crate) use deviations::{Deviations, accepts_options, unknown};
-pub(crate) use linuxcnc::{ControlMemory, Memory, ModalMemory, SourceMemory};
+pub(crate) use observed::{ControlMemory, Memory, ModalMemory, SourceMemory};
 pub use page::Quirk;
 pub(crate) use quirk::{CHAPTERS as ID_CHAPTERS, COUNT as ID_COUNT};
 
@@ -37,6 +37,6 @@ impl Choices {
     pub(crate) fn dialect(&self) -> &'static dyn Dialect {
         // Without a quirk it follows the documents, and records what it consults.
         let has_dialect = self.deviations.any() || self.consulted.is_some();
-        if has_dialect { &linuxcnc::LinuxCnc } else { &Documented }
+        if has_dialect { &observed::Observed } else { &Documented }
     }
 }

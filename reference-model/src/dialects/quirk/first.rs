@@ -1,7 +1,8 @@
 //! The number of the first quirk of each chapter; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
 
-pub(super) const LINUXCNC: u16 = 0;
-pub(super) const RS274: u16 = 24;
+pub(super) const GRBL: u16 = 0;
+pub(super) const LINUXCNC: u16 = 7;
+pub(super) const RS274: u16 = 31;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 179;
+pub(crate) const COUNT: u16 = 186;

@@ -52,6 +52,8 @@ fn by_hundredths(
     let hundredths = (100.0 * (value - whole)).round();
     let whole = math::near_integer(whole).unwrap_or(i64::MAX);
     let hundredths = math::near_integer(hundredths).unwrap_or(i64::MAX);
+    let parts = (whole, hundredths);
+    let (whole, hundredths) = state.dialect().parts_of_code(word.letter, parts, &state.choices);
     let is_g = word.letter == 'g';
     let is_code = hundredths == 0 || is_g && has_hundredths(whole, hundredths);
     let letter = word.letter.to_ascii_uppercase();

@@ -109,6 +109,16 @@ pub(crate) trait EvaluationRules {
         math::near_integer(tenfold)
     }
 
+    /// Rule modal-groups.code-decimals. The whole part of the number of a code, and its hundredths.
+    fn parts_of_code(
+        &self,
+        _letter: char,
+        (whole, hundredths): (i64, i64),
+        _choices: &Choices,
+    ) -> (i64, i64) {
+        (whole, hundredths)
+    }
+
     /// Rule parameters.position. Whether a parameter can be read now: any can.
     fn check_readable(&self, _name: &Name, _state: &State) -> Result<(), StepError> {
         Ok(())

@@ -202,6 +202,18 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
 
 /// Operations on arcs that a dialect can replace.
 pub(crate) trait ArcRules {
+    /// Rule arcs.radius-same-point. Whether an arc with a radius ends where it starts: in its plane. `start` and `end` are
+    /// points, `axes` those of the plane.
+    fn ends_where_it_starts(
+        &self,
+        start: Position,
+        end: Position,
+        axes: Axes,
+        _state: &State,
+    ) -> bool {
+        axes.in_plane(start) == axes.in_plane(end)
+    }
+
     /// The tolerances for the difference between the radius at the start and the radius at the end, active length unit.
     /// The first one applies to every arc, the second one if the difference is more than a thousandth of the radius.
     ///
@@ -356,8 +368,9 @@ fn centre_of_radius(
         return Err(refuse(rule::arcs::RADIUS_NEEDS_AXIS, FaultKind::MissingWord, message));
     }
     state.coverage.accepted(rule::arcs::RADIUS_NEEDS_AXIS);
+    let ends = state.dialect().ends_where_it_starts(state.position, end, axes, state);
     let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
-    if start == end {
+    if ends {
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));
     }

@@ -39,6 +39,11 @@ pub(crate) trait OffsetRules {
         word(words, 'p')
     }
 
+    /// Rule offsets.set-needs-kind. L of G10 is an integer.
+    fn offset_kind(&self, value: f64, _state: &State) -> Option<i32> {
+        whole(value)
+    }
+
     /// Rule offsets.set-immediate. A system in force that G10 L2 has set, and can have turned, is read again.
     fn reload_turned_system(&self, state: &mut State) {
         reload(state);
@@ -115,7 +120,7 @@ pub fn change(words: &Words, state: &mut State, record: &mut Record) -> Result<(
 
 /// G10.
 fn set(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
-    match kind(words)? {
+    match kind(words, state)? {
         0 => tool_table::reload(state),
         1 => tool_table::set(Values::Offsets, words, state, record),
         10 => tool_table::set(Values::Coordinates, words, state, record),
@@ -212,12 +217,12 @@ fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
 }
 
 /// Rule offsets.set-needs-kind. L says what G10 sets.
-fn kind(words: &Words) -> Result<i32, StepError> {
+fn kind(words: &Words, state: &State) -> Result<i32, StepError> {
     let rule = rule::offsets::SET_NEEDS_KIND;
     let Some(kind) = word(words, 'l') else {
         return Err(refuse(rule, FaultKind::MissingWord, "G10 needs L"));
     };
-    match whole(kind) {
+    match state.dialect().offset_kind(kind, state) {
         Some(kind @ (0 | 1 | 2 | 10 | 11 | 20)) => Ok(kind),
         _ => Err(refuse(rule, FaultKind::WordOutOfRange, format!("there is no G10 L{kind}"))),
     }

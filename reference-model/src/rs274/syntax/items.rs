@@ -35,6 +35,11 @@ pub(crate) trait SyntaxRules {
         true
     }
 
+    /// Choice text.greatest-line-number. Whether a line number is above the greatest: it is if above 9,999,999.
+    fn is_above_greatest_line_number(&self, number: f64, _choices: &Choices) -> bool {
+        number > GREATEST_LINE_NUMBER
+    }
+
     /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
     /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
     fn active_comment(&self, mut comments: Vec<Comment>, _choices: &Choices) -> Option<Comment> {
@@ -123,7 +128,9 @@ impl Parser<'_> {
             number = format!("{number}.{second}");
         }
         let is_bounded = self.choices.is(choice::text::GreatestLineNumber::SevenDigits);
-        if is_bounded && number.parse::<f64>().is_ok_and(|number| number > GREATEST_LINE_NUMBER) {
+        let dialect = self.choices.dialect();
+        let is_above = |number: f64| dialect.is_above_greatest_line_number(number, self.choices);
+        if is_bounded && number.parse::<f64>().is_ok_and(is_above) {
             let message = "a line number above 9999999 ends";
             return Err(self.refuse(
                 rule::text::GREATEST_LINE_NUMBER,

@@ -1,0 +1,17 @@
+//! Quirks of the modes before the first block.
+
+use super::{HasQuirk, Observed};
+use crate::Choices;
+use crate::dialects::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::modes::ModesRules;
+
+impl ModesRules for Observed {
+    /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch.
+    fn initial_blend_tolerance(&self, choices: &Choices) -> f64 {
+        if choices.has_quirk(quirk::linuxcnc::INITIAL_TOLERANCE) {
+            return 0.0254;
+        }
+        Documented.initial_blend_tolerance(choices)
+    }
+}

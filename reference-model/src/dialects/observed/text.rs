@@ -1,0 +1,104 @@
+//! Quirks of reading text and lines.
+
+use gaugeblock_vocabulary::FaultKind;
+
+use super::{HasQuirk, Observed};
+use crate::Choices;
+use crate::dialects::quirk;
+use crate::rs274::dialect::Documented;
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+use crate::rs274::syntax::{Comment, Parser, SyntaxRules};
+use crate::rs274::text::{Line, Source, TextRules, within};
+
+impl TextRules for Observed {
+    /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
+    fn check_line_length(&self, line: &str, choices: &Choices) -> Result<(), StepError> {
+        if choices.has_quirk(quirk::rs274::SHORTER_LINES) {
+            return within(252, line.len());
+        }
+        Documented.check_line_length(line, choices)
+    }
+
+    /// Quirk rs274.lone-return. A carriage return alone does not end a line.
+    fn with_line_feeds(&self, text: &str, choices: &Choices) -> String {
+        if choices.has_quirk(quirk::rs274::LONE_RETURN) {
+            return text.replace("\r\n", "\n");
+        }
+        Documented.with_line_feeds(text, choices)
+    }
+
+    /// Quirk rs274.percent-in-file. If the main program has no percent lines, those of a called file have no meaning.
+    fn percent_line<'a>(&self, line: &'a str, source: &Source, state: &mut State) -> Line<'a> {
+        if source.memory.ignores_percent {
+            return Line::Block(line);
+        }
+        Documented.percent_line(line, source, state)
+    }
+
+    /// Quirk rs274.percent-in-file. If the main program begins with a percent line, the first percent line of a called
+    /// file ends that file.
+    fn begin_called_file(&self, called: &mut Source, main: &Source, choices: &Choices) {
+        if !choices.has_quirk(quirk::rs274::PERCENT_IN_FILE) {
+            return Documented.begin_called_file(called, main, choices);
+        }
+        called.first = 0;
+        called.percent = main.percent;
+        called.memory.ignores_percent = !main.percent;
+    }
+}
+
+impl SyntaxRules for Observed {
+    /// Quirk grbl.line-number-limit. The greatest is 10,000,000, and what 32 bits do not hold is not above it.
+    fn is_above_greatest_line_number(&self, number: f64, choices: &Choices) -> bool {
+        if choices.has_quirk(quirk::grbl::LINE_NUMBER_LIMIT) {
+            return number >= 10_000_001.0 && number <= f64::from(u32::MAX);
+        }
+        Documented.is_above_greatest_line_number(number, choices)
+    }
+
+    /// Quirk rs274.comment-before-o-word. A comment at the beginning of a block is followed by neither an O-word nor
+    /// M98.
+    fn check_after_comment(&self, parser: &Parser<'_>) -> Result<(), StepError> {
+        if !parser.choices.has_quirk(quirk::rs274::COMMENT_BEFORE_O_WORD) {
+            return Documented.check_after_comment(parser);
+        }
+        let is_number = |next: char| next.is_numeric();
+        let calls = parser.sees("m98") && !parser.peek_after(3).is_some_and(is_number);
+        let (kind, message) = match parser.peek() {
+            Some('o') => (FaultKind::BadCharacter, "an O-word after a comment"),
+            Some('m') if calls => (FaultKind::UnknownCode, "M98 after a comment"),
+            _ => return Ok(()),
+        };
+        Err(parser.refuse(quirk::rs274::COMMENT_BEFORE_O_WORD, kind, message))
+    }
+
+    /// Quirk rs274.comment-before-o-word. An O-word after a comment is refused.
+    fn o_word_may_follow_comment(&self, choices: &Choices) -> bool {
+        !choices.has_quirk(quirk::rs274::COMMENT_BEFORE_O_WORD)
+    }
+
+    /// Quirk rs274.semicolon-plain. Only the last comment in parentheses can be active. A semicolon comment is never
+    /// active, and does not make an active comment before it inactive.
+    fn active_comment(&self, comments: Vec<Comment>, choices: &Choices) -> Option<Comment> {
+        if choices.has_quirk(quirk::rs274::SEMICOLON_PLAIN) {
+            return comments.into_iter().rfind(|comment| !comment.semicolon);
+        }
+        Documented.active_comment(comments, choices)
+    }
+
+    /// Quirk rs274.repeated-signs. A number may have any number of signs; each further minus sign negates.
+    fn second_sign_is_allowed(&self, choices: &Choices) -> bool {
+        choices.has_quirk(quirk::rs274::REPEATED_SIGNS)
+    }
+
+    /// Quirk rs274.empty-name. A named parameter may have no name.
+    fn empty_name_is_allowed(&self, choices: &Choices) -> bool {
+        choices.has_quirk(quirk::rs274::EMPTY_NAME)
+    }
+
+    /// Quirk rs274.exists-numbered. EXISTS of a numbered parameter is accepted.
+    fn exists_takes_numbered(&self, choices: &Choices) -> bool {
+        choices.has_quirk(quirk::rs274::EXISTS_NUMBERED)
+    }
+}
