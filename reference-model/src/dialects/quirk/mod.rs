@@ -8,8 +8,5 @@ pub mod rs274;
 pub(crate) use first::COUNT;
 
 /// The ids of each chapter, in the order of their numbers.
-pub(crate) const CHAPTERS: &[&[&str]] = &[
-    grbl::CHAPTER_IDS,
-    linuxcnc::CHAPTER_IDS,
-    rs274::CHAPTER_IDS,
-];
+pub(crate) const CHAPTERS: &[&[&str]] =
+    &[grbl::CHAPTER_IDS, linuxcnc::CHAPTER_IDS, rs274::CHAPTER_IDS];

@@ -325,7 +325,11 @@ impl Control {
     }
 
     /// Rule control.break. It leaves the loop at once.
+    ///
+    /// Choice control.ended-label. Under one option a label still points to a loop that has ended. The documents do not
+    /// say where a break of such a loop goes if an end of it follows.
     pub(super) fn break_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
+        self.not_after_its_end(label, true, state)?;
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         let left = state.frame_mut().open.split_off(place);
@@ -333,6 +337,35 @@ impl Control {
             state.coverage.accepted(rule::control::BREAK_IN_REPEAT);
         }
         state.dialect().leave_by_break(self, left, state)
+    }
+
+    /// Choice control.ended-label. A break or continue may name a loop that has ended, which the documents do not
+    /// describe. With `to_end` that matters only where an end of the loop follows.
+    ///
+    /// Choice control.skipped-definition: whether a loop that was skipped counts, too.
+    fn not_after_its_end(
+        &self,
+        label: &str,
+        to_end: bool,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        let followed = state.choices.is(choice::control::EndedLabel::Followed);
+        if !followed || state.frame().find_open(label, |_| true).is_some() {
+            return Ok(());
+        }
+        let is_loop = |keyword: Keyword| matches!(keyword, Keyword::While | Keyword::Do);
+        let ended = state.frame().ended_loops.get(label).is_some_and(|(head, _)| is_loop(*head));
+        let counts = state.choices.is(choice::control::SkippedDefinition::Counts);
+        let in_text = || self.definitions(label).iter().any(|it| is_loop(it.keyword));
+        if !ended && !(counts && in_text()) {
+            return Ok(());
+        }
+        let ends = [Keyword::EndWhile, Keyword::While];
+        if to_end && self.find(label, &ends, self.place.line, state).is_none() {
+            return Ok(());
+        }
+        let why = format!("{} is named after its end", o_word(label));
+        Err(StepError::Unspecified(why))
     }
 
     /// A break or continue is inside the loop that it names. It is reached after the end of that loop only if a skipped
@@ -369,14 +402,7 @@ impl Control {
     /// Choice control.ended-label. Under one option a label still points to a loop that has ended. The documents do not
     /// say whether the condition of such a loop is tested again.
     pub(super) fn continue_(&mut self, label: &str, state: &mut State) -> Result<Next, StepError> {
-        let ended = state.frame().ended_loops.get(label);
-        let ended =
-            ended.is_some_and(|(keyword, _)| matches!(keyword, Keyword::While | Keyword::Do));
-        let open = state.frame().find_open(label, |_| true).is_some();
-        if ended && !open && state.choices.is(choice::control::EndedLabel::Followed) {
-            let why = format!("{} is named after its end", o_word(label));
-            return Err(StepError::Unspecified(why));
-        }
+        self.not_after_its_end(label, false, state)?;
         let (place, structure, first) = self.loop_of(label, state)?;
         self.within(label, structure, first, state)?;
         state.frame_mut().open.truncate(place + 1);

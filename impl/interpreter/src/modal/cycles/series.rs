@@ -55,12 +55,6 @@ impl MotionSeries {
         }
     }
 
-    /// Begins a series of cycles with a code that has no sticky words, unless one is under way.
-    pub(super) fn with_cycle(&self, motion: Motion, position: Coordinates) -> Self {
-        let start = self.cycle_series(motion, position).start;
-        Self { start: Some(start), ..Self::default() }
-    }
-
     /// The series after a spline.
     pub(in super::super) fn of_spline(cubic: bool) -> Self {
         Self { cubic, ..Self::default() }

@@ -15,6 +15,7 @@ use super::super::motion_codes::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::{integer, integer_in, not_negative};
 use super::pending::Job;
+use super::series::MotionSeries;
 use super::threading::{PassStep, Threading};
 
 impl Modal {
@@ -35,7 +36,8 @@ impl Modal {
         }
         let spindle = spindles.trailing_zeros();
         let threading = self.threading(words, spindle)?;
-        self.series = self.series.with_cycle(self.motion, self.position);
+        // 11.5.61: a row of canned cycles ends with any other motion.
+        self.series = MotionSeries::default();
         self.motion = mode_of(760);
         self.begin_job(words.line, Job::Threading(threading));
         Ok(())
