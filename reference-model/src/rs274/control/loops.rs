@@ -357,7 +357,8 @@ impl Control {
         let ended = state.frame().ended_loops.get(label).is_some_and(|(head, _)| is_loop(*head));
         let counts = state.choices.is(choice::control::SkippedDefinition::Counts);
         let in_text = || self.definitions(label).iter().any(|it| is_loop(it.keyword));
-        if !ended && !(counts && in_text()) {
+        let is_named = ended || counts && in_text();
+        if !is_named {
             return Ok(());
         }
         let ends = [Keyword::EndWhile, Keyword::While];
