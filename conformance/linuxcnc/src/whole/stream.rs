@@ -134,6 +134,9 @@ const NOISE: &[&str] = &[
     "Issuing ",
 ];
 
+/// What real time prints on a busy machine, at any moment.
+const LATE: &str = "Unexpected realtime delay";
+
 /// Reads the whole output of a run.
 ///
 /// # Errors
@@ -150,6 +153,14 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
     // What goes to the error channel is printed besides.
     let messages: Vec<&str> =
         report.iter().filter_map(|report| report.get("message").and_then(Value::as_str)).collect();
+    // Real time prints its errors at any moment, while a block is executed, too.
+    let is_error = |report: &&Value| report.get("error").and_then(Value::as_bool) == Some(true);
+    let errors: Vec<&str> = report
+        .iter()
+        .filter(is_error)
+        .filter_map(|report| report.get("message").and_then(Value::as_str))
+        .map(str::trim_end)
+        .collect();
     for line in lines {
         if let Some(report) = line.strip_prefix(MARK) {
             let report: Value =
@@ -172,10 +183,11 @@ pub(super) fn items(lines: &[String], plan: &Plan) -> Result<Vec<Item>, HarnessE
         } else if refusal.as_ref() == Some(line) {
             // What the interpreter refuses is printed twice.
             refusal = None;
-        } else if !NOISE.iter().any(|start| line.starts_with(start)) {
-            if executing {
+        } else if !NOISE.iter().any(|start| line.starts_with(start)) && !line.contains(LATE) {
+            if executing && !errors.contains(&line.trim_end()) {
                 items.push(Item::Text(line.clone()));
-            } else if !line.trim().is_empty()
+            } else if !executing
+                && !line.trim().is_empty()
                 && !is_remark(line)
                 && !messages.contains(&line.as_str())
             {
@@ -288,6 +300,27 @@ mod tests {
         assert_eq!(issued.number(1).map(f64::to_bits), Ok(2.5_f64.to_bits()));
         assert_eq!((issued.whole(0), issued.whole(3)), (Ok(1), Ok(1)));
         assert!(issued.whole(1).is_err());
+    }
+
+    #[test]
+    fn error_that_is_printed_while_a_block_is_executed_is_no_text_of_the_program() {
+        let plan = Plan {
+            marker: "@mark@".to_owned(),
+            parameters: Vec::new(),
+            marks: None,
+            parallel_axes: false,
+        };
+        let lines = [
+            "emcTaskPlanCommand((print,hello)) called. (line_number=1)",
+            "hello",
+            "RTAPI: ERROR: Unexpected realtime delay on task 0 with period 1000000",
+            "ERROR: index out of range, 8 not in [0..8]",
+            "emcTaskPlanExecute(0) returned 0",
+            r#"@gaugeblock@ {"message": "ERROR: index out of range, 8 not in [0..8]\n", "error": true}"#,
+        ];
+        let items = items(&lines.map(str::to_owned), &plan).expect("lines that are understood");
+        let texts: Vec<_> = items.iter().filter(|item| matches!(item, Item::Text(_))).collect();
+        assert_eq!(texts, [&Item::Text("hello".to_owned())]);
     }
 
     #[test]
