@@ -96,7 +96,13 @@ fn list(kind: &str, chapters: &BTreeMap<&str, Vec<Page<'_>>>) -> String {
         let _ = writeln!(text, "{line}");
         return text;
     }
-    let _ = writeln!(text, "pub(crate) const CHAPTERS: &[&[{content}]] = &[");
+    let _ = write!(text, "pub(crate) const CHAPTERS: &[&[{content}]] =");
+    let list = format!("    &[{}];", tables.join(", "));
+    if list.len() <= CODE_WIDTH {
+        let _ = writeln!(text, "\n{list}");
+        return text;
+    }
+    text.push_str(" &[\n");
     for table in tables {
         let _ = writeln!(text, "    {table},");
     }
