@@ -6,7 +6,7 @@ use gaugeblock_vocabulary::FeedMode;
 /// Characters that a controller picks out of the stream, also in comments, and obeys at once.
 const REAL_TIME: [char; 3] = ['?', '!', '~'];
 
-/// Codes of which a block may have one, in tenths: motion, once only, tool length.
+/// The modal groups of motion, non-modal codes and tool length: at most one code of each in a block. In tenths.
 const GROUPS: [&[i32]; 3] = [
     &[0, 10, 20, 30, 382, 383, 384, 385, 800],
     &[40, 100, 280, 281, 300, 301, 530, 920, 921],
@@ -115,7 +115,7 @@ impl Words {
         letters.windows(2).any(|two| two[0] == two[1])
     }
 
-    /// Whether two of its codes are of one group, or one is there twice.
+    /// Whether two of its codes are of one group, or one is repeated.
     pub(crate) fn has_two_of_a_group(&self) -> bool {
         let of = |group: &[i32]| {
             let is_one = |number: &f64| {

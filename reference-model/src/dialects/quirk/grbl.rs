@@ -12,7 +12,7 @@ quirks! {
     /// Of L of G10 the whole part counts, and of that eight bits.
     OFFSET_KIND_CUT = "grbl.offset-kind-cut",
     /// An arc with a radius may end where it starts in its plane if the third coordinate changes; its centre
-    /// is not a number.
+    /// is undefined.
     RADIUS_HELIX = "grbl.radius-helix",
     /// G10 L2 and L20 without P set the active coordinate system.
     SET_WITHOUT_NUMBER = "grbl.set-without-number",

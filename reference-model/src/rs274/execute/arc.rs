@@ -202,8 +202,7 @@ fn distance(from: InPlane, to: InPlane) -> f64 {
 
 /// Operations on arcs that a dialect can replace.
 pub(crate) trait ArcRules {
-    /// Rule arcs.radius-same-point. Whether an arc with a radius ends where it starts: in its plane. `start` and `end` are
-    /// points, `axes` those of the plane.
+    /// Rule arcs.radius-same-point. Whether an arc with a radius ends where it starts, in the plane of `axes`.
     fn ends_where_it_starts(
         &self,
         start: Position,
