@@ -5,17 +5,17 @@ use crate::math;
 use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
+use crate::round_corner::{ROUND_CHANGE_MIN, RoundCorner};
 use crate::segment::PathControl;
+use crate::tangent_break::TangentBreak;
 use crate::vector::{norm, norm_of};
 
 /// From this change of direction on, an exact path stops at the corner.
 const EXACT_PATH_BREAK_MAX_RAD: f64 = 0.05;
-/// How many times the speed of a tangent break is bisected.
-const SPEED_BISECTIONS: u32 = 12;
-/// The share of an arc's acceleration that a tangent break next to it may use. The whole arc is slower for it.
-const ARC_BREAK_USE_RATIO: f64 = 0.075;
-/// The share of the acceleration that a blend may cost where its length is free.
+/// The share of the acceleration that a blend may cost where its length is free, and where a longer one costs time. An
+/// override of 2 takes four times as much.
 const BLEND_ACCELERATION_RATIO: f64 = 0.05;
+const SLOW_BLEND_ACCELERATION_RATIO: f64 = 0.2;
 /// The spindle speed, in revolutions per second, that decides how long a blend with a rapid move is. The real speed is
 /// not known when the blend is made; up to four times as much costs nothing.
 const ASSUMED_SPINDLE_SPEED: f64 = 10.0;
@@ -29,8 +29,11 @@ const FLAT_BLEND_ANGLE_MAX_RAD: f64 = 0.2;
 const SPLIT_BLEND_CYCLES_MIN: f64 = 4.0;
 /// Two feeds are unequal, where that decides the length of a blend, if the squared speeds have at most this ratio.
 const UNEQUAL_FEED_RATIO_MAX: f64 = 0.9;
-/// For how many cycles a segment must last for that, at its own speed or at the other one's.
+/// Rounding of the ratio of the path that the feed is measured along to the length.
+const FEED_PATH_RATIO_ROUNDING: f64 = 1e-9;
+/// For how many cycles a segment must last for that: at its own speed or at the other one's, or at the blend's.
 const UNEQUAL_FEED_CYCLES_MIN: f64 = 0.25;
+const SLOW_BLEND_CYCLES_MIN: f64 = 2.0;
 /// How unequal the two sides of a parabola may be. Beyond, a line remains on the longer side. A feed limit makes the
 /// parabola slower by this ratio, but chords with rounded ends are never quite equal, and the remaining lines would
 /// fill a cycle with tiny elements.
@@ -45,11 +48,12 @@ pub(crate) enum Corner {
     Smooth,
     /// The path is exact, and its direction changes so little that the motion need not stop.
     TangentBreak(TangentBreak),
-    /// A blend may use up to `most` of each segment, and with `half` at most half of each.
-    Blend { most: f64, half: bool },
+    /// A blend may use up to `most` of each segment, and with `half` at most half of each. It may also be round.
+    Blend { most: f64, half: bool, may_be_round: bool },
 }
 
 /// The change of the unit tangent from one segment to the next.
+#[inline]
 pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) -> Axes {
     let mut change = after.start_tangent;
     for (change, before) in change.iter_mut().zip(&before.end_tangent) {
@@ -59,12 +63,13 @@ pub(crate) fn tangent_change(before: &NominalSegment, after: &NominalSegment) ->
 }
 
 impl Corner {
-    /// The corner between two segments. A parabola that uses d of both segments misses the corner by d·|change|/4, and
-    /// so does a blended arc.
+    /// The corner between two segments; writes `round` if it may be round. A parabola that uses d of both segments
+    /// misses the corner by d·|change|/4, and so does a blended arc.
     #[inline]
     pub(crate) fn between(
         before: &NominalSegment,
         after: &NominalSegment,
+        round: &mut RoundCorner,
         limits: &Limits,
     ) -> Self {
         let blend = stricter(before.path_control, after.path_control);
@@ -91,14 +96,12 @@ impl Corner {
                 ((one - before.merge_deviation).min(other - after.merge_deviation), false)
             }
             (PathControl::Within(tolerance), PathControl::BetweenMidpoints)
-            | (PathControl::BetweenMidpoints, PathControl::Within(tolerance)) => (tolerance, true),
+            | (PathControl::BetweenMidpoints, PathControl::Within(tolerance)) => {
+                (tolerance - before.merge_deviation - after.merge_deviation, true)
+            }
             (PathControl::Within(tolerance), _) => (tolerance, false),
             (PathControl::BetweenMidpoints, _) => (f64::INFINITY, true),
         };
-        // A blend between midpoints refers to the midpoints of programmed segments, not of merged ones.
-        if half && (before.is_merged || after.is_merged) {
-            return Self::Stop;
-        }
         // A blend has one feed. Feeds per second and per revolution cannot be compared in advance.
         let bases = [before.whole.feed_basis, after.whole.feed_basis];
         if bases.contains(&FeedBasis::PerTurn) && bases.contains(&FeedBasis::PerSecond) {
@@ -106,6 +109,9 @@ impl Corner {
         }
         // A blend that is long enough to cost no speed need not be longer.
         let fastest = before.max_speed_sq().min(after.max_speed_sq());
+        let is_slow = bases.contains(&FeedBasis::PerSecond)
+            && !has_same_feed_path(before, after)
+            && costs_time(before, after, limits);
         let fastest = match bases {
             [FeedBasis::PerTurn, FeedBasis::Rapid] => {
                 fastest.min(squared(ASSUMED_SPINDLE_SPEED * before.whole.feed))
@@ -113,135 +119,41 @@ impl Corner {
             [FeedBasis::Rapid, FeedBasis::PerTurn] => {
                 fastest.min(squared(ASSUMED_SPINDLE_SPEED * after.whole.feed))
             }
-            [FeedBasis::PerSecond, _] | [_, FeedBasis::PerSecond]
-                if !before.has_same_feed(after) && costs_time(before, after, limits) =>
-            {
-                fastest.min(requested_speed_sq(before)).min(requested_speed_sq(after))
-            }
+            _ if is_slow => fastest.min(blend_speed_sq(before, after)),
             _ => fastest,
         };
-        let enough =
-            fastest / (2.0 * BLEND_ACCELERATION_RATIO * least(&limits.acceleration, &change, axes));
+        let share = if is_slow { SLOW_BLEND_ACCELERATION_RATIO } else { BLEND_ACCELERATION_RATIO };
+        let turning = least(&limits.acceleration, &change, axes);
+        let enough = fastest / (2.0 * share * turning);
         // Two blended arcs that take a cycle each do not crowd it, whatever is left of the segments between their
         // corners.
         let arcs = before.whole.circle.is_some() || after.whole.circle.is_some();
         let enough = if arcs { enough.max(math::sqrt(fastest) * limits.cycle) } else { enough };
-        let most = (4.0 * TOLERANCE_USE_RATIO * tolerance / break_angle).min(enough);
+        let allowed = 4.0 * TOLERANCE_USE_RATIO * tolerance / break_angle;
+        let most = allowed.min(enough);
         let most = most.min(blended_arc_length_max(before)).min(blended_arc_length_max(after));
-        if most > 0.0 { Self::Blend { most, half } } else { Self::Stop }
-    }
-}
-
-/// A corner of an exact path that is passed without a stop.
-///
-/// On an exact path every commanded point is on the path, and one point is commanded per cycle. Between two points the
-/// velocity may jump at a corner if it could have changed by as much in that time. The acceleration seen in samples is
-/// a mean over two cycles in which the middle counts most (a triangle of height 1/h), so a jump J counts at most as
-/// J/h.
-///
-/// Let each jump be spread evenly over a time T about its corner, where these times do not overlap: T is at most a
-/// cycle h, and at most the time to the next corner. Then the spread jump counts as much as the jump itself, except
-/// for the one that contains the middle: J/h against J/h·(1 - T/4h). If J ≤ c·T, this is c/4·T/h too little, and
-/// leaving another c/3 within T makes up for it, since T·(1 - T/4h)/3 ≥ T/4. So an axis with limit a keeps it if along
-/// the path it is given a - 4c/3 within T. With c ≤ a/2 the chord misses a corner between two samples by J·h/4 ≤
-/// a·h²/8, no more than a motion with constant acceleration does.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct TangentBreak {
-    /// The square of the speed at which it may be passed.
-    junction_limit_sq: f64,
-    /// The length of half of T on each segment, millimetres.
-    pub(crate) half_length: f64,
-    /// The share of the acceleration that remains there.
-    acceleration_ratio: f64,
-}
-
-impl TangentBreak {
-    fn between(
-        before: &NominalSegment,
-        after: &NominalSegment,
-        change: &Axes,
-        limits: &Limits,
-    ) -> Self {
-        let h = limits.cycle;
-        // Per axis c·|direction of the jump|, which bounds the speed times T.
-        let jump = 0.5 * least(&limits.planned, change, change.len());
-        let rounds = before.whole.circle.is_some() || after.whole.circle.is_some();
-        let jump = if rounds { ARC_BREAK_USE_RATIO * jump } else { jump };
-        // The most that the speed rises within a cycle: the way to the next corner takes at least length / (speed +
-        // rise).
-        let (one, other) =
-            (max_tangential_acceleration(before), max_tangential_acceleration(after));
-        let rise = one.max(other) * h;
-        let length = before.whole.length.min(after.whole.length);
-        let used = |speed: f64| speed * (1.0 / h).max((speed + rise) / length) / jump;
-        // A hold may take two cycles more to stop than with all of the acceleration, so little may be missing.
-        let use_max = |speed: f64| {
-            let cycles = 2.0 * one.min(other) * h / speed;
-            1.5 * cycles / (1.0 + cycles)
-        };
-        let fits = |speed: f64| used(speed) <= use_max(speed).min(1.0);
-        let mut speed = math::sqrt(before.max_speed_sq().min(after.max_speed_sq()));
-        if !fits(speed) {
-            let mut low = 0.0;
-            for _ in 0..SPEED_BISECTIONS {
-                let middle = 0.5 * (low + speed);
-                if fits(middle) { low = middle } else { speed = middle }
+        if most <= 0.0 {
+            return Self::Stop;
+        }
+        let mut may_be_round = false;
+        if break_angle >= ROUND_CHANGE_MIN
+            && !(arcs || is_slow || axes > 3)
+            && bases == [FeedBasis::PerSecond; 2]
+        {
+            // Without a tolerance the feed alone decides how far the path is left.
+            let most = if half { most } else { f64::INFINITY };
+            let feed_sq = blend_speed_sq(before, after);
+            // Where the axes cannot keep the feed on a parabola, an arc takes more time.
+            if feed_sq < 2.0 * allowed.min(most) * turning {
+                may_be_round = round.write(
+                    (before, after),
+                    (&change, break_angle),
+                    (math::sqrt(feed_sq), TOLERANCE_USE_RATIO * tolerance, most),
+                    limits,
+                );
             }
-            speed = low;
         }
-        let used = if rounds { ARC_BREAK_USE_RATIO * used(speed) } else { used(speed) };
-        let near = 0.5 * h * (speed + 0.25 * rise);
-        Self {
-            junction_limit_sq: squared(speed),
-            half_length: near,
-            acceleration_ratio: 1.0 - used * 2.0 / 3.0,
-        }
-    }
-
-    /// The last part of the segment before the corner.
-    pub(crate) fn end(&self, segment: &NominalSegment, given: f64) -> PathElement {
-        self.reduced(segment.whole.part(segment.whole.length - given, segment.whole.length))
-    }
-
-    /// The first part of the segment after the corner.
-    pub(crate) fn start(&self, segment: &NominalSegment, given: f64) -> PathElement {
-        let element = self.reduced(segment.whole.part(0.0, given));
-        PathElement {
-            junction_limit_sq: self.junction_limit_sq,
-            segment_start: Some(0.0),
-            ..element
-        }
-    }
-
-    fn reduced(&self, mut element: PathElement) -> PathElement {
-        element.has_tangent_break = true;
-        match &mut element.model {
-            AccelerationModel::Constant { acceleration } => {
-                *acceleration *= self.acceleration_ratio;
-            }
-            AccelerationModel::Arc { acceleration, planned } => {
-                *acceleration *= self.acceleration_ratio;
-                *planned *= self.acceleration_ratio;
-                element.start_limit_sq *= self.acceleration_ratio;
-                element.end_limit_sq = element.start_limit_sq;
-                element.speed_limit = math::sqrt(element.start_limit_sq);
-            }
-            AccelerationModel::Blend { .. }
-            | AccelerationModel::BlendedArc { .. }
-            | AccelerationModel::Dwell(_) => {}
-        }
-        element
-    }
-}
-
-/// The greatest acceleration along a segment.
-fn max_tangential_acceleration(segment: &NominalSegment) -> f64 {
-    match segment.whole.model {
-        AccelerationModel::Constant { acceleration }
-        | AccelerationModel::Arc { acceleration, .. } => acceleration,
-        AccelerationModel::Blend { .. }
-        | AccelerationModel::BlendedArc { .. }
-        | AccelerationModel::Dwell(_) => 0.0,
+        Self::Blend { most, half, may_be_round }
     }
 }
 
@@ -253,43 +165,83 @@ fn blended_arc_length_max(segment: &NominalSegment) -> f64 {
         .map_or(f64::INFINITY, |circle| BLENDED_ARC_ANGLE_MAX_RAD / circle.angle_rate)
 }
 
-/// Whether a longer blend takes more time, since all of it is as slow as the slower of two feeds. Then it is only as
-/// long as the programmed feed needs. Between short segments a long blend saves an element, of which too many would
-/// fit into a cycle.
-#[inline(never)]
-fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
-    let (one, other) = (requested_speed_sq(before), requested_speed_sq(after));
-    let most = math::max(one, other);
-    let short = math::min(before.whole.length, after.whole.length);
-    math::min(one, other) < UNEQUAL_FEED_RATIO_MAX * most
-        && squared(short) > squared(UNEQUAL_FEED_CYCLES_MIN * limits.cycle) * most
+/// Whether both have the same feed along the same part of the path, except for rounding: then a blend has it, too.
+#[inline]
+fn has_same_feed_path(before: &NominalSegment, after: &NominalSegment) -> bool {
+    let apart = (before.feed_path_ratio - after.feed_path_ratio).abs();
+    before.has_same_feed(after)
+        && before.feed_path == after.feed_path
+        && apart <= FEED_PATH_RATIO_ROUNDING
 }
 
-/// The square of the speed of a segment at an override of 1.
-fn requested_speed_sq(segment: &NominalSegment) -> f64 {
+/// Whether a longer blend takes more time, since all of it is slower than one of its segments. Then it is only as long
+/// as the programmed feed needs. A long blend between short segments saves an element, and only a few elements fit
+/// into a cycle; that is worth the time only where the blend takes few cycles.
+#[inline(never)]
+fn costs_time(before: &NominalSegment, after: &NominalSegment, limits: &Limits) -> bool {
+    let most = math::max(requested_speed_sq(before, 1.0), requested_speed_sq(after, 1.0));
+    let short = math::min(before.whole.length, after.whole.length);
+    let blend = blend_speed_sq(before, after);
+    blend < UNEQUAL_FEED_RATIO_MAX * most
+        && squared(short)
+            > math::min(
+                squared(UNEQUAL_FEED_CYCLES_MIN * limits.cycle) * most,
+                squared(SLOW_BLEND_CYCLES_MIN * limits.cycle) * blend,
+            )
+}
+
+/// The square of the speed of a blend at an override of 1.
+fn blend_speed_sq(before: &NominalSegment, after: &NominalSegment) -> f64 {
+    let one = before.feed_ratio_next_to(after, &after.start_tangent);
+    let other = after.feed_ratio_next_to(before, &before.end_tangent);
+    math::min(requested_speed_sq(before, one), requested_speed_sq(after, other))
+}
+
+/// The square of the speed of a segment at an override of 1, where its feed has this factor.
+fn requested_speed_sq(segment: &NominalSegment, feed_ratio: f64) -> f64 {
     match segment.whole.feed_basis {
-        FeedBasis::PerSecond => segment.whole.start_limit_sq.min(squared(segment.whole.feed)),
+        FeedBasis::PerSecond => {
+            segment.whole.start_limit_sq.min(squared(segment.whole.feed * feed_ratio))
+        }
         FeedBasis::Rapid | FeedBasis::PerTurn => segment.whole.start_limit_sq,
     }
 }
 
-/// How much of each segment a blend uses, given what is available: equal lengths, or nearly equal ones between lines.
-/// At the end of an arc the parameter may run a little slower or faster than the path; then the lengths are equal
-/// along the path.
-pub(crate) fn corner_lengths(
-    most: f64,
-    (before, after): (f64, f64),
-    lines: bool,
-    exit: f64,
-) -> (f64, f64) {
-    let (before, after) = (most.min(before), most.min(after));
-    let short = before.min(after);
-    let near = lines && before.max(after) <= PARABOLA_SIDE_RATIO_MAX * short;
-    if near {
-        (before, after)
-    } else {
-        let end = short / exit.max(1.0);
-        (end, end * exit)
+/// What a corner uses of the segment before it and of the one after it, and whether it is round.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct CornerForm {
+    pub(crate) before: f64,
+    pub(crate) after: f64,
+    pub(crate) is_round: bool,
+}
+
+impl CornerForm {
+    /// The form of a blend, given what is available of its segments: equal lengths, or nearly equal ones between
+    /// lines. At the end of an arc the parameter may run a little slower or faster than the path; then the lengths are
+    /// equal along the path.
+    pub(crate) fn of_blend(
+        (most, round): (f64, Option<&RoundCorner>),
+        (before, after): (f64, f64),
+        lines: bool,
+        exit: f64,
+    ) -> Self {
+        if let Some(round) = round {
+            let available = before.min(after);
+            let length = round.length_max.min(available);
+            if round.is_faster(length, most.min(available)) {
+                return Self { before: length, after: length, is_round: true };
+            }
+        }
+        let (before, after) = (most.min(before), most.min(after));
+        let short = before.min(after);
+        let near = lines && before.max(after) <= PARABOLA_SIDE_RATIO_MAX * short;
+        let (before, after) = if near {
+            (before, after)
+        } else {
+            let end = short / exit.max(1.0);
+            (end, end * exit)
+        };
+        Self { before, after, is_round: false }
     }
 }
 
@@ -321,10 +273,9 @@ pub(crate) fn write_parabola(
     (blend.number, blend.index) = (after.whole.number, after.whole.index);
     blend.probing = after.whole.probing;
     limits.assign_model(blend);
-    // Between the two directions a blend has no more of the feed's path than the larger of its two segments.
-    let most = before.feed_path_ratio.max(after.feed_path_ratio);
-    blend.feed *= after.feed_path_ratio / most;
-    take_slower_feed(blend, &before.whole, before.whole.feed * before.feed_path_ratio / most);
+    blend.feed *= after.feed_ratio_next_to(before, &before.end_tangent);
+    let other = before.whole.feed * before.feed_ratio_next_to(after, &after.start_tangent);
+    take_slower_feed(blend, &before.whole, other);
     blend.feed /= blend.end_speed_ratio.max(1.0);
 }
 
@@ -369,7 +320,7 @@ pub(crate) fn blended_end(
         *bend += exit * change / (2.0 * d);
         *end += exit * change * d / 4.0;
     }
-    element.feed *= (segment.feed_path_ratio / after.feed_path_ratio).min(1.0);
+    element.feed *= segment.feed_ratio_next_to(after, &after.start_tangent);
     finish_blended_arc(&mut element, change, d, limits);
     element
 }
@@ -390,7 +341,7 @@ pub(crate) fn blended_start(
         *bend += change / (2.0 * d);
     }
     element.segment_start = Some(0.0);
-    element.feed *= (segment.feed_path_ratio / before.feed_path_ratio).min(1.0);
+    element.feed *= segment.feed_ratio_next_to(before, &before.end_tangent);
     finish_blended_arc(&mut element, change, d, limits);
     element
 }

@@ -6,7 +6,8 @@
 //! ```text
 //! Segment
 //!   nominal_segment   a segment as one element, by its length; short lines are merged        segment_merge
-//!   path_builder      the end of the path: segments are cut, corners are put between them    corner
+//!   path_builder      the end of the path: segments are cut, corners are put between them    corner,
+//!                                                                                   round_corner
 //! PathElement         a part of the path with one acceleration model   path_element, acceleration_model, limits
 //!   look_ahead        how fast each element may be entered, from the end of the queue back   entry_speed, blend_limits
 //!   retrace           the same for running in reverse
@@ -55,6 +56,7 @@ mod corner;
 mod entry_speed;
 mod error;
 mod fast_path;
+mod feed_path;
 mod limits;
 mod look_ahead;
 mod math;
@@ -66,9 +68,11 @@ mod path_element;
 mod planner;
 mod retrace;
 mod ring;
+mod round_corner;
 mod segment;
 mod segment_merge;
 mod servo_cycle;
+mod tangent_break;
 mod vector;
 
 pub use error::{Error, NotQueued};

@@ -2,6 +2,7 @@
 
 use crate::math;
 use crate::parameters::{Axes, Dynamics};
+use crate::vector::norm_of;
 
 /// The shares of the limits that are used: samples are rounded, and a break of direction below
 /// [`SMOOTH_BREAK_MAX_RAD`] is ignored.
@@ -21,6 +22,8 @@ pub(crate) struct Limits {
     pub(crate) planned: Axes,
     /// The least planned acceleration of all axes.
     pub(crate) softest: f64,
+    /// The highest speed of X, Y and Z together.
+    pub(crate) fastest: f64,
     /// The servo cycle, seconds.
     pub(crate) cycle: f64,
 }
@@ -34,6 +37,7 @@ impl Limits {
             acceleration,
             planned,
             softest: planned.into_iter().fold(f64::INFINITY, math::min),
+            fastest: norm_of(&dynamics.velocity, 3),
             cycle: dynamics.cycle,
         }
     }

@@ -1,6 +1,7 @@
 //! A queued segment as one element, or several segments merged into one, before its corners are known.
 
 use crate::error::NotQueued;
+use crate::feed_path::{FeedPath, feed_path_ratios};
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::parameters::Axes;
@@ -24,10 +25,14 @@ pub(crate) struct NominalSegment {
     pub(crate) end_tangent: Axes,
     /// What may happen at its end.
     pub(crate) path_control: PathControl,
-    /// The greatest ratio of the path that the feed is measured along to the parameter.
+    /// The axes along which the feed is measured, and the greatest ratio of that path to the parameter.
+    pub(crate) feed_path: FeedPath,
     pub(crate) feed_path_ratio: f64,
     /// The length that the corner at its start uses.
     pub(crate) start_trim: f64,
+    /// The lengths of the first and the last segment that are merged in it: a blend may end at their midpoints.
+    pub(crate) start_length: f64,
+    pub(crate) end_length: f64,
     /// Whether several segments are merged in it, and how far it deviates from them at most, millimetres.
     pub(crate) is_merged: bool,
     pub(crate) merge_deviation: f64,
@@ -65,8 +70,8 @@ pub(crate) fn resolve(
         PathControl::Within(tolerance) => tolerance >= 0.0,
         PathControl::ExactStop | PathControl::ExactPath | PathControl::BetweenMidpoints => true,
     };
-    let ratios = feed_path_ratios(whole);
-    merged.feed_path_ratio = ratios.1;
+    let (feed_path, ratios) = feed_path_ratios(whole);
+    (merged.feed_path, merged.feed_path_ratio) = (feed_path, ratios.1);
     if !tolerated || !set_feed(whole, segment.feed, ratios) {
         return Err(NotQueued::Malformed);
     }
@@ -94,6 +99,7 @@ pub(crate) fn resolve(
     merged.path_control =
         if segment.probing { PathControl::ExactStop } else { segment.path_control };
     (merged.start_trim, merged.merge_deviation, merged.is_merged) = (0.0, 0.0, false);
+    (merged.start_length, merged.end_length) = (whole.length, whole.length);
     Ok(ResolvedSegment::Moves)
 }
 
@@ -104,6 +110,18 @@ impl NominalSegment {
         let (one, other) = (&self.whole, &next.whole);
         let near = (one.feed - other.feed).abs() <= FEED_TOLERANCE_RATIO * one.feed.min(other.feed);
         one.feed_basis == other.feed_basis && (near || one.feed.to_bits() == other.feed.to_bits())
+    }
+
+    /// The factor, at most 1, of its feed between its own direction and that of a segment next to it, where p' is
+    /// `tangent`. Each feed is kept by its own measure: millimetres along the axes, or degrees.
+    pub(crate) fn feed_ratio_next_to(&self, other: &Self, tangent: &Axes) -> f64 {
+        // Between two directions the path has no more of the feed's axes than at one of them.
+        let there = if self.feed_path == other.feed_path {
+            other.feed_path_ratio
+        } else {
+            self.feed_path.part_of(tangent)
+        };
+        self.feed_path_ratio / self.feed_path_ratio.max(there)
     }
 
     /// The highest squared speed at which it is ever run, for overrides up to 2.
@@ -205,26 +223,6 @@ fn set_feed(whole: &mut PathElement, feed: Feed, (least, most): (f64, f64)) -> b
     whole.feed = speed;
     let has_no_length = whole.length <= 0.0;
     has_no_length || speed > 0.0
-}
-
-/// The ratio of the path that a feed is measured along to the parameter: the least and the greatest.
-fn feed_path_ratios(whole: &PathElement) -> (f64, f64) {
-    let [x, y, z, a, b, c, u, v, w] = whole.tangent;
-    let even = squared(x) + squared(y) + squared(z);
-    let linear = match &whole.circle {
-        None => (even, even),
-        Some(circle) => {
-            let radius = dot(&circle.cosine, &circle.cosine);
-            let turning = |grown: f64| squared(circle.angle_rate * grown) + squared(circle.growth);
-            let (start, end) = (turning(1.0), turning(circle.radius_ratio(whole.length)));
-            (even + radius * start.min(end), even + radius * start.max(end))
-        }
-    };
-    let second = squared(u) + squared(v) + squared(w);
-    let rotary = squared(a) + squared(b) + squared(c);
-    let shares = [linear, (second, second), (rotary, rotary)];
-    let (least, most) = shares.into_iter().find(|(_, most)| *most > 0.0).unwrap_or((1.0, 1.0));
-    (math::sqrt(least), math::sqrt(most))
 }
 
 /// How many leading axes include all that move.

@@ -6,7 +6,7 @@
 //! motion could not follow it: then the corner keeps its form, a stop at worst.
 
 use crate::corner::{
-    Corner, blended_end, blended_start, corner_lengths, split_place, tangent_change, write_parabola,
+    Corner, CornerForm, blended_end, blended_start, split_place, tangent_change, write_parabola,
 };
 use crate::limits::{Limits, squared};
 use crate::look_ahead::{LookAhead, axes_allow};
@@ -16,6 +16,7 @@ use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
 use crate::path_element::{AccelerationModel, BlendLimits, FeedBasis, PathElement};
 use crate::ring::Ring;
+use crate::round_corner::RoundCorner;
 use crate::segment::PathControl;
 
 /// Where elements are short, the speed is limited so that at most this many end within a cycle.
@@ -34,8 +35,9 @@ struct OpenSegment {
     has_element: bool,
     /// The corner before it.
     corner: Corner,
-    /// The lengths that this corner uses of the segment before it and of this one.
-    corner_lengths: (f64, f64),
+    corner_form: CornerForm,
+    /// The same corner if it may be round.
+    round: RoundCorner,
 }
 
 /// The end of the path.
@@ -116,7 +118,8 @@ impl PathBuilder {
         }
         next.corner = Corner::Stop;
         if self.open_count > 0 {
-            next.corner = Corner::between(&last.segment, &next.segment, edit.limits);
+            let round = &mut next.round;
+            next.corner = Corner::between(&last.segment, &next.segment, round, edit.limits);
         }
         let made = match next.corner {
             Corner::Stop => false,
@@ -127,7 +130,7 @@ impl PathBuilder {
         };
         if !made {
             next.corner = Corner::Stop;
-            next.corner_lengths = (0.0, 0.0);
+            next.corner_form = CornerForm::default();
             next.segment.start_trim = 0.0;
             next.first_element = edit.elements.end();
             push_own_element(next, 0.0, edit);
@@ -159,7 +162,8 @@ fn merge_next(
     next: &OpenSegment,
     edit: &mut PathEdit<'_>,
 ) -> bool {
-    if !last.segment.can_merge_with(&next.segment, edit.limits) {
+    let after_merged = before.segment.is_merged && last.corner != Corner::Stop;
+    if !last.segment.can_merge_with(&next.segment, after_merged, edit.limits) {
         return false;
     }
     let old = *last;
@@ -179,9 +183,10 @@ fn merge_next(
         }
         return !begun;
     }
-    last.corner = Corner::between(&before.segment, &last.segment, edit.limits);
-    let given = provisional_lengths(before, last);
-    if last.corner == Corner::Stop || !can_end_earlier(before, given.0, edit) {
+    let round = &mut last.round;
+    last.corner = Corner::between(&before.segment, &last.segment, round, edit.limits);
+    let given = provisional_form(before, last);
+    if last.corner == Corner::Stop || !can_end_earlier(before, given.before, edit) {
         *last = old;
         return false;
     }
@@ -205,31 +210,34 @@ fn enlarge_previous_corner(
     next: &mut OpenSegment,
     edit: &mut PathEdit<'_>,
 ) -> bool {
-    let Corner::Blend { most, half: false } = last.corner else { return false };
+    let Corner::Blend { most, half: false, may_be_round } = last.corner else { return false };
     let length = last.segment.whole.length;
     let left = match next.corner {
+        Corner::Blend { most, may_be_round: true, .. } => length - most.max(next.round.length_max),
         Corner::Blend { most, .. } => length - most,
         Corner::TangentBreak(tangent_break) => length - tangent_break.half_length.min(0.5 * length),
         Corner::Stop | Corner::Smooth => length * END_TRIM_RATIO_MAX,
     };
     let after = left.max(0.5 * length);
-    let given = corner_lengths(
-        most,
+    let given = CornerForm::of_blend(
+        (most, may_be_round.then_some(&last.round)),
         (available_length(before), after),
         are_lines(&before.segment, &last.segment),
         before.segment.whole.end_speed_ratio,
     );
-    if given.0 <= last.corner_lengths.0 * (1.0 + 1e-9) || !can_end_earlier(before, given.0, edit) {
+    if given.before <= last.corner_form.before * (1.0 + 1e-9)
+        || !can_end_earlier(before, given.before, edit)
+    {
         return false;
     }
-    let old = last.corner_lengths;
-    last.corner_lengths = given;
+    let old = last.corner_form;
+    last.corner_form = given;
     remake_corner(before, last, edit);
-    remake_corner_and_next(last, next, provisional_lengths(last, next), edit);
+    remake_corner_and_next(last, next, provisional_form(last, next), edit);
     if is_accepted(edit) {
         return true;
     }
-    last.corner_lengths = old;
+    last.corner_form = old;
     remake_corner(before, last, edit);
     push_own_element(last, 0.0, edit);
     update_look_ahead(edit);
@@ -238,8 +246,8 @@ fn enlarge_previous_corner(
 
 /// Makes the corner between the last segment and the next one.
 fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, edit: &mut PathEdit<'_>) -> bool {
-    let given = provisional_lengths(last, next);
-    if !can_end_earlier(last, given.0, edit) {
+    let given = provisional_form(last, next);
+    if !can_end_earlier(last, given.before, edit) {
         return false;
     }
     remake_corner_and_next(last, next, given, edit);
@@ -292,24 +300,32 @@ fn are_lines(before: &NominalSegment, after: &NominalSegment) -> bool {
     before.whole.circle.is_none() && after.whole.circle.is_none()
 }
 
-/// The lengths of a corner before the one after it is known.
-fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
+/// The form of a corner before the one after it is known.
+fn provisional_form(last: &OpenSegment, next: &OpenSegment) -> CornerForm {
     match next.corner {
-        Corner::Stop | Corner::Smooth => (0.0, 0.0),
+        Corner::Stop | Corner::Smooth => CornerForm::default(),
         Corner::TangentBreak(tangent_break) => {
             // Half of a segment is left for the corner at its other end, and nothing is needed where that end is at
             // rest.
             let half = |segment: &NominalSegment| {
                 tangent_break.half_length.min(0.5 * segment.whole.length)
             };
-            (half(&last.segment).min(available_length(last)), half(&next.segment))
+            CornerForm {
+                before: half(&last.segment).min(available_length(last)),
+                after: half(&next.segment),
+                is_round: false,
+            }
         }
-        Corner::Blend { most, half } => {
+        Corner::Blend { most, half, may_be_round } => {
             let before = available_length(last);
-            let before = if half { before.min(0.5 * last.segment.whole.length) } else { before };
-            let rooms = (before, 0.5 * next.segment.whole.length);
-            corner_lengths(
-                most,
+            // The midpoints are those of programmed segments, not of merged ones.
+            let rooms = if half {
+                (before.min(0.5 * last.segment.end_length), 0.5 * next.segment.start_length)
+            } else {
+                (before, 0.5 * next.segment.whole.length)
+            };
+            CornerForm::of_blend(
+                (most, may_be_round.then_some(&next.round)),
                 rooms,
                 are_lines(&last.segment, &next.segment),
                 last.segment.whole.end_speed_ratio,
@@ -320,7 +336,7 @@ fn provisional_lengths(last: &OpenSegment, next: &OpenSegment) -> (f64, f64) {
 
 /// Makes the end of a segment and the corner after it again.
 fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, edit: &mut PathEdit<'_>) {
-    push_own_element(before, last.corner_lengths.0, edit);
+    push_own_element(before, last.corner_form.before, edit);
     push_corner(&before.segment, last, edit);
 }
 
@@ -328,10 +344,10 @@ fn remake_corner(before: &mut OpenSegment, last: &mut OpenSegment, edit: &mut Pa
 fn remake_corner_and_next(
     last: &mut OpenSegment,
     next: &mut OpenSegment,
-    given: (f64, f64),
+    given: CornerForm,
     edit: &mut PathEdit<'_>,
 ) {
-    next.corner_lengths = given;
+    next.corner_form = given;
     remake_corner(last, next, edit);
     push_own_element(next, 0.0, edit);
 }
@@ -361,14 +377,17 @@ fn push_own_element(open: &mut OpenSegment, given: f64, edit: &mut PathEdit<'_>)
 
 fn push_corner(before: &NominalSegment, after: &mut OpenSegment, edit: &mut PathEdit<'_>) {
     after.segment.start_trim = 0.0;
-    let (d, e) = after.corner_lengths;
+    let CornerForm { before: d, after: e, is_round } = after.corner_form;
     if let Corner::TangentBreak(tangent_break) = &after.corner {
         push(&tangent_break.end(before, d), edit);
         push(&tangent_break.start(&after.segment, e), edit);
         after.segment.start_trim = e;
     }
     if let Corner::Blend { .. } = after.corner {
-        if are_lines(before, &after.segment) {
+        if is_round {
+            let change = tangent_change(before, &after.segment);
+            push(&after.round.arc((before, &after.segment), (&change, d), edit.limits), edit);
+        } else if are_lines(before, &after.segment) {
             push_blend((before, &after.segment), (d, e), edit);
         } else {
             let change = tangent_change(before, &after.segment);

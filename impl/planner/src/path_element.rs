@@ -2,8 +2,8 @@
 //!
 //! An element is p(x) = origin + tangent·x + curvature·x²/2, on arcs plus a circle. Its parameter x runs from 0 to
 //! `length`, and |p'| is 1 at its start, so the speed of x is the path's speed at every junction. Lines have no
-//! curvature. A blend of two lines has curvature alone. A blend with an arc is that arc plus a curvature that removes
-//! the break of direction.
+//! curvature. A parabola between two lines has curvature alone; a round corner is an arc. A blend with an arc is that
+//! arc plus a curvature that removes the break of direction.
 //!
 //! Names that end in `_sq` are squares of speeds of the parameter.
 
@@ -77,12 +77,13 @@ pub(crate) enum AccelerationModel {
         /// Per second squared.
         acceleration: f64,
     },
-    /// A blend of two lines: each axis is checked by itself, which is exact.
+    /// A parabola between two lines: each axis is checked by itself, which is exact.
     Blend {
         /// The squared speed at which it may be passed without acceleration.
         steady_speed_sq: f64,
     },
-    /// An arc: tangential and centripetal acceleration share a limit, u² + (κ·v²)² ≤ acceleration².
+    /// An arc, programmed or a round corner: tangential and centripetal acceleration share a limit,
+    /// u² + (κ·v²)² ≤ acceleration².
     Arc {
         /// Per second squared, of the axis that has least.
         acceleration: f64,

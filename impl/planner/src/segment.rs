@@ -46,8 +46,8 @@ pub enum Feed {
     PerTurn(f64),
 }
 
-/// What may happen at the corner after a segment. A blend of two lines is a parabola; at an arc the path itself is
-/// bent.
+/// What may happen at the corner after a segment. A blend of two lines is a parabola, or an arc where the axes can keep
+/// the feed on it; at an arc the path itself is bent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PathControl {
     /// G61.1: stop.

@@ -1,4 +1,5 @@
-//! Short lines that are merged: several segments that would be over within one servo cycle become one.
+//! Short lines that are merged: several segments that would be over within one servo cycle become one, within their
+//! tolerance, or where they are collinear.
 
 use crate::limits::{Limits, squared};
 use crate::math;
@@ -8,19 +9,32 @@ use crate::segment::PathControl;
 
 /// The share of a tolerance that merged segments may use. Blends use the rest.
 const MERGE_DEVIATION_RATIO_MAX: f64 = 0.25;
+/// How far lines may deviate from the one that they are merged into, millimetres, where the path is exact or has no
+/// tolerance: what rounding makes of collinear lines.
+const COLLINEAR_DEVIATION_MAX_MM: f64 = 1e-12;
 /// At least so many segments of equal length are merged, since segments of unequal length are slower round a curve.
 const MERGED_SEGMENTS_MIN: f64 = 4.0;
+/// How much longer a merged segment may be after another merged one. Lines whose lengths differ by rounding are then
+/// merged in equal numbers.
+const MERGED_LENGTH_SLACK_RATIO: f64 = 1.02;
 /// The greatest change of direction, radians, between segments that are merged.
 const MERGE_ANGLE_MAX_RAD: f64 = 0.2;
 
 impl NominalSegment {
     /// Whether the next segment may be merged into this one: both are similar lines, nearly in one direction, and over
-    /// within a cycle.
+    /// within a cycle. `after_merged` says whether the segment before is merged.
     #[inline]
-    pub(crate) fn can_merge_with(&self, next: &Self, limits: &Limits) -> bool {
+    pub(crate) fn can_merge_with(&self, next: &Self, after_merged: bool, limits: &Limits) -> bool {
         let (one, other) = (&self.whole, &next.whole);
         let length = (one.length + other.length).max(other.length * MERGED_SEGMENTS_MIN);
-        if squared(length) > squared(limits.cycle) * self.max_speed_sq() {
+        // The limits of the axes along this line do not count: where they change with the direction of a curve, so
+        // would the lengths of its segments.
+        let fastest = match one.feed_basis {
+            FeedBasis::PerSecond => math::min(limits.fastest, 2.0 * one.feed),
+            FeedBasis::Rapid | FeedBasis::PerTurn => limits.fastest,
+        };
+        let slack = if after_merged || self.is_merged { MERGED_LENGTH_SLACK_RATIO } else { 1.0 };
+        if length > slack * fastest * limits.cycle {
             return false;
         }
         let lines = one.circle.is_none()
@@ -35,12 +49,18 @@ impl NominalSegment {
             && one.feed_basis != FeedBasis::PerTurn
             && !next.is_separate
             && bends <= squared(MERGE_ANGLE_MAX_RAD)
+            && (matches!(self.path_control, PathControl::Within(_))
+                || bends * squared(other.length) <= squared(COLLINEAR_DEVIATION_MAX_MM))
     }
 
     /// Merges the next segment into this one. Returns whether the tolerance permits it; if not, the content is
     /// undefined.
     pub(crate) fn merge(&mut self, next: &Self, limits: &Limits) -> bool {
-        let PathControl::Within(tolerance) = self.path_control else { return false };
+        let allowed = match self.path_control {
+            PathControl::Within(tolerance) => MERGE_DEVIATION_RATIO_MAX * tolerance,
+            PathControl::ExactPath | PathControl::BetweenMidpoints => COLLINEAR_DEVIATION_MAX_MM,
+            PathControl::ExactStop => return false,
+        };
         let whole = &mut self.whole;
         let length = whole.length;
         if set_line(whole, &next.whole.end).is_err() {
@@ -56,12 +76,13 @@ impl NominalSegment {
             across += squared(old - along * new);
         }
         self.merge_deviation += length * math::sqrt(across);
-        if self.merge_deviation > MERGE_DEVIATION_RATIO_MAX * tolerance {
+        if self.merge_deviation > allowed {
             return false;
         }
         (whole.number, whole.index) = (next.whole.number, next.whole.index);
         limits.assign_line_model(whole);
         (self.start_tangent, self.end_tangent) = (whole.tangent, whole.tangent);
+        self.end_length = next.whole.length;
         self.is_merged = true;
         true
     }

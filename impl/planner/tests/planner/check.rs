@@ -166,3 +166,18 @@ fn to_chord(point: &Axes, from: &Axes, to: &Axes) -> f64 {
     let foot: Axes = std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
     distance(point, &foot)
 }
+
+/// Samples keep all limits, end where the program does, and follow it within the tolerance. Each programmed point is
+/// near a sample: `apart` is half the way of a cycle, mm.
+#[track_caller]
+pub(crate) fn follows(run: &Run, program: &[Segment], tolerance: f64, apart: f64) {
+    let (speed, change) = run.worst(&dynamics());
+    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
+    let (path, vertices) = programmed([0.0; 9], program);
+    assert_eq!(run.samples.last(), vertices.last());
+    let far = farthest(&run.samples, &path);
+    assert!(far <= tolerance * (1.0 + 1e-9), "{far}");
+    let between = 2000.0 * 1.5 * 1e-6 / 8.0;
+    let missed = farthest(&vertices, &run.samples);
+    assert!(missed <= tolerance + between + apart, "{missed}");
+}

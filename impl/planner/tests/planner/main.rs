@@ -2,6 +2,7 @@
 
 mod bits;
 mod check;
+mod corners;
 mod known_times;
 mod memory;
 mod merging;
@@ -10,3 +11,4 @@ mod operators;
 mod programs;
 mod random;
 mod regressions;
+mod stalls;

@@ -5,7 +5,7 @@ use gaugeblock_planner::{
 };
 use libm::{cos, sin};
 
-use super::check::{Feeding, Run, dynamics, farthest, programmed, run};
+use super::check::{Feeding, Run, dynamics, farthest, follows, programmed, run};
 use super::known_times::FEEDINGS;
 use super::programs::{FEED, at, distance, line};
 
@@ -46,18 +46,10 @@ fn reported(program: &[Segment], before: impl Fn(&mut Planner, &Segment)) -> Vec
     told
 }
 
+/// Samples are up to 0.1 mm apart.
 #[track_caller]
 fn is_lawful(run: &Run, program: &[Segment], tolerance: f64) {
-    let (speed, change) = run.worst(&dynamics());
-    assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
-    let (path, vertices) = programmed(ORIGIN, program);
-    assert_eq!(run.samples.last(), vertices.last());
-    let between = 2000.0 * 1.5 * 1e-6 / 8.0;
-    let far = farthest(&run.samples, &path);
-    assert!(far <= tolerance, "{far}");
-    let missed = farthest(&vertices, &run.samples);
-    // Samples are up to 0.1 mm apart.
-    assert!(missed <= tolerance + between + 0.06, "{missed}");
+    follows(run, program, tolerance, 0.06);
 }
 
 #[test]
@@ -139,6 +131,37 @@ fn blend_between_midpoints_ends_before_the_midpoint_of_the_last_segment() {
         let missed = farthest(&[corner], &run.samples);
         assert!(missed <= 0.0025, "{missed}");
     }
+}
+
+/// A straight row of 0.01 mm lines at 50 mm/s: each cycle would pass five of them.
+#[test]
+fn collinear_lines_are_merged_where_the_path_is_exact_or_has_no_tolerance() {
+    for blend in [PathControl::ExactPath, PathControl::BetweenMidpoints] {
+        for (dx, dy) in [(0.01, 0.0), (0.006, 0.008), (0.0071, -0.0037)] {
+            let end = |i: u32| at(dx * f64::from(i), dy * f64::from(i), 0.0);
+            let feed = Feed::PerSecond(50.0);
+            let program: Vec<Segment> =
+                (1..=400).map(|i| Segment { feed, ..line(end(i), blend) }).collect();
+            for feeding in [Feeding::Full, Feeding::Every(0, 1), Feeding::Every(1, 7)] {
+                let run = run(ORIGIN, &program, feeding);
+                is_lawful(&run, &program, 1e-12);
+                let least = distance(&ORIGIN, &end(400)) / 50.0 + 50.0 / 2000.0;
+                let full = matches!(feeding, Feeding::Full);
+                assert!(!full || run.time() < least + 0.005, "{} s of {least} s", run.time());
+            }
+        }
+    }
+}
+
+#[test]
+fn corner_after_a_row_without_tolerance_uses_half_of_its_last_line() {
+    let row = |i: u32| line(at(0.01 * f64::from(i), 0.0, 0.0), PathControl::BetweenMidpoints);
+    let mut program: Vec<Segment> = (1..=60).map(row).collect();
+    program.push(line(at(0.6, 5.0, 0.0), PathControl::BetweenMidpoints));
+    let run = run(ORIGIN, &program, Feeding::Full);
+    is_lawful(&run, &program, 0.005);
+    let left = run.samples.iter().filter(|sample| sample[1] > 0.0);
+    assert!(left.map(|sample| sample[0]).fold(f64::INFINITY, f64::min) >= 0.595);
 }
 
 #[test]
