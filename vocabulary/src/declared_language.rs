@@ -35,9 +35,15 @@ pub struct DeclaredLanguage {
     /// Kinds of parameters; an empty list for none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub parameters: Option<BTreeSet<ParameterKind>>,
+    /// The greatest number of a numbered parameter that a program writes.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub greatest_parameter: Option<u32>,
     /// Whether there are expressions in square brackets.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub expressions: Option<bool>,
+    /// Whether expressions have comparisons, such as EQ, and EXISTS.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub comparisons: Option<bool>,
     /// Whether there are O-words.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub o_words: Option<bool>,
@@ -79,7 +85,9 @@ pub enum CommentKind {
     Parentheses,
     /// After a semicolon.
     Semicolon,
-    /// Those that do something, such as `(MSG,…)`.
+    /// `(MSG,…)`.
+    Message,
+    /// Those that do something, such as `(DEBUG,…)`, and `(MSG,…)`.
     Active,
 }
 

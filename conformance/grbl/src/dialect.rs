@@ -127,7 +127,9 @@ impl Dialect {
             axes: Some(features.axes.clone()),
             letters: Some("FSTN".to_owned()),
             parameters: Some(parameters.into_iter().flatten().collect()),
+            greatest_parameter: None,
             expressions: Some(features.expressions),
+            comparisons: None,
             o_words: Some(false),
             comments: Some([CommentKind::Parentheses, CommentKind::Semicolon].into()),
         }

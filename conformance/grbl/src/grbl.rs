@@ -14,7 +14,7 @@ use crate::interrupt::Interrupt;
 use crate::port::Traffic;
 use crate::session::{Limits, Session};
 use crate::setup::{Motion, Setup};
-use crate::supports::supports;
+use crate::supports::{supports, supports_local_offset};
 use crate::words::Words;
 
 /// A controller of the family.
@@ -37,8 +37,11 @@ struct Link {
 }
 
 impl Grbl {
-    /// The edition that describes the family.
+    /// The edition that describes Grbl 1.1.
     pub const EDITION: &str = "grbl-1.1";
+
+    /// The edition that describes grblHAL.
+    pub const HAL_EDITION: &str = "grblhal";
 
     /// The edition that describes what Grbl 1.1h really does.
     pub const OBSERVED: &str = "grbl-1.1-observed";
@@ -75,6 +78,15 @@ impl Grbl {
 
     fn link(&self) -> MutexGuard<'_, Link> {
         self.link.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether the program may be sent to this controller.
+    fn may_run(&self, scenario: &Scenario) -> Result<(), String> {
+        supports(scenario, &self.setup)?;
+        if self.identity.dialect == Dialect::GrblHal {
+            supports_local_offset(&scenario.program, &self.setup, &self.identity.stored)?;
+        }
+        Ok(())
     }
 
     /// Runs the program in a session that is reset, and closes a session whose connection has ended.
@@ -115,7 +127,7 @@ impl Grbl {
             // The run's own error says more.
             let _halted = session.halt();
         }
-        if !writes_coordinate_system(&scenario.program) {
+        if !changes_stored_offsets(&scenario.program) {
             return run;
         }
         // The Ctrl-C that ended the run does not end this.
@@ -131,7 +143,7 @@ impl Grbl {
         }
     }
 
-    /// Writes back the coordinate systems that differ from those at the start.
+    /// Writes back the offsets that differ from those at the start.
     fn restore(&self, session: &mut Session) -> Result<(), HarnessError> {
         session.fail();
         session.reset()?;
@@ -166,7 +178,7 @@ impl Adapter for Grbl {
     }
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
-        supports(scenario, &self.setup)?;
+        self.may_run(scenario)?;
         match self.language_check {
             Some(check) => {
                 check(&self.identity.dialect.language(&self.identity.features), scenario)
@@ -176,7 +188,10 @@ impl Adapter for Grbl {
     }
 
     fn own_edition(&self) -> Option<&str> {
-        Some(Self::EDITION)
+        Some(match self.identity.dialect {
+            Dialect::Grbl => Self::EDITION,
+            Dialect::GrblHal => Self::HAL_EDITION,
+        })
     }
 
     fn observed_edition(&self) -> Option<&str> {
@@ -210,7 +225,7 @@ impl Adapter for Grbl {
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         // What is refused here could move or change the machine.
-        supports(scenario, &self.setup).map_err(HarnessError::NotRun)?;
+        self.may_run(scenario).map_err(HarnessError::NotRun)?;
         self.interrupt.check()?;
         self.run_in(&mut self.link(), scenario)
     }
@@ -227,9 +242,9 @@ impl Drop for Grbl {
     }
 }
 
-fn writes_coordinate_system(program: &Program) -> bool {
-    let mut lines = program.language.lines(&program.main);
-    lines.any(|line| Words::of(line).writes_coordinate_system())
+fn changes_stored_offsets(program: &Program) -> bool {
+    let mut words = program.language.lines(&program.main).map(Words::of);
+    words.any(|words| words.writes_coordinate_system() || words.changes_local_offset())
 }
 
 fn sum(one: Traffic, other: Traffic) -> Traffic {

@@ -83,7 +83,8 @@ fn welcome(line: &str) -> Option<Welcome> {
 
 fn report(line: &str) -> Option<Message> {
     let (name, value) = line.strip_prefix('[')?.strip_suffix(']')?.split_once(':')?;
-    let is_name = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '.');
+    let is_name =
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || ". ".contains(c));
     is_name.then(|| Message::Report(name.to_owned(), value.to_owned()))
 }
 
@@ -131,6 +132,8 @@ mod tests {
         assert_eq!(started, Message::Welcome(welcome("GrblHAL")));
         let message = Message::Report("MSG".to_owned(), "Pgm End".to_owned());
         assert_eq!(Message::read("[MSG:Pgm End]"), message);
+        let storage = Message::Report("NVS STORAGE".to_owned(), "*EEPROM".to_owned());
+        assert_eq!(Message::read("[NVS STORAGE:*EEPROM]"), storage);
         let setting = Message::Setting("13".to_owned(), "0".to_owned());
         assert_eq!(Message::read("$13=0"), setting);
         assert_eq!(Message::read(">G54G20:ok"), Message::StartupLine("G54G20:ok".to_owned()));

@@ -33,6 +33,12 @@ impl Stored {
         systems.flatten().all(|value| value.abs() < PRINTED_DIFFERENCE_MIN)
     }
 
+    /// Whether the G92 offset is zero, or not reported.
+    pub(crate) fn has_zero_local_offset(&self) -> bool {
+        let offset = self.0.get("G92").into_iter().flatten();
+        offset.copied().all(|value: f64| value.abs() < PRINTED_DIFFERENCE_MIN)
+    }
+
     /// Offsets as settings, in the active length unit.
     pub(crate) fn settings(
         &self,
@@ -57,7 +63,8 @@ impl Stored {
         })
     }
 
-    /// Blocks that give each coordinate system that differs in `now` the value that it has here.
+    /// Blocks that give each coordinate system that differs in `now` the value that it has here, and cancel a G92
+    /// offset that is zero here.
     pub(crate) fn blocks_from(&self, now: &Self, axes: &[Axis], unit: LengthUnit) -> Vec<String> {
         let unit = if unit == LengthUnit::Inch { "G20" } else { "G21" };
         let mut blocks = Vec::new();
@@ -70,6 +77,9 @@ impl Stored {
                 let words: String = axes.iter().zip(before).map(word).collect();
                 blocks.push(format!("{unit}G10L2P{number}{words}"));
             }
+        }
+        if self.has_zero_local_offset() && !now.has_zero_local_offset() {
+            blocks.push("G92.1".to_owned());
         }
         blocks
     }
@@ -131,6 +141,16 @@ mod tests {
         assert_eq!(now.blocks_from(&now, &AXES, MM), [""; 0]);
         assert!(!before.has_zero_systems());
         assert!(stored("0.000,0.000,0.000").has_zero_systems());
+    }
+
+    #[test]
+    fn local_offset_is_cancelled_if_it_was_zero() {
+        let now = stored("0.000,0.000,0.000");
+        let mut before = now.clone();
+        assert_eq!(before.blocks_from(&now, &AXES, MM), [""; 0]);
+        before.0.insert("G92".to_owned(), vec![0.0; 3]);
+        assert!(before.has_zero_local_offset() && !now.has_zero_local_offset());
+        assert_eq!(before.blocks_from(&now, &AXES, MM), ["G92.1"]);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::scenario::{Environment, Start};
 use gaugeblock_vocabulary::{Language, LengthUnit, Machine, Program, Scenario};
 
 use crate::setup::{Motion, Setup};
+use crate::stored::Stored;
 use crate::words::{Words, check_sendable};
 
 /// The environment that answers as a scenario says, and as any machine does where it says nothing.
@@ -27,6 +28,32 @@ pub(crate) fn supports(scenario: &Scenario, setup: &Setup) -> Result<(), String>
     }
     machine(&scenario.machine)?;
     program(&scenario.program, setup)
+}
+
+/// Whether a controller that stores the G92 offset can run a program: only if the offset is zero at the start, so that
+/// it can be restored, and if that is permitted.
+///
+/// # Errors
+/// The reason why not.
+pub(crate) fn supports_local_offset(
+    program: &Program,
+    setup: &Setup,
+    stored: &Stored,
+) -> Result<(), String> {
+    let mut lines = program.language.lines(&program.main);
+    if !lines.any(|line| Words::of(line).changes_local_offset()) {
+        return Ok(());
+    }
+    if !setup.eeprom {
+        return Err("G92 writes the EEPROM of grblHAL; permit it with the option `eeprom=restore`"
+            .to_owned());
+    }
+    if !stored.has_zero_local_offset() {
+        return Err(
+            "a G92 offset is stored that could not be restored; cancel it with G92.1".to_owned()
+        );
+    }
+    Ok(())
 }
 
 fn machine(machine: &Machine) -> Result<(), String> {
@@ -169,6 +196,22 @@ mod tests {
         let scenario = Scenario::of("g10 l2 p1 x1\nm2\n");
         refused(&scenario, "eeprom=restore");
         assert_eq!(supports(&scenario, &setup("eeprom=restore")), Ok(()));
+    }
+
+    #[test]
+    fn local_offset_is_stored_only_if_it_can_be_restored() {
+        let program = Scenario::of("g92 x1\nm2\n").program;
+        let mut stored = Stored::default();
+        let found = |options, stored: &Stored| {
+            supports_local_offset(&program, &setup(options), stored)
+                .map_err(|why| why.contains("eeprom"))
+        };
+        assert_eq!(found("", &stored), Err(true));
+        assert_eq!(found("eeprom=restore", &stored), Ok(()));
+        assert!(stored.take("G92", "1.000,0.000,0.000"));
+        assert_eq!(found("eeprom=restore", &stored), Err(false));
+        let plain = Scenario::of("g0 x1\nm2\n").program;
+        assert_eq!(supports_local_offset(&plain, &setup(""), &stored), Ok(()));
     }
 
     #[test]

@@ -85,6 +85,11 @@ impl Words {
         self.has_folded('G', &[281, 301])
     }
 
+    /// Whether it sets or cancels the G92 offset, which some controllers store.
+    pub(crate) fn changes_local_offset(&self) -> bool {
+        self.has_folded('G', &[920, 921, 922, 923])
+    }
+
     /// Whether it can pause the program: M0, M60, or an M number too long to be exact.
     pub(crate) fn may_pause(&self) -> bool {
         let is_inexact = |number: f64| number.abs() >= SINGLE_EXACT;

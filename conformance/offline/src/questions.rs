@@ -33,7 +33,7 @@ pub fn questions(
     let options = suite.options(edition);
     let mut left_out = BTreeMap::new();
     let mut found: BTreeMap<String, Question> = BTreeMap::new();
-    let wanted = |rule: &&Rule| rule.exists_in(edition) && requested.includes(rule);
+    let wanted = |rule: &&Rule| rule.exists_in(edition) && requested.includes(suite, rule);
     let runs = |case: &&Case| case.runs_in(edition);
     for rule in suite.rules.iter().filter(wanted) {
         for case in rule.motion.iter().filter(|case| !case.is_recorded()) {

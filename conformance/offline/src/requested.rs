@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use gaugeblock_suite::Rule;
+use gaugeblock_suite::{Rule, Suite};
 
 /// The rules that a campaign exports.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -15,9 +15,10 @@ pub struct Requested {
 
 impl Requested {
     /// Whether a rule is requested.
-    pub(crate) fn includes(&self, rule: &Rule) -> bool {
+    pub(crate) fn includes(&self, suite: &Suite, rule: &Rule) -> bool {
         let Self { profiles, only } = self;
-        (profiles.is_empty() || profiles.contains(&rule.profile))
+        let is_of = |profile: &String| suite.profile_of(rule) == profile;
+        (profiles.is_empty() || profiles.iter().any(is_of))
             && (only.is_empty() || only.iter().any(|prefix| rule.id.starts_with(prefix)))
     }
 }

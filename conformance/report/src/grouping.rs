@@ -6,6 +6,7 @@ use gaugeblock_compare::Divergence;
 use gaugeblock_runner::certify::{RuleDivergence, Traces};
 use gaugeblock_runner::findings::{Finding, FindingCause};
 use gaugeblock_runner::fuzz::signature::Signature;
+use gaugeblock_runner::other_controller;
 
 use super::side_by_side::{field, tokens};
 
@@ -56,18 +57,17 @@ pub fn explain(controller: &str, divergence: &RuleDivergence) -> Option<Explanat
 /// An explanation by quirks and other options of choices.
 fn explanation_by(controller: &str, parts: &[String]) -> Explanation {
     let names = parts.join(" and ");
-    let of_linuxcnc = |name: &String| name.starts_with("rs274.") || name.starts_with("linuxcnc.");
-    let applies_to_controller =
-        matches!(controller, "rs274" | "linuxcnc") || !parts.iter().any(of_linuxcnc);
-    let text = if applies_to_controller {
-        // Of several, one may explain this difference alone, and the others what follows it.
-        let several = parts.len() > 1;
-        let what = if several { " (this and later differences)" } else { "" };
-        format!("explained by {names}{what}")
-    } else {
-        format!("LinuxCNC does this, too: {names}")
+    let other = parts.iter().find_map(|name| other_controller(controller, name));
+    let text = match other {
+        Some(other) => format!("{other} does this, too: {names}"),
+        None => {
+            // Of several, one may explain this difference alone, and the others what follows it.
+            let several = parts.len() > 1;
+            let what = if several { " (this and later differences)" } else { "" };
+            format!("explained by {names}{what}")
+        }
     };
-    Explanation { applies_to_controller, text }
+    Explanation { applies_to_controller: other.is_none(), text }
 }
 
 /// What differs, without lines and numbers.
@@ -251,6 +251,8 @@ mod tests {
         for (controller, explanation, applies, words) in [
             ("rs274", "rs274.nine-levels", true, "explained by rs274.nine-levels"),
             ("mill", "rs274.nine-levels", false, "LinuxCNC does this, too: rs274.nine-levels"),
+            ("rs274", "grbl.radius-helix", false, "Grbl does this, too: grbl.radius-helix"),
+            ("grblHAL", "grbl.radius-helix", true, "explained by grbl.radius-helix"),
             ("mill", "probe.where = there", true, "explained by probe.where = there"),
         ] {
             let explained = explained_by(controller, &[explanation]).unwrap();

@@ -15,6 +15,8 @@ use super::json::{self, JudgedProfile};
 use super::{Counts, Report, RuleVerdict, escape_text};
 
 const PAGE: &str = include_str!("page.html");
+/// The style of each page.
+pub(super) const STYLE: &str = include_str!("style.css");
 /// Pictures of motions that are as they should be, at most: the page has to stay small.
 const PICTURES: usize = 48;
 /// The slowest cases, so many of them.
@@ -37,6 +39,7 @@ pub fn html(report: &Report<'_>) -> Result<String, String> {
 /// The content of the page.
 #[derive(Debug, Serialize)]
 struct Page<'a> {
+    style: &'static str,
     controller: &'a str,
     version: &'a str,
     edition: String,
@@ -51,7 +54,7 @@ struct Page<'a> {
     /// Whether anything is known of it.
     judged: bool,
     mismatches: Option<Vec<String>>,
-    profiles: Vec<JudgedProfile>,
+    profiles: Vec<Distance>,
     fingerprint: Option<Fingerprint<'a>>,
     words: Vec<Word>,
     kinds: Vec<Kind<'a>>,
@@ -80,6 +83,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
     let void = report.run.not_applicable.iter().map(|(rule, why)| Void { rule: &rule.id, why });
     let (status, says) = says(report);
     Page {
+        style: STYLE,
         controller: &header.controller,
         version: &header.version,
         edition: report.edition_and_scope(),
@@ -93,7 +97,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         accuracy: header.accuracy.to_string(),
         judged: report.counts().judged() > 0,
         mismatches: mismatches.map(|all| all.iter().map(ToString::to_string).collect()),
-        profiles: json::profiles(report),
+        profiles: distances(report),
         fingerprint: fingerprint(report),
         words: words(report),
         kinds: kinds(report),
@@ -111,6 +115,20 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         shard: header.shard.to_string(),
         twice: header.twice,
     }
+}
+
+/// How far the controller is from a profile.
+#[derive(Debug, Serialize)]
+struct Distance {
+    #[serde(flatten)]
+    judged: JudgedProfile,
+    named: String,
+}
+
+fn distances(report: &Report<'_>) -> Vec<Distance> {
+    let all = json::profiles(report).into_iter().zip(&report.profiles);
+    let listed = all.filter(|(_, result)| result.is_listed());
+    listed.map(|(judged, result)| Distance { judged, named: result.missing_in_words() }).collect()
 }
 
 #[derive(Debug, Serialize)]

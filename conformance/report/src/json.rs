@@ -9,7 +9,7 @@ use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Source;
 use gaugeblock_vocabulary::Options;
 use schemars::{JsonSchema, Schema, schema_for};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::grouping::title;
@@ -128,11 +128,13 @@ fn reported_finding(report: &Report<'_>, finding: &Finding<'_, '_>) -> ReportedF
 }
 
 /// A profile: claimed or not, passed or not, and how many of its rules came to what.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[expect(missing_docs, reason = "the words of the verdicts")]
 pub struct JudgedProfile {
     pub profile: String,
     pub version: u32,
+    #[serde(default)]
+    pub sentence: String,
     pub claimed: bool,
     pub passes: bool,
     pub rules: usize,
@@ -141,6 +143,18 @@ pub struct JudgedProfile {
     pub unsupported: usize,
     pub not_judged: usize,
     pub not_run: usize,
+    /// The rules that do not pass.
+    #[serde(default)]
+    pub missing: Vec<MissingRule>,
+}
+
+/// A rule that a controller needs to pass a profile.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct MissingRule {
+    /// Its id.
+    pub rule: String,
+    /// The word of its verdict, or `not run`.
+    pub verdict: String,
 }
 
 /// What came of a rule.
@@ -150,7 +164,7 @@ pub struct JudgedRule {
     pub rule: String,
     /// What it demands.
     pub sentence: String,
-    /// The profile that it belongs to.
+    /// The profile that it counts for.
     pub profile: String,
     /// Where the documents of the edition state it.
     pub sources: Vec<Source>,
@@ -163,7 +177,7 @@ pub struct JudgedRule {
 }
 
 /// A rule that does not exist in the edition.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct VoidRule {
     /// Its id.
     pub rule: String,
@@ -189,7 +203,7 @@ pub fn document(report: &Report<'_>) -> Document {
     let rules = report.rules().into_iter().map(|result| JudgedRule {
         rule: result.rule.id.clone(),
         sentence: result.rule.sentence.clone(),
-        profile: result.rule.profile.clone(),
+        profile: report.suite.profile_of(result.rule).to_owned(),
         sources: report.run.edition.cited(&result.rule.sources),
         verdict: result.verdict,
         cases: result.counts.all(),
@@ -228,17 +242,23 @@ pub fn document(report: &Report<'_>) -> Document {
 
 /// Each profile: claimed or not, passed or not, and how many rules came to what.
 pub(super) fn profiles(report: &Report<'_>) -> Vec<JudgedProfile> {
+    let missing = |(word, ids): (&'static str, Vec<&str>)| {
+        let rule = |id: &str| MissingRule { rule: id.to_owned(), verdict: word.to_owned() };
+        ids.into_iter().map(rule).collect::<Vec<_>>()
+    };
     let judged = report.profiles.iter().map(|result| JudgedProfile {
         profile: result.profile.id.clone(),
         version: result.profile.version,
+        sentence: result.profile.sentence.clone(),
         claimed: result.claimed,
         passes: result.passes(),
-        rules: result.rules(),
+        rules: result.rules.len(),
         pass: result.count(RuleVerdict::Pass),
         diverges: result.count(RuleVerdict::Diverges),
         unsupported: result.count(RuleVerdict::Unsupported),
         not_judged: result.count(RuleVerdict::NotJudged),
-        not_run: result.not_run,
+        not_run: result.not_run(),
+        missing: result.missing().into_iter().flat_map(missing).collect(),
     });
     judged.collect()
 }

@@ -3,6 +3,7 @@
 mod abridge;
 pub mod baseline;
 mod cards;
+pub mod comparison;
 pub mod cost;
 mod escape;
 pub mod grouping;

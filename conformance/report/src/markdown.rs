@@ -11,7 +11,7 @@ use gaugeblock_vocabulary::Language;
 use super::abridge::abridged;
 use super::grouping::{explain, size, title, without_guard};
 use super::terminal::shortened;
-use super::{Report, RuleResult, html};
+use super::{ProfileResult, Report, RuleResult, RuleVerdict, html};
 
 /// Most bytes of the page: less than a comment on GitHub may have.
 const MOST: usize = 60_000;
@@ -101,16 +101,43 @@ fn changes(report: &Report<'_>) -> String {
     section(&format!("{title}: {new} new, {changed} changed{stale}, {fixed} fixed"), &items)
 }
 
-/// The profiles that are claimed.
+/// How far the controller is from each profile: the claimed ones with the rules that fail them, the others folded.
 fn profiles(report: &Report<'_>) -> String {
-    let claimed = report.profiles.iter().filter(|profile| profile.claimed);
-    let items: Vec<_> = claimed
-        .map(|result| {
+    let listed = report.profiles.iter().filter(|it| it.is_listed());
+    let (claimed, others): (Vec<_>, Vec<_>) = listed.partition(|it| it.claimed);
+    let mut text = String::new();
+    if !claimed.is_empty() {
+        let items = claimed.iter().map(|result| {
             let says = if result.passes() { "passes" } else { "**fails**" };
-            format!("{says} {} {}", code(&result.profile.id), result.profile.version)
-        })
-        .collect();
-    if items.is_empty() { String::new() } else { section("Claimed profiles", &items) }
+            let (id, version) = (code(&result.profile.id), result.profile.version);
+            let missing = if result.passes() { String::new() } else { missing(result) };
+            format!("{says} {id} {version}, {}{missing}", share(result))
+        });
+        text = section("Claimed profiles", &items.collect::<Vec<_>>());
+    }
+    if !others.is_empty() {
+        let passed = others.iter().filter(|it| it.passes()).count();
+        let row = |result: &&ProfileResult<'_>| {
+            let id = plain(&result.profile.id);
+            format!("| {id} | {} | {} |\n", share(result), plain(&result.missing_in_words()))
+        };
+        let rows: String = others.iter().map(row).collect();
+        let title = format!("Profiles: passes {passed} of {}", others.len());
+        text.push_str(&format!(
+            "\n<details><summary>{title}</summary>\n\n\
+             | profile | rules | not passed |\n| --- | ---: | --- |\n{rows}\n</details>\n"
+        ));
+    }
+    text
+}
+
+/// How many rules of a profile pass, such as `57 of 60`.
+fn share(result: &ProfileResult<'_>) -> String {
+    format!("{} of {}", result.count(RuleVerdict::Pass), result.rules.len())
+}
+
+fn missing(result: &ProfileResult<'_>) -> String {
+    format!("; {}", plain(&result.missing_in_words()))
 }
 
 /// The rules of which most cases diverge.

@@ -72,6 +72,11 @@ pub struct Header {
 }
 
 impl Header {
+    /// Whether some cases were left out: by a selection, or since others are in other shards.
+    pub fn is_in_part(&self) -> bool {
+        !self.only.is_empty() || self.shard != Shard::WHOLE
+    }
+
     /// What a run is of.
     pub fn of(plan: Plan<'_>, controller: &dyn Adapter, shard: Shard) -> Self {
         let observables = controller.capabilities();

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use anstyle::{AnsiColor, Style};
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Scope, Verdict};
 use gaugeblock_runner::findings::{Finding, FindingCause};
+use gaugeblock_suite::Profile;
 use gaugeblock_vocabulary::Language;
 
 use super::abridge::{abridged, wrapped};
@@ -307,40 +308,37 @@ fn mismatches(text: &mut String, report: &Report<'_>) {
     }
 }
 
-/// The profiles that it passes, and those that it claims and does not pass.
+/// How far the controller is from each profile: the rules that pass, and the others by name.
 fn profiles(text: &mut String, report: &Report<'_>) {
-    let passes = |claimed: bool| {
-        let some = report.profiles.iter().filter(move |p| p.passes() && p.claimed == claimed);
-        some.map(|p| format!("{} (version {})", p.profile.id, p.profile.version))
-            .collect::<Vec<_>>()
-    };
-    let (claimed, besides) = (passes(true), passes(false));
-    if !claimed.is_empty() {
-        line!(text, "passes the claimed profiles: {}", styled(GREEN, &claimed.join(", ")));
+    const INDENTATION: usize = 33;
+    let listed: Vec<_> = report.profiles.iter().filter(|it| it.is_listed()).collect();
+    if listed.is_empty() {
+        return;
     }
-    if !besides.is_empty() {
-        line!(
-            text,
-            "also passes these profiles, which --profile does not claim: {}",
-            besides.join(", ")
-        );
+    line!(text, "{:<18}{:>6}{:>7}  not passed", "profile", "rules", "pass");
+    for result in &listed {
+        let (id, rules) = (&result.profile.id, result.rules.len());
+        let pass = format!("{:>7}", result.count(RuleVerdict::Pass));
+        let pass = if result.passes() { styled(GREEN, &pass) } else { pass };
+        let missing = wrapped(&result.missing_in_words(), INDENTATION);
+        let missing =
+            if missing.is_empty() { missing } else { format!("  {}", styled(DIM, &missing)) };
+        line!(text, "{id:<18}{rules:>6}{pass}{missing}");
     }
-    for failed in report.profiles.iter().filter(|p| p.claimed && !p.passes()) {
-        line!(
-            text,
-            "{} {} (version {}): of {} rules {} pass, {} diverge, {} unsupported, {} not judged, {} not run",
-            styled(RED, "fails the claimed profile"),
-            failed.profile.id,
-            failed.profile.version,
-            failed.rules(),
-            failed.count(RuleVerdict::Pass),
-            failed.count(RuleVerdict::Diverges),
-            failed.count(RuleVerdict::Unsupported),
-            failed.count(RuleVerdict::NotJudged),
-            failed.not_run
-        );
+    line!(text);
+    for result in listed.iter().filter(|it| it.claimed) {
+        let (style, says) = match result.passes() {
+            true => (GREEN, "passes the claimed profile"),
+            false => (RED, "fails the claimed profile"),
+        };
+        let Profile { id, version, .. } = result.profile;
+        line!(text, "{} {id} (version {version})", styled(style, says));
     }
 }
+
+/// Why a field is masked.
+const NOT_JUDGED: &str =
+    "not judged, since not reported in every case, or without a code in the edition";
 
 fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let unsupported = report.unsupported();
@@ -357,16 +355,14 @@ fn unseen(text: &mut String, report: &Report<'_>, verbose: bool) {
     let masked = report.masked();
     if !masked.is_empty() {
         if verbose {
-            line!(text, "not reported by this controller, or not everywhere, by number of cases:");
+            line!(text, "{NOT_JUDGED}, by number of cases:");
             for (field, cases) in masked {
                 line!(text, "  {cases:>5}  {field}");
             }
         } else {
             let names: Vec<_> = masked.keys().copied().collect();
             let names = names.join(", ");
-            let names = format!(
-                "not reported by this controller, or not everywhere: {names} (-v counts them)"
-            );
+            let names = format!("{NOT_JUDGED}: {names} (-v counts them)");
             line!(text, "{}", wrapped(&names, 2));
         }
     }

@@ -6,8 +6,10 @@ use std::collections::BTreeSet;
 use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::compare;
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_suite::{Case, Choice, ChoiceKind, Rule, Suite, scenario_of};
+use gaugeblock_suite::{Case, Choice, ChoiceKind, Edition, Rule, Suite, scenario_of};
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
+
+use crate::observables::judged_observables;
 
 /// An option of a choice or quirk that is not selected.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +17,18 @@ pub(crate) struct AlternativeOption<'a> {
     /// The choice or quirk.
     pub(crate) choice: &'a Choice,
     option: &'a str,
+}
+
+/// Returns the name of another controller whose quirk this is; none for a quirk of this controller.
+///
+/// `name` is a quirk's id, or a choice with an option: a choice belongs to none.
+pub fn other_controller(controller: &str, name: &str) -> Option<&'static str> {
+    let named = controller.to_ascii_lowercase();
+    match name.split_once('.')?.0 {
+        "rs274" | "linuxcnc" if !matches!(named.as_str(), "rs274" | "linuxcnc") => Some("LinuxCNC"),
+        "grbl" if !named.starts_with("grbl") => Some("Grbl"),
+        _ => None,
+    }
 }
 
 impl AlternativeOption<'_> {
@@ -63,17 +77,20 @@ pub(crate) struct DivergenceContext<'a> {
     pub(crate) found: &'a Outcome,
     /// The controller.
     pub(crate) controller: &'a dyn Adapter,
+    /// The edition.
+    pub(crate) edition: &'a Edition,
 }
 
 impl<'a> DivergenceContext<'a> {
     /// The other options under which the model has the controller's outcome; empty if none are found.
     ///
     /// The search tries, in this order: each option that the rule names, each quirk and then each choice that it does
-    /// not name, as few as possible of the controller's known quirks, and pairs with an option that the rule names. If
-    /// the outcomes are equal and only an assertion fails, nothing explains it.
+    /// not name, as few as possible of the controller's known quirks, and pairs with an option that the rule names. A
+    /// quirk of another controller is the explanation where no other option is. If the outcomes are equal and only an
+    /// assertion fails, nothing explains it.
     pub(crate) fn explain(self) -> Vec<AlternativeOption<'a>> {
         let found = Observed::of(self.found);
-        let observables = self.controller.observables(self.scenario);
+        let observables = judged_observables(self.controller, self.scenario, self.edition);
         let (specified, consulted) = self.model_under(&[]);
         let explains = |outcome: &Outcome| {
             // Most options do not concern the program: the outcome is the one that differs already.
@@ -81,12 +98,20 @@ impl<'a> DivergenceContext<'a> {
                 && compare(&Observed::of(outcome), &found, &observables).is_equal()
         };
         let mut tried = Vec::new();
+        let mut of_another = None;
+        let controller = &self.controller.capabilities().name;
         for one in self.candidates().into_iter().filter(|one| consulted.includes(one)) {
             let (outcome, consulted) = self.model_under(&[one]);
             if explains(&outcome) {
-                return vec![one];
+                if other_controller(controller, &one.choice.id).is_none() {
+                    return vec![one];
+                }
+                of_another = of_another.or(Some(one));
             }
             tried.push((one, consulted));
+        }
+        if let Some(one) = of_another {
+            return vec![one];
         }
         let mut known = self.observed_options();
         let (outcome, consulted) = self.model_under(&known);
@@ -174,7 +199,7 @@ impl<'a> DivergenceContext<'a> {
         let Some(observed) = observed.and_then(|id| self.suite.edition(id)) else { return false };
         let scenario = scenario_of(self.case, &self.suite.options(observed), observed);
         let expected = Observed::of(&gaugeblock_reference::run(&scenario).0);
-        let observables = self.controller.observables(self.scenario);
+        let observables = judged_observables(self.controller, self.scenario, self.edition);
         compare(&expected, &Observed::of(self.found), &observables).is_equal()
     }
 }

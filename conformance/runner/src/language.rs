@@ -84,13 +84,21 @@ fn missing_of_code(
 fn missing_mark(language: &DeclaredLanguage, needs: &LanguageNeeds) -> Option<&'static str> {
     let lacks = |kind| language.parameters.as_ref().is_some_and(|kinds| !kinds.contains(&kind));
     let no_comment = |kind| language.comments.as_ref().is_some_and(|kinds| !kinds.contains(&kind));
+    let is_above =
+        language.greatest_parameter.is_some_and(|greatest| needs.greatest_parameter > greatest);
     let marks = [
         (needs.numbered_parameters && lacks(ParameterKind::Numbered), "a numbered parameter"),
         (needs.named_parameters && lacks(ParameterKind::Named), "a named parameter"),
+        (is_above, "a parameter of a greater number"),
         (needs.expressions && language.expressions == Some(false), "an expression"),
+        (needs.comparisons && language.comparisons == Some(false), "a comparison"),
         (needs.o_words && language.o_words == Some(false), "an O-word"),
         (needs.parentheses && no_comment(CommentKind::Parentheses), "a comment in parentheses"),
         (needs.semicolons && no_comment(CommentKind::Semicolon), "a comment after a semicolon"),
+        (
+            needs.messages && no_comment(CommentKind::Active) && no_comment(CommentKind::Message),
+            "a message",
+        ),
         (needs.active_comments && no_comment(CommentKind::Active), "an active comment"),
     ];
     marks.iter().find(|(is_missing, _)| *is_missing).map(|(_, what)| *what)
@@ -136,8 +144,27 @@ mod tests {
         check("o1 sub\no1 endsub\n", "an O-word");
         check("g0;x\n", "a comment after a semicolon");
         check("(debug,a)\n", "an active comment");
+        check("(msg,a)\n", "a message");
         check("t1\n", "the word T");
         check("g0 a1\n", "the axis word A");
+    }
+
+    #[test]
+    fn language_of_numbers_and_messages_only() {
+        let language = r#"{"greatest_parameter":5399,"comparisons":false,"comments":["parentheses","message"]}"#;
+        let language = serde_json::from_str(language).expect("a language");
+        for (program, expect) in [
+            ("#5399=[1 or 2]\n(msg,a)\n(debugging)\n", Ok(())),
+            ("#31=#5400\n", Err("a parameter of a greater number")),
+            ("#31=[1 eq 2]\n", Err("a comparison")),
+            ("#31=[1] (eq)\no1 while\n", Ok(())),
+            ("#31=exists[#<a>]\n", Err("a comparison")),
+            ("(print,a)\n", Err("an active comment")),
+        ] {
+            let found = check_program(&language, &Scenario::of(program));
+            let expect = expect.map_err(|what| format!("{what}: not in the declared language"));
+            assert_eq!(found, expect, "{program}");
+        }
     }
 
     #[test]

@@ -19,7 +19,10 @@ pub mod journal;
 pub mod language;
 mod model_run;
 pub mod motion_programs;
+mod observables;
 mod orphans;
 pub mod shard;
 pub mod suite_check;
 pub mod waivers;
+
+pub use explain::other_controller;

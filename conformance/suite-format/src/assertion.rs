@@ -92,11 +92,11 @@ pub enum Claim {
     Pin(Pin, Vec<f64>),
 }
 
-/// A claim, and the option or edition under which it is made.
+/// A claim, and the options or the edition under which it is made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assertion {
-    /// `choice = option` or `edition = id`, where it is made under that only.
-    pub guard: Option<(String, String)>,
+    /// `choice = option` or `edition = id`, where it is made under all of these only.
+    pub guards: Vec<(String, String)>,
     /// What must be observed.
     pub claim: Claim,
     /// As it was written.
@@ -108,19 +108,28 @@ impl FromStr for Assertion {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let trimmed = text.trim();
-        let (guard, rest) = match trimmed.strip_prefix("when ") {
+        let (guards, rest) = match trimmed.strip_prefix("when ") {
             Some(rest) => {
-                let (guard, rest) =
+                let (guards, rest) =
                     rest.split_once(": ").ok_or("after `when choice = option` comes `: `")?;
-                let (id, option) =
-                    guard.split_once('=').ok_or("a guard is `when choice = option: …`")?;
-                (Some((id.trim().to_owned(), option.trim().to_owned())), rest)
+                (guards.split(" and ").map(guard).collect::<Result<_, _>>()?, rest)
             }
-            None => (None, trimmed),
+            None => (Vec::new(), trimmed),
         };
         let claim = claim(rest.trim())?;
-        Ok(Self { guard, claim, text: trimmed.to_owned() })
+        Ok(Self { guards, claim, text: trimmed.to_owned() })
     }
+}
+
+fn guard(text: &str) -> Result<(String, String), String> {
+    let (id, option) = text.split_once('=').ok_or("a guard is `when choice = option: …`")?;
+    let (id, option) = (id.trim(), option.trim());
+    if [id, option].iter().any(|name| name.is_empty() || name.contains(char::is_whitespace)) {
+        return Err(
+            "guards are joined by `and`: `when choice = option and choice = option: …`".to_owned()
+        );
+    }
+    Ok((id.to_owned(), option.to_owned()))
 }
 
 fn claim(text: &str) -> Result<Claim, String> {
@@ -381,6 +390,7 @@ mod tests {
             "pin analog_out[3]: -1.5",
             "pin coolant_mist: none",
             "when saved-state.motion-mode = restored: after 5 motion = feed",
+            "when order.feed-unit = old and edition = linuxcnc-2.9: refused at 2",
         ] {
             assert!(text.parse::<Assertion>().is_ok(), "{text}: {:?}", text.parse::<Assertion>());
         }
@@ -389,6 +399,14 @@ mod tests {
             effect.claim,
             Claim::Effects(vec![Effect::StraightFeed { end: Position::default() }])
         );
+    }
+
+    #[test]
+    fn joins_guards() {
+        let text = "when order.feed-unit = old and edition = gpp2: accepted";
+        let guards = text.parse::<Assertion>().expect("readable").guards;
+        let pair = |id: &str, option: &str| (id.to_owned(), option.to_owned());
+        assert_eq!(guards, [pair("order.feed-unit", "old"), pair("edition", "gpp2")]);
     }
 
     #[test]
@@ -414,6 +432,8 @@ mod tests {
             "pin digital_out[0]: on",
             "pin horn: 1",
             "pin coolant_mist: 1,",
+            "when order.feed-unit: accepted",
+            "when order.feed-unit = old and: accepted",
         ] {
             assert!(text.parse::<Assertion>().is_err(), "{text}");
         }

@@ -8,6 +8,7 @@ pub mod ledger;
 mod motion;
 mod needs;
 mod page;
+mod profile;
 mod scenario;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -198,6 +199,7 @@ impl Suite {
                 ));
             }
         }
+        errors.extend(self.problems_of_profiles());
         for rule in &self.rules {
             let path = &self.paths[&rule.id];
             for problem in self.problems_of(rule, &known) {
@@ -220,7 +222,7 @@ impl Suite {
         }
         let editions = rule.void.keys().chain(rule.cases.iter().flat_map(|case| &case.editions));
         for edition in editions.filter(|id| self.edition(id).is_none()) {
-            problems.push(format!("there is no edition `{edition}`"));
+            problems.push(format!("unknown edition `{edition}`"));
         }
         let mut names = BTreeSet::new();
         for name in rule.case_names() {
@@ -230,8 +232,8 @@ impl Suite {
         }
         for case in &rule.cases {
             let guarded = case.assertions.iter().filter(|text| text.starts_with("when "));
-            let guarded = guarded.filter_map(|text| text.parse::<Assertion>().ok()?.guard);
-            for (id, option) in guarded {
+            let guarded = guarded.filter_map(|text| text.parse::<Assertion>().ok());
+            for (id, option) in guarded.flat_map(|assertion| assertion.guards) {
                 let fits = match id.as_str() {
                     "edition" => {
                         self.edition(&option).map(|_| ()).ok_or(format!("no edition `{option}`"))
@@ -244,7 +246,7 @@ impl Suite {
             }
         }
         if self.profile(&rule.profile).is_none() {
-            problems.push(format!("there is no profile `{}`", rule.profile));
+            problems.push(format!("unknown profile `{}`", rule.profile));
         }
         for id in &rule.options {
             let of_motion = self.motion_choices.iter().any(|choice| choice.id == *id);
@@ -253,11 +255,6 @@ impl Suite {
             }
         }
         problems
-    }
-
-    /// The profile of an id.
-    pub fn profile(&self, id: &str) -> Option<&Profile> {
-        self.profiles.iter().find(|profile| profile.id == id)
     }
 
     /// The edition of an id.

@@ -95,7 +95,9 @@ pub struct Rule {
     /// The outcomes that it can have; none where it is about motion alone.
     #[serde(default)]
     pub outcomes: Vec<RuleOutcome>,
-    /// The profile that it belongs to.
+    /// The profile that its page names. It counts for another one where all lineages share it: [`Suite::profile_of`].
+    ///
+    /// [`Suite::profile_of`]: crate::Suite::profile_of
     pub profile: String,
     /// The choices and quirks on which its cases depend.
     #[serde(default)]
@@ -397,7 +399,8 @@ impl Edition {
     }
 }
 
-/// A named and versioned list of rules that a vendor can claim: those whose pages name it.
+/// A named and versioned list of rules that a vendor can claim: those whose pages name it, or those that every lineage
+/// of controllers shares.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
@@ -407,6 +410,13 @@ pub struct Profile {
     pub version: u32,
     /// What it comprises.
     pub sentence: String,
+    /// An edition of each lineage. Where there are any, the profile has the rules that the documents of each of them
+    /// require.
+    #[serde(default)]
+    pub lineages: Vec<String>,
+    /// The profiles from which it takes these rules.
+    #[serde(default)]
+    pub drawn_from: Vec<String>,
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub fn scenario_of(case: &Case, options: &Options, edition: &Edition) -> Scenari
 
 /// Whether an assertion is made under these options.
 pub fn applies(assertion: &Assertion, options: &Options, edition: &str) -> bool {
-    assertion.guard.as_ref().is_none_or(|(id, option)| match id.as_str() {
+    assertion.guards.iter().all(|(id, option)| match id.as_str() {
         "edition" => option == edition,
         _ => options.is(id, option),
     })

@@ -10,7 +10,7 @@ use gaugeblock_vocabulary::scenario::Action;
 use gaugeblock_vocabulary::{Language, Scenario};
 
 use super::evaluate::value_of;
-use super::execute::message::is_active;
+use super::execute::message::{is_active, is_message};
 use super::modes::{Code, ModalGroup, Rounding, g_code, g_text, m_code};
 use super::state::State;
 use super::syntax::{Block, Comment, Expression, parse};
@@ -35,6 +35,10 @@ pub struct LanguageNeeds {
     pub numbered_parameters: bool,
     /// Whether a named parameter is read or set.
     pub named_parameters: bool,
+    /// The greatest number that is written after a number sign, and zero without any.
+    pub greatest_parameter: u32,
+    /// Whether an expression has a comparison, or EXISTS.
+    pub comparisons: bool,
     /// Whether something is in square brackets.
     pub expressions: bool,
     /// Whether there is an O-word.
@@ -43,7 +47,9 @@ pub struct LanguageNeeds {
     pub parentheses: bool,
     /// Whether there is a comment after a semicolon.
     pub semicolons: bool,
-    /// Whether there is a comment that does something, such as `(MSG,…)`.
+    /// Whether there is a comment `(MSG,…)`.
+    pub messages: bool,
+    /// Whether there is a comment that does something else, such as `(DEBUG,…)`.
     pub active_comments: bool,
 }
 
@@ -131,7 +137,10 @@ impl Reader {
     fn comment(&mut self, comment: &Comment) {
         self.needs.parentheses |= !comment.semicolon;
         self.needs.semicolons |= comment.semicolon;
-        if is_active(&comment.text, &self.state.choices) {
+        let choices = &self.state.choices;
+        if is_message(&comment.text, choices) {
+            self.needs.messages = true;
+        } else if is_active(&comment.text, choices) {
             self.needs.active_comments = true;
             self.parameters(&comment.text);
         }
@@ -140,12 +149,20 @@ impl Reader {
     fn parameters(&mut self, text: &str) {
         self.needs.named_parameters |= text.contains("#<");
         self.needs.numbered_parameters |= text.replace("#<", "").contains('#');
+        let numbers = text.split('#').skip(1).map(|rest| {
+            let digits =
+                rest.find(|mark: char| !mark.is_ascii_digit()).map_or(rest, |end| &rest[..end]);
+            digits.parse().unwrap_or_default()
+        });
+        let greatest = numbers.max().unwrap_or_default();
+        self.needs.greatest_parameter = self.needs.greatest_parameter.max(greatest);
     }
 
     /// What single characters need, in a line that is refused, too.
     fn marks(&mut self, characters: &str) {
         self.parameters(characters);
         self.needs.expressions |= characters.contains('[');
+        self.needs.comparisons |= has_comparison(characters);
         let is_before = |character: char| matches!(character, '/' | 'n' | '0'..='9' | '.');
         self.needs.o_words |= characters.trim_start_matches(is_before).starts_with('o');
     }
@@ -238,6 +255,17 @@ fn uses(code: &Code, letter: char) -> bool {
     code.words.contains(letter) || code.axis_words && is_axis
 }
 
+/// Whether a comparison or EXISTS is between the brackets of a line, which is in lower case without blanks.
+fn has_comparison(line: &str) -> bool {
+    const SPELLINGS: [&str; 6] = ["eq", "ne", "gt", "ge", "lt", "le"];
+    let from = line.find('[').unwrap_or(line.len());
+    let to = line.rfind(']').map_or(from, |end| end.max(from));
+    let outside_names =
+        line[from..to].split('<').map(|part| part.split_once('>').map_or(part, |(_, rest)| rest));
+    line.contains("exists[")
+        || outside_names.into_iter().any(|part| SPELLINGS.iter().any(|name| part.contains(name)))
+}
+
 fn is_constant(value: &Expression) -> bool {
     match value {
         Expression::Number(_) => true,
@@ -267,6 +295,8 @@ mod tests {
             (needs.o_words, "O"),
             (needs.parentheses, "()"),
             (needs.semicolons, ";"),
+            (needs.comparisons, "eq"),
+            (needs.messages, "msg"),
             (needs.active_comments, "active"),
         ];
         parts.extend(marks.iter().filter(|(is, _)| *is).map(|(_, mark)| (*mark).to_owned()));
@@ -316,7 +346,8 @@ mod tests {
         check("o1 if [1]\n", "[] O");
         check("(a)\n", "()");
         check("g0;a\n", "G0: ;");
-        check("(msg, a)\n", "() active");
+        check("(msg, a)\n", "() msg");
+        check("#31=[1 le 2]\n#<one>=[exists[#<a>]]\n", "#1 #<> [] eq");
         check("(print,#<a>)\n", "#<> () active");
     }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 use gaugeblock_adapter::protocol;
-use gaugeblock_adapter::templates::{C, PYTHON};
+use gaugeblock_adapter::templates::{C, CPP, PYTHON, RUST};
 use gaugeblock_suite::Suite;
 
 use super::{check, user_files};
@@ -41,7 +41,8 @@ pub(crate) enum Adapter {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   gaugeblock adapter new > adapter.py
-  gaugeblock adapter new --lang c adapter.c")]
+  gaugeblock adapter new --lang c adapter.c
+  gaugeblock adapter new --lang c++ adapter.cpp")]
 pub(crate) struct New {
     /// Programming language
     #[arg(long, value_enum, default_value_t = Lang::Python)]
@@ -57,6 +58,11 @@ enum Lang {
     Python,
     /// C99 with POSIX
     C,
+    /// C++17, for an interpreter in a library that calls canonical functions
+    #[value(name = "c++", alias = "cpp")]
+    Cpp,
+    /// Rust with `serde_json`, for an interpreter that writes its canonical calls to a file
+    Rust,
 }
 
 #[derive(Debug, Args)]
@@ -106,6 +112,8 @@ fn new(arguments: &New) -> Result<u8, CliError> {
     let template = match arguments.lang {
         Lang::Python => PYTHON,
         Lang::C => C,
+        Lang::Cpp => CPP,
+        Lang::Rust => RUST,
     };
     match &arguments.file {
         None => write_out(template),

@@ -39,6 +39,17 @@ pub(crate) struct ComparisonFiles {
 }
 
 impl ComparisonArguments {
+    /// The first of these options that is given.
+    pub(crate) fn first_given(&self) -> Option<&'static str> {
+        [
+            ("--expectations", self.expectations.is_some()),
+            ("--baseline", self.baseline.is_some()),
+            ("--waivers", self.waivers.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(option, is_given)| is_given.then_some(option))
+    }
+
     /// Reads the files, before anything runs.
     pub(crate) fn read(&self) -> Result<ComparisonFiles, CliError> {
         let baseline = self.baseline.as_deref().map(stored_report::stored).transpose()?;
@@ -156,7 +167,7 @@ fn read_waivers(path: &Path) -> Result<Waivers, CliError> {
 }
 
 #[expect(clippy::disallowed_methods, reason = "a waiver ends on a day of the calendar")]
-fn today() -> Day {
+pub(crate) fn today() -> Day {
     let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     Day::after_epoch(since.map_or(0, |since| since.as_secs() / 86_400))
 }

@@ -292,7 +292,8 @@ pub(crate) fn own_edition<'a>(controller: &'a dyn Adapter, suite: &Suite) -> &'a
 
 /// The edition that a controller names. Another suite than the built-in one may be without that of the Grbl family.
 pub(crate) fn named_edition<'a>(controller: &'a dyn Adapter, suite: &Suite) -> Option<&'a str> {
-    let is_there = |id: &&str| *id != Grbl::EDITION || suite.edition(id).is_some();
+    let is_there =
+        |id: &&str| ![Grbl::EDITION, Grbl::HAL_EDITION].contains(id) || suite.edition(id).is_some();
     controller.own_edition().filter(is_there)
 }
 

@@ -217,6 +217,7 @@ fn result_of<'a>(
         finished: Vec::new(),
         repeat: RepeatSampling::default(),
         shrink_attempts: 0,
+        model: None,
         on_result: &mut |_| {},
     };
     let run = run_plan(plan, &controller, run_options);

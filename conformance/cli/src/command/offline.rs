@@ -41,7 +41,7 @@ pub(crate) enum Offline {
 const EXPORT_EXAMPLES: &str = "Examples:
   gaugeblock offline export --out campaign
       export every case of the default edition that can run offline
-  gaugeblock offline export --profile modal-save --profile subroutines --out campaign
+  gaugeblock offline export --profile rs274-core --profile modal-save --out campaign
       export the rules of two profiles
   gaugeblock offline export --only arcs.radius --only cycles.peck --out campaign
       export the rules whose ids begin so

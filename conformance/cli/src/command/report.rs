@@ -13,11 +13,11 @@ use gaugeblock_suite::Suite;
 
 use super::comparison::ComparisonArguments;
 use super::stored_report::stored;
-use super::{certify, user_files};
+use super::{certify, report_compare, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 
-/// Merge the reports of shards
+/// Merge the reports of shards, or compare those of several controllers
 #[derive(Debug, Subcommand)]
 pub(crate) enum Reports {
     /// Merge the reports of all shards of one run
@@ -30,6 +30,8 @@ editions, options, suites or calls, and a report of --assertions-only with a ful
 
 Exit status: that of `gaugeblock certify` for the whole run; 2 wrong call or input.")]
     Merge(Merge),
+    /// Compare the reports of several controllers, or of one over time
+    Compare(report_compare::Arguments),
 }
 
 #[derive(Debug, Args)]
@@ -53,6 +55,7 @@ pub(crate) struct Merge {
 pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, CliError> {
     match command {
         Reports::Merge(arguments) => merge(arguments, suite),
+        Reports::Compare(arguments) => report_compare::compare(arguments),
     }
 }
 

@@ -15,6 +15,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock rules                              every rule with its sentence
   gaugeblock rules saved-state                  the rules of a chapter
   gaugeblock rules saved-state --format json    the same with sources, cases and reached outcomes
+  gaugeblock rules --profile rs274-core         the rules of a profile of `suite profiles`
   gaugeblock explain saved-state.feed           one rule with its sources and programs";
 
 const CHOICES_EXAMPLES: &str = "Examples:
@@ -29,6 +30,9 @@ pub(crate) struct Arguments {
     /// List only rules whose id begins with this, such as `saved-state`; may be repeated
     #[arg(value_name = "PREFIX")]
     prefix: Vec<String>,
+    /// List only rules of this profile; may be repeated
+    #[arg(long, value_name = "PROFILE")]
+    profile: Vec<String>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -48,9 +52,13 @@ pub(crate) struct ChoiceArguments {
 
 /// Lists rules.
 pub(crate) fn rules(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
-    let rules = selected(suite, &arguments.prefix);
+    super::certify::known_profiles(&arguments.profile, suite)?;
+    let mut rules = selected(suite, &arguments.prefix);
     if rules.is_empty() {
         return Err(unknown_prefix("rule", &arguments.prefix, "rules"));
+    }
+    if let profiles @ [_, ..] = arguments.profile.as_slice() {
+        rules.retain(|rule| profiles.iter().any(|profile| profile == suite.profile_of(rule)));
     }
     match arguments.format {
         Format::Text => list(suite, &rules),
@@ -115,7 +123,7 @@ fn document(suite: &Suite, rules: &[&Rule]) -> serde_json::Value {
         .map(|rule| {
             let cases: Vec<_> = rule.case_names().collect();
             json!({
-                "rule": rule.id, "sentence": rule.sentence, "profile": rule.profile,
+                "rule": rule.id, "sentence": rule.sentence, "profile": suite.profile_of(rule),
                 "sources": rule.sources, "outcomes": rule.outcomes,
                 "reached": suite_check::reached(suite, rule), "options": rule.options,
                 "void": rule.void, "cases": cases,

@@ -13,6 +13,8 @@ enum What {
     Outcome,
     /// The report.json of `certify --report`
     Report,
+    /// The comparison.json of `report compare`
+    Comparison,
 }
 
 #[derive(Debug, Args)]
@@ -30,6 +32,7 @@ pub(crate) fn schema(arguments: &Arguments) -> Result<u8, CliError> {
         What::Scenario => gaugeblock_vocabulary::schema::scenario(),
         What::Outcome => gaugeblock_vocabulary::schema::outcome(),
         What::Report => gaugeblock_report::json::schema(),
+        What::Comparison => gaugeblock_report::comparison::schema(),
     };
     write_out(&format!("{:#}\n", schema.as_value()));
     Ok(0)

@@ -1,6 +1,6 @@
 //! Reports that were written before.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use gaugeblock_report::merge::Stored;
 
@@ -12,13 +12,18 @@ const NAME_A_REPORT: &str = "name the report.json of an earlier run: \
 
 /// A report of an earlier run: the file, or the folder that holds it as `report.json`.
 pub(crate) fn stored(path: &Path) -> Result<(String, Stored), CliError> {
+    let (path, text) = text(path)?;
+    let stored = read(&path, &text, Stored::read)?;
+    Ok((path.display().to_string(), stored))
+}
+
+/// The file of a report and its text.
+pub(crate) fn text(path: &Path) -> Result<(PathBuf, String), CliError> {
     let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
-    let name = path.display().to_string();
     let bytes = std::fs::read(&path)
-        .map_err(|error| CliError::usage(format!("{name}: {error}"), NAME_A_REPORT))?;
+        .map_err(|error| CliError::usage(format!("{}: {error}", path.display()), NAME_A_REPORT))?;
     // What is not UTF-8 is not JSON either, and is refused as such.
-    let stored = read(&path, &String::from_utf8_lossy(&bytes), Stored::read)?;
-    Ok((name, stored))
+    Ok((path, String::from_utf8_lossy(&bytes).into_owned()))
 }
 
 /// Reads what is of use in a report of an earlier run.

@@ -13,6 +13,7 @@ use gaugeblock_suite::{Rule, Suite, files};
 use toml_edit::{DocumentMut, Item};
 
 use super::matrix::matrix;
+use super::profiles::{ProfileArguments, profiles};
 use super::rules::selected;
 use super::user_files;
 use crate::arguments::Format;
@@ -29,6 +30,8 @@ const EXAMPLES: &str = "Examples:
       write the model's outcomes as goldens of a chapter; read them before you commit them
   gaugeblock suite matrix --report out/report.json
       per document and section: sentences, rules, verdicts of the model and of a controller
+  gaugeblock suite profiles
+      what a vendor can claim, with the number of rules
   gaugeblock suite faults
       which planted faults the suite catches in production (build with --features faulty)";
 
@@ -42,6 +45,8 @@ pub(crate) enum Maintenance {
     Bless(BlessArguments),
     /// Print, per document and section, its sentences, its rules and their verdicts
     Matrix(MatrixArguments),
+    /// List the profiles that a vendor can claim, with their number of rules
+    Profiles(ProfileArguments),
     /// Certify the production interpreter with each planted fault (build with --features faulty)
     Faults(FaultArguments),
 }
@@ -128,6 +133,7 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
             }
             matrix(&suite, &ledgers, &arguments.report, arguments.format)
         }
+        Maintenance::Profiles(arguments) => profiles(&suite, arguments),
         Maintenance::Faults(arguments) => faults(&suite, arguments),
     }
 }

@@ -31,6 +31,7 @@ mod report;
 mod rs274;
 mod rs274_by_protocol;
 mod scenario_encoding;
+mod several;
 mod shards;
 mod template;
 mod tutorial;

@@ -14,6 +14,8 @@ use crate::template::{LOOP, TEMPLATE, changed, file, limits, text, verdicts_on};
 
 pub(crate) const PAGE: &str = include_str!("../../../adapter/PROTOCOL.md");
 const TEMPLATE_C: &str = include_str!("../../../adapter/templates/template.c");
+const TEMPLATE_CPP: &str = include_str!("../../../adapter/templates/template.cpp");
+const TEMPLATE_RUST: &str = include_str!("../../../adapter/templates/template.rs");
 
 #[test]
 fn the_examples_of_the_page_are_requests_and_answers() {
@@ -54,17 +56,44 @@ fn the_schemas_are_those_of_version_1() {
     }
 }
 
+/// Compiles a template.
+fn compiled(name: &str, template: &str, compiler: &[&str]) -> String {
+    let source = file(name, template);
+    let binary = format!("{source}-binary");
+    let built = Command::new(compiler[0])
+        .args(&compiler[1..])
+        .args(["-Wall", "-Werror", "-o", &binary, &source])
+        .status();
+    assert!(built.expect("a compiler").success());
+    binary
+}
+
+/// Compiles the template in Rust, as a package with the libraries of this workspace.
+fn compiled_by_cargo() -> String {
+    let manifest = "[package]\nname = \"adapter\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
+                    [dependencies]\nserde_json = \"1\"\n[workspace]\n";
+    let manifest = file("rust/Cargo.toml", manifest);
+    file("rust/src/main.rs", TEMPLATE_RUST);
+    file("rust/Cargo.lock", include_str!("../../../../Cargo.lock"));
+    let built = Command::new(env!("CARGO"))
+        .args(["build", "--offline", "--quiet", "--manifest-path", &manifest])
+        .env_remove("CARGO_TARGET_DIR")
+        .status();
+    assert!(built.expect("cargo").success());
+    manifest.replace("Cargo.toml", "target/debug/adapter")
+}
+
 #[test]
 fn the_templates_are_short_and_nothing_is_wrong_with_them() {
-    for template in [TEMPLATE, TEMPLATE_C] {
+    for template in [TEMPLATE, TEMPLATE_C, TEMPLATE_CPP, TEMPLATE_RUST] {
         assert!(template.lines().count() <= 60, "{}", template.lines().count());
     }
-    let source = file("adapter.c", TEMPLATE_C);
-    let binary = source.strip_suffix(".c").expect("its name").to_owned();
-    let built =
-        Command::new("cc").args(["-std=c99", "-Wall", "-Werror", "-o", &binary, &source]).status();
-    assert!(built.expect("a C compiler").success());
-    for command in [changed("template.py", &[]), binary] {
+    for command in [
+        changed("template.py", &[]),
+        compiled("adapter.c", TEMPLATE_C, &["cc", "-std=c99"]),
+        compiled("adapter.cpp", TEMPLATE_CPP, &["c++", "-std=c++17"]),
+        compiled_by_cargo(),
+    ] {
         let output = gaugeblock(&["adapter", "check", &command]);
         assert_eq!(
             output.status.code(),

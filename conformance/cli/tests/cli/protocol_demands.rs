@@ -177,7 +177,15 @@ fn part_of_the_language_excludes_what_it_does_not_list() {
         ("{\"o_words\":false}", "o1 if [1]\no1 endif", Some("an O-word")),
         ("{\"comments\":[\"semicolon\"]}", "g0 x1 (on)", Some("a comment in parentheses")),
         ("{\"comments\":[\"parentheses\"]}", "g0 x1 ; on", Some("a comment after a semicolon")),
-        ("{\"comments\":[\"parentheses\"]}", "(msg,on)", Some("an active comment")),
+        ("{\"comments\":[\"parentheses\"]}", "(msg,on)", Some("a message")),
+        ("{\"comments\":[\"parentheses\"]}", "(debug,on)", Some("an active comment")),
+        ("{\"comments\":[\"parentheses\",\"message\"]}", "(msg,on)", None),
+        ("{\"comments\":[\"parentheses\",\"message\"]}", "(debug,on)", Some("an active comment")),
+        ("{\"comments\":[\"parentheses\",\"active\"]}", "(msg,on)\n(debug,on)", None),
+        ("{\"greatest_parameter\":5399}", "#31=#5400", Some("a parameter of a greater number")),
+        ("{\"greatest_parameter\":5399}", "#31=#5399", None),
+        ("{\"comparisons\":false}", "#31=[1 eq 2]", Some("a comparison")),
+        ("{\"comparisons\":false}", "#31=[1 and 2]", None),
         ("{}", "g2 x1 r[#1] (msg,on)\no1 if [1]\no1 endif", None),
     ] {
         let declared: DeclaredLanguage = serde_json::from_str(language).expect(language);

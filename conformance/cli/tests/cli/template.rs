@@ -24,8 +24,8 @@ pub(crate) fn text(bytes: &[u8]) -> String {
 /// A file for a test.
 pub(crate) fn file(name: &str, content: &str) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("protocol");
-    std::fs::create_dir_all(&folder).expect("a folder for the test");
     let path = folder.join(name);
+    std::fs::create_dir_all(path.parent().unwrap_or(&folder)).expect("a folder for the test");
     std::fs::write(&path, content).expect("a file for the test");
     path.to_str().expect("a path in UTF-8").to_owned()
 }
@@ -64,6 +64,7 @@ pub(crate) fn verdicts_on(
         finished: Vec::new(),
         repeat: twice,
         shrink_attempts: 0,
+        model: None,
         on_result: &mut each,
     };
     let run = run_plan(plan, controller, course);

@@ -14,6 +14,7 @@ use gaugeblock_vocabulary::Options;
 
 use super::verdict::{CaseResult, Verdict};
 use super::{Plan, Scope};
+use crate::observables::judged_observables;
 
 /// A case; the cells of a grid, which are the same program under several conditions, count as one.
 type CaseOrGrid<'a> = (&'a str, Result<usize, &'a str>);
@@ -84,7 +85,7 @@ fn contradicted_by<'o>(
     let scenario = scenario_of(case, options, plan.edition);
     let (specified, consulted) = gaugeblock_reference::run_consulting(&scenario);
     let found = Observed::of(&specified);
-    let observables = controller.observables(&scenario);
+    let observables = judged_observables(controller, &scenario, plan.edition);
     let contradicts = |name: &&String| {
         let Some((choice, option)) = name.split_once(IS) else { return false };
         if consulted.as_ref().is_some_and(|consulted| !consulted.contains(choice)) {

@@ -3,6 +3,7 @@
 mod accepted;
 mod contradicted;
 mod metric;
+mod model;
 mod motion_case;
 mod plan;
 mod repeat;
@@ -11,7 +12,7 @@ mod select;
 mod shrink;
 mod verdict;
 
-use std::cell::LazyCell;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -24,12 +25,15 @@ use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, ComparedKind, Tally, compare, state};
 use gaugeblock_suite::assertion::Claim;
-use gaugeblock_suite::{Assertion, Case, Rule, Suite, applies, options_of, scenario_of};
+use gaugeblock_suite::{Assertion, Case, Edition, Rule, Suite, applies, options_of, scenario_of};
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario, Undetermined};
 
 use crate::explain::{AlternativeOption, DivergenceContext};
+use crate::observables::judged_observables;
 use crate::shard::Shard;
 pub use accepted::{AcceptsUnjudged, ListName};
+pub use model::ModelOutcomes;
+use model::SpecifiedOutcome;
 pub use plan::{Plan, Scope};
 pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
@@ -52,6 +56,8 @@ pub struct RunOptions<'a, 'c> {
     pub repeat: RepeatSampling,
     /// How many programs the minimiser may try for each unexplained divergence; 0 keeps the case's own program.
     pub shrink_attempts: u32,
+    /// Outcomes of the model that this run shares with others.
+    pub model: Option<&'c ModelOutcomes>,
     /// Called with each result, one call at a time.
     pub on_result: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
 }
@@ -71,6 +77,7 @@ pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + 
         finished: Vec::new(),
         repeat: RepeatSampling::default(),
         shrink_attempts: 0,
+        model: None,
         on_result: &mut each,
     };
     run_plan(plan, controller, run_options)
@@ -85,7 +92,7 @@ pub fn run_plan<'a>(
     let options = options_of(plan.suite, plan.edition, &run_options.options);
     let Selected { not_applicable, cases } =
         select(plan, controller.has_laws_of_motion()).shard(run_options.shard);
-    let (repeat, shrink_attempts) = (run_options.repeat, run_options.shrink_attempts);
+    let RunOptions { repeat, shrink_attempts, model, .. } = run_options;
     let mut finished = BTreeMap::new();
     for result in run_options.finished {
         finished.insert((result.rule.id.as_str(), result.name), result);
@@ -107,8 +114,9 @@ pub fn run_plan<'a>(
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
+                let options = &options;
                 let runner =
-                    CaseRunner { plan, options: &options, controller, repeat, shrink_attempts };
+                    CaseRunner { plan, options, controller, repeat, shrink_attempts, model };
                 let take = || {
                     let (_, place) = order.get(next.fetch_add(1, Ordering::Relaxed))?;
                     let (rule, subject) = cases[*place];
@@ -143,6 +151,7 @@ struct CaseRunner<'a> {
     controller: &'a dyn Adapter,
     repeat: RepeatSampling,
     shrink_attempts: u32,
+    model: Option<&'a ModelOutcomes>,
 }
 
 impl CaseRunner<'_> {
@@ -155,7 +164,13 @@ impl CaseRunner<'_> {
     ) -> CaseResult<'r> {
         let Self { plan, controller, repeat, shrink_attempts, .. } = self;
         let mut result = CaseResult::new(rule, &case.name, &case.program);
-        let specified = LazyCell::new(|| gaugeblock_reference::run(scenario).0);
+        let specified = SpecifiedOutcome {
+            rule: &rule.id,
+            case: &case.name,
+            scenario,
+            shared: self.model,
+            outcome: OnceCell::new(),
+        };
         let expected: Option<&Expected<'_>> = match plan.scope {
             Scope::Full => Some(&specified),
             Scope::AssertionsOnly => None,
@@ -184,7 +199,7 @@ impl CaseRunner<'_> {
             return result;
         }
         let case_judge =
-            CaseJudge { suite: plan.suite, scenario, edition: &plan.edition.id, controller };
+            CaseJudge { suite: plan.suite, scenario, edition: plan.edition, controller };
         if !controller.capabilities().refuses
             && !matches!(found.end, End::Fault(_))
             && expected.is_some_and(|expected| matches!(expected.end, End::Fault(_)))
@@ -244,7 +259,7 @@ fn undetermined_reason(end: &End) -> Option<String> {
 struct CaseJudge<'a> {
     suite: &'a Suite,
     scenario: &'a Scenario,
-    edition: &'a str,
+    edition: &'a Edition,
     controller: &'a dyn Adapter,
 }
 
@@ -266,7 +281,7 @@ impl CaseJudge<'_> {
             return Ok(None);
         };
         if expected.is_some()
-            && self.context(result.rule, case, &found).matches_observed_edition(self.edition)
+            && self.context(result.rule, case, &found).matches_observed_edition(&self.edition.id)
         {
             return Ok(Some((divergence, found)));
         }
@@ -318,8 +333,7 @@ impl CaseJudge<'_> {
         expected: Option<&Observed>,
         observables: &Capabilities,
     ) -> bool {
-        let Some(edition) = self.suite.edition(self.edition) else { return false };
-        let (own, in_force) = (self.suite.options(edition), &self.scenario.options);
+        let (own, in_force) = (self.suite.options(self.edition), &self.scenario.options);
         if own == *in_force {
             return false;
         }
@@ -327,7 +341,7 @@ impl CaseJudge<'_> {
             Some(expected) => matches!(judge(claim, expected, observables), Finding::Fails(_)),
             None => {
                 let names = |id: &String| own.get(id) != in_force.get(id);
-                claim.guard.is_none() && rule.options.iter().any(names)
+                claim.guards.is_empty() && rule.options.iter().any(names)
             }
         }
     }
@@ -335,7 +349,7 @@ impl CaseJudge<'_> {
     /// Whether an assertion does not hold on the model under one other option.
     fn breaks(&self, option: &AlternativeOption<'_>, case: &Case, assertion: &str) -> bool {
         let found = Observed::of(&gaugeblock_reference::run(&option.applied_to(self.scenario)).0);
-        let observables = self.controller.observables(self.scenario);
+        let observables = self.observables();
         let claims = case.parsed();
         let claim = claims.iter().find(|claim| claim.text == assertion);
         claim.is_some_and(|claim| matches!(judge(claim, &found, &observables), Finding::Fails(_)))
@@ -345,14 +359,15 @@ impl CaseJudge<'_> {
     /// observable. Controllers that report no blocks, and answers on paper, can be that silent; and a declared
     /// resolution can hide each difference.
     fn observes_nothing_asserted(&self, case: &Case, found: &Outcome) -> bool {
-        let observables = self.controller.observables(self.scenario);
+        let observables = self.observables();
         let is_silent = !observables.blocks || self.controller.exported_from().is_some();
         if !is_silent && observables.accuracy().is_exact() {
             return false;
         }
         let found = Observed::of(found);
         let claims = case.parsed().into_iter().filter(|claim| {
-            applies(claim, &self.scenario.options, self.edition) && claim.claim != Claim::Accepted
+            applies(claim, &self.scenario.options, &self.edition.id)
+                && claim.claim != Claim::Accepted
         });
         let mut hides = is_silent;
         let mut findings = claims.map(|claim| judge(&claim, &found, &observables)).peekable();
@@ -377,7 +392,13 @@ impl CaseJudge<'_> {
             scenario: self.scenario,
             found,
             controller: self.controller,
+            edition: self.edition,
         }
+    }
+
+    /// What is judged.
+    fn observables(&self) -> Capabilities {
+        judged_observables(self.controller, self.scenario, self.edition)
     }
 
     fn find_divergence(
@@ -387,13 +408,13 @@ impl CaseJudge<'_> {
         found: &Outcome,
         result: &mut CaseResult<'_>,
     ) -> Option<RuleDivergence> {
-        let observables = self.controller.observables(self.scenario);
+        let observables = self.observables();
         let outcomes = (expected, found);
         let (expected, found) = (expected.map(Observed::of), Observed::of(found));
         let (rule, specified) = (result.rule, expected.as_ref());
         let mut assertion = None;
         for claim in
-            case.parsed().iter().filter(|a| applies(a, &self.scenario.options, self.edition))
+            case.parsed().iter().filter(|a| applies(a, &self.scenario.options, &self.edition.id))
         {
             match judge(claim, &found, &observables) {
                 Finding::Holds => result.compared.add(ComparedKind::Assertions, 1),

@@ -47,7 +47,9 @@ fn it_is_compared_with_editions_of_documents() {
             "gpp2",
             "gpp-classic",
             "nct-99m",
-            "grbl-1.1"
+            "grbl-1.1",
+            "grblhal",
+            "nist-rs274ngc-3"
         ]
     );
 }
@@ -68,7 +70,11 @@ fn it_passes_what_it_claims() {
             } else if result.verdict != Verdict::Pass {
                 wrong.push(format!("{place}: {}", result.verdict));
             }
-            if let Some(hidden) = result.masked.first() {
+            // An edition that lists its codes has none for these modes.
+            let modes = ["arc_distance", "lathe", "retract", "spindle_mode"];
+            let is_judged =
+                |name: &&String| edition.has.is_none() || !modes.contains(&name.as_str());
+            if let Some(hidden) = result.masked.iter().find(is_judged) {
                 wrong.push(format!("{place}: {hidden} is not shown"));
             }
         }

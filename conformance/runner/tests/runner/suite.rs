@@ -89,6 +89,7 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
             finished: Vec::new(),
             repeat: RepeatSampling(0),
             shrink_attempts: 0,
+            model: None,
             on_result: &mut |_| {},
         };
         let run = run_plan(plan, &Reference::default(), run_options);

@@ -144,6 +144,7 @@ fn until_end(line: &str) -> (&str, bool) {
 /// The name of a function whose definition begins in this line.
 fn function(code: &str) -> Option<&str> {
     let (head, rest) = code.split_once('(')?;
+    let head = head.trim_end();
     let is_definition = head.starts_with(|first: char| first.is_ascii_alphabetic())
         && head.contains(' ')
         && !rest.contains(';');
@@ -186,6 +187,13 @@ mod tests {
         let sections = extract(TEXT, Form::Comments);
         let names: Vec<_> = sections.iter().map(|section| section.name.as_str()).collect();
         assert_eq!(names, ["read", "STEP 3", "STEP 3, 11. Set plane", AFTER_LAST]);
+    }
+
+    #[test]
+    fn function_may_have_a_blank_before_its_parameters() {
+        let sections = extract("char *first (int a)\n{\n  // One.\n}\n// Two.\n", Form::Comments);
+        let names: Vec<_> = sections.iter().map(|section| section.name.as_str()).collect();
+        assert_eq!(names, ["first", AFTER_LAST]);
     }
 
     #[test]

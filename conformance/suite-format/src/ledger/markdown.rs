@@ -1,4 +1,4 @@
-//! Splits Markdown source text. Links become their words; images and horizontal rules are markup.
+//! Splits Markdown source text. Links become their words; images, anchors and horizontal rules are markup.
 //! Text before the first heading is a section, too.
 
 use super::collector::{Collector, TextSection, folded};
@@ -52,7 +52,7 @@ impl Reader {
             if !is_row_of_hyphens(row) {
                 self.collector.item(Kind::Row, folded(&plain(row)));
             }
-        } else if words.is_empty() || is_rule(words) {
+        } else if words.is_empty() || is_rule(words) || is_anchor(words) {
             self.flush();
         } else if let Some(item) = list_item(words) {
             self.flush();
@@ -88,6 +88,11 @@ fn is_row_of_hyphens(row: &str) -> bool {
 fn is_rule(line: &str) -> bool {
     let of = |rule: char| line.chars().all(|mark| mark == rule);
     line.len() >= 3 && ['-', '*', '_'].into_iter().any(of)
+}
+
+/// An anchor in HTML on a line of its own.
+fn is_anchor(line: &str) -> bool {
+    line.starts_with("<a id=") && line.ends_with("></a>")
 }
 
 /// The text of a list item of any depth, bulleted or numbered.
@@ -131,10 +136,11 @@ mod tests {
 
     #[test]
     fn headings_lose_their_markup() {
-        let text = "Before.\n# `$G` - View [state](x#y) #\nText.\n\n#### Inner\n***\nMore.\n";
+        let text = "Before.\n# `$G` - View [state](x#y) #\nText.\n\n<a id=\"inner\"></a>\n#### Inner\n***\nMore.\n";
         let names: Vec<_> =
             extract(text, Form::Markdown).into_iter().map(|section| section.name).collect();
         assert_eq!(names, [BEFORE_FIRST, "$G - View state", "Inner"]);
+        assert_eq!(items(text).len(), 3);
     }
 
     #[test]

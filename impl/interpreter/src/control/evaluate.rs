@@ -244,7 +244,7 @@ impl Evaluator {
                 self.stack.push(-value);
             }
             Op::Indirect => {
-                let number = parameter_number(self.pop()).map_err(wrong)?;
+                let number = parameter_number(self.pop(), &compiler.choices).map_err(wrong)?;
                 self.stack.push(if is_position(number) {
                     parameters.numbered(number, modal)
                 } else {
@@ -280,7 +280,7 @@ impl Evaluator {
             Op::Caret => words.caret = Some(self.pop()),
             Op::SetIndirect => {
                 let value = self.pop();
-                let number = parameter_number(self.pop()).map_err(wrong)?;
+                let number = parameter_number(self.pop(), &compiler.choices).map_err(wrong)?;
                 if compiler.is_read_only(number) {
                     return Err(Refusal::fault(
                         FaultKind::ReadOnlyParameter,

@@ -122,6 +122,12 @@ impl Tolerances {
             (ArcTolerance::Millimetres, LengthUnit::Inch) => {
                 Self { coarse: 0.5 / 25.4, fine: 0.005 / 25.4, ..self }
             }
+            (ArcTolerance::TwoMicrometres, LengthUnit::Inch) => {
+                Self { coarse: 0.0002, fine: 0.0002, ..self }
+            }
+            (ArcTolerance::TwoMicrometres, LengthUnit::Millimetre) => {
+                Self { coarse: 0.002, fine: 0.002, ..self }
+            }
             (ArcTolerance::Millimetres, LengthUnit::Millimetre) | (ArcTolerance::Coarse, _) => self,
         }
     }

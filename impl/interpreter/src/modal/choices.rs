@@ -15,6 +15,8 @@ macro_rules! choices {
             pub(crate) arc_tolerance: ArcTolerance,
             /// `modal-groups.initial-motion`.
             pub(crate) initial_motion: InitialMotion,
+            /// `motion.without-axis-words`.
+            pub(crate) without_axis_words: WithoutAxisWords,
         }
 
         impl Choices {
@@ -24,6 +26,7 @@ macro_rules! choices {
                     $($name: false,)*
                     arc_tolerance: ArcTolerance::Coarse,
                     initial_motion: InitialMotion::None,
+                    without_axis_words: WithoutAxisWords::Nothing,
                 };
                 for (id, option) in &options.0 {
                     match id.as_str() {
@@ -38,10 +41,18 @@ macro_rules! choices {
                         "modal-groups.initial-motion" => {
                             choices.initial_motion = InitialMotion::of(option)?;
                         }
+                        "motion.without-axis-words" => {
+                            choices.without_axis_words = WithoutAxisWords::of(option)?;
+                        }
                         _ => {}
                     }
                 }
                 Ok(choices)
+            }
+
+            /// Whether a motion code without axis words moves in place.
+            pub(crate) fn move_in_place(&self) -> bool {
+                self.without_axis_words == WithoutAxisWords::MoveInPlace
             }
         }
     };
@@ -64,6 +75,10 @@ choices! {
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
     /// One block may have M7 and M8.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
+    /// G85 feeds out to the clear level.
+    bore_feeds_out: "cycles.bore-return", "traverse", "feed";
+    /// G83 goes out to the clear level between two pecks.
+    pecks_clear: "cycles.peck-return", "retract", "clear";
     /// G73 ends where the return mode says.
     break_returns: "cycles.chip-break-return", "retract", "return-level";
     /// P and Q of a cycle are needed in each block.
@@ -90,12 +105,12 @@ choices! {
     one_override_group: "modal-groups.override-members", "listed", "all";
     /// Under G80 no code uses axis words.
     no_axis_words_after_cancel: "motion.offset-words-after-cancel", "accepted", "refused";
-    /// A motion code without axis words moves in place.
-    move_in_place: "motion.without-axis-words", "nothing", "move-in-place";
     /// Offsets in force do not change under cutter compensation.
     offset_uncompensated: "offsets.change-under-compensation", "accepted", "refused";
     /// G92 leaves the offset of axes that have no word.
     position_keeps_other_axes: "offsets.position-other-axes", "cleared", "kept";
+    /// P0 of G10 L2 is refused.
+    no_system_zero: "offsets.set-active-number", "active", "refused";
     /// G10 L2 needs an axis word.
     set_needs_axes: "offsets.set-without-axes", "accepted", "refused";
     /// G10 sets G54 to G59 only.
@@ -128,12 +143,16 @@ choices! {
     no_optional_stop: "pause.optional-stop", "switch", "ignored";
     /// M60 ends the program and M30 pauses it.
     pallet_table: "pause.pallet-codes", "sections", "table";
+    /// G28 and G30 with axis words take every axis to the stored position.
+    home_all_axes: "positions.home-axes", "named", "all";
     /// G28 and G30 with axis words go to the stored position along axes of the program.
     position_program_axes: "positions.rotated-axes", "machine", "program";
     /// G96 holds for probing too: the spindle must turn.
     probe_turning: "probe.standing-spindle", "accepted", "refused";
     /// F stays when the program end changes the feed mode.
     feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
+    /// The program end cancels the offset of G92.
+    end_suspends_offset: "program-end.local-offset", "kept", "suspended";
     /// The program end stops spindle 0 only.
     end_stops_first: "program-end.spindles", "all", "first";
     /// What the main program has saved is gone when it ends or is aborted, and when the next one begins.
@@ -168,6 +187,8 @@ choices! {
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
     /// G49 is refused in a block with a code that uses axis words.
     length_off_without_motion: "tool.length-off-with-motion", "accepted", "refused";
+    /// G43 needs H, and H0 is an offset of zero.
+    length_zero_is_none: "tool.length-number-zero", "spindle", "zero";
     /// G43, G43.1, G43.2 and G49 are refused under cutter compensation.
     length_uncompensated: "tool.length-under-compensation", "accepted", "refused";
     /// The old tool goes to the slot of the new one.
@@ -203,6 +224,8 @@ pub(crate) enum ArcTolerance {
     Fine,
     /// As the section on arcs says for millimetres, in inches too.
     Millimetres,
+    /// One bound for arcs of every radius.
+    TwoMicrometres,
 }
 
 impl ArcTolerance {
@@ -211,7 +234,30 @@ impl ArcTolerance {
             "coarse" => Ok(Self::Coarse),
             "fine" => Ok(Self::Fine),
             "millimetres" => Ok(Self::Millimetres),
+            "two-micrometres" => Ok(Self::TwoMicrometres),
             _ => Err(Error::Configuration("no such option of arcs.small-tolerance")),
+        }
+    }
+}
+
+/// Options of `motion.without-axis-words`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WithoutAxisWords {
+    /// The mode is set.
+    Nothing,
+    /// The point moves to where it is.
+    MoveInPlace,
+    /// The block is refused.
+    Refused,
+}
+
+impl WithoutAxisWords {
+    fn of(option: &str) -> Result<Self, Error> {
+        match option {
+            "nothing" => Ok(Self::Nothing),
+            "move-in-place" => Ok(Self::MoveInPlace),
+            "refused" => Ok(Self::Refused),
+            _ => Err(Error::Configuration("no such option of motion.without-axis-words")),
         }
     }
 }

@@ -61,12 +61,11 @@ impl Modal {
         Ok(true)
     }
 
-    /// The documented effects of a program end. Units, G90.1, G7, G61, G98, G96 and the offset of G92 stay.
+    /// The documented effects of a program end. Units, G90.1, G7, G61, G98 and G96 stay. Whether the offset of G92 does
+    /// is a choice.
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
-        if !planted(PlantedFault::SystemStays) {
-            self.use_work_offset(1, numbered);
-        }
+        self.reset_offsets(numbered);
         let feed = self.active.now().feed_rate;
         let per_revolution = self.active.now().feed_mode == FeedMode::PerRevolution;
         if !(per_revolution && planted(PlantedFault::PerRevolutionStays)) {
@@ -104,6 +103,16 @@ impl Modal {
                     spindle.turn = before.turn;
                 }
             }
+        }
+    }
+
+    /// G54, and by a choice G92.2.
+    fn reset_offsets(&mut self, numbered: &mut Numbered) {
+        if !planted(PlantedFault::SystemStays) {
+            self.use_work_offset(1, numbered);
+        }
+        if self.choices.end_suspends_offset {
+            self.suspend_g92(numbered);
         }
     }
 

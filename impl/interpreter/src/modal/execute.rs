@@ -276,7 +276,7 @@ impl Modal {
     /// have decided.
     pub(super) fn check_inverse_time(&self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
         // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
-        let moves = block.axes_move || self.choices.move_in_place;
+        let moves = block.axes_move || self.choices.move_in_place();
         let needs = self.active.now().feed_mode == FeedMode::InverseTime
             && takes_inverse_time(code)
             && moves

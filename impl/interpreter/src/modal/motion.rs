@@ -9,6 +9,7 @@ use crate::words::Words;
 
 use super::Modal;
 use super::check::Block;
+use super::choices::WithoutAxisWords;
 use super::codes::{MOTION, NON_MODAL};
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
@@ -60,9 +61,12 @@ impl Modal {
         if !matches!(code, 0 | 10 | 20 | 30 | 800) {
             return self.dispatch_motion(block, code, numbered, sink);
         }
+        if self.choices.without_axis_words == WithoutAxisWords::Refused {
+            check_axis_words(block, code)?;
+        }
         self.motion = mode_of(code);
         let moves = block.axes_move
-            || self.choices.move_in_place && block.g(MOTION).is_some() && !block.words.has_axes();
+            || self.choices.move_in_place() && block.g(MOTION).is_some() && !block.words.has_axes();
         if self.motion == Motion::None || !moves {
             return Ok(());
         }
@@ -130,4 +134,15 @@ impl Modal {
         }
         Ok(())
     }
+}
+
+/// G0 and G1 have an axis word, where by a choice they need one.
+#[cold]
+fn check_axis_words(block: &Block<'_>, code: u16) -> Result<(), Refusal> {
+    let names_point = block.words.has_axes() || block.words.is_polar();
+    let is_missing = block.g(MOTION).is_some() && !names_point;
+    if matches!(code, 0 | 10) && is_missing {
+        return refuse(FaultKind::MissingWord, "a move without an axis word");
+    }
+    Ok(())
 }

@@ -57,7 +57,7 @@ impl Modal {
             if !planted(PlantedFault::StraightToPosition) {
                 self.traverse_to(block.words.line, intermediate, sink)?;
             }
-            if planted(PlantedFault::AllAxes) {
+            if self.choices.home_all_axes || planted(PlantedFault::AllAxes) {
                 letters = self.axes;
             }
         }

@@ -191,6 +191,7 @@ impl Modal {
         let old = self.active.now().tool_offset;
         let offset = match code {
             490 => Coordinates::default(),
+            430 if self.choices.length_zero_is_none => self.indexed_offset(words.get(b'H'))?,
             430 => self.table_offset(words.get(b'H'))?,
             431 if planted(PlantedFault::DynamicClearsOthers) => {
                 Coordinates::default().replaced(&self.offset_words(words))
@@ -204,6 +205,17 @@ impl Modal {
         let switch = if code == 490 { Switch::Off } else { Switch::On };
         self.offset_by(|modes| (modes.tool_length, modes.tool_offset) = (switch, offset));
         Ok(())
+    }
+
+    /// The offset of the tool table that H names; H is required, and H0 is an offset of zero.
+    fn indexed_offset(&self, h: Option<f64>) -> Result<Coordinates, Refusal> {
+        let Some(number) = h else {
+            return refuse(FaultKind::MissingWord, "G43 without H");
+        };
+        if integer(number, "H")? == 0 {
+            return Ok(Coordinates::default());
+        }
+        self.table_offset(h)
     }
 
     /// The offset of the tool table that H names, of the tool in the spindle without H.

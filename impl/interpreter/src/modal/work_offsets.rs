@@ -100,8 +100,7 @@ impl Modal {
                 if code == 921 {
                     offsets::store_g92(numbered, Coordinates::default());
                 }
-                numbered.set(offsets::G92_APPLIED, 0.0);
-                self.offset_by(|modes| modes.g92_offset = Coordinates::default());
+                self.suspend_g92(numbered);
             }
             923 => {
                 let stored = offsets::g92_offset(numbered);
@@ -118,6 +117,12 @@ impl Modal {
             _ => {}
         }
         Ok(())
+    }
+
+    /// Cancels the offset of G92 and keeps its parameters.
+    pub(super) fn suspend_g92(&mut self, numbered: &mut Numbered) {
+        numbered.set(offsets::G92_APPLIED, 0.0);
+        self.offset_by(|modes| modes.g92_offset = Coordinates::default());
     }
 
     /// Whether an offset in force may change.
@@ -181,7 +186,8 @@ impl Modal {
         let system = words.get(b'P').unwrap_or(0.0);
         let system = narrowed(PlantedFault::OffsetSystemWraps, system, 256.0);
         let last = if self.choices.six_systems { 6 } else { 9 };
-        let system = match integer_in(system, 0, last, "P of G10")? {
+        let first = i32::from(self.choices.no_system_zero);
+        let system = match integer_in(system, first, last, "P of G10")? {
             0 if kind == 20 && planted(PlantedFault::ZeroIsFirst) => 1,
             0 => active,
             system => u32::try_from(system).unwrap_or(active),

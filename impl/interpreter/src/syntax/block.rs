@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{PlantedFault, planted};
 use crate::syntax::bytecode::{Block, CodeSegment, Kind, NONE, Op, ParameterRef};
+use crate::syntax::choices::LineNumbers;
 use crate::syntax::code_number::{g_number, m_number};
 use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
@@ -431,8 +432,11 @@ impl LineCompiler {
         cursor.step();
         number::read_digits(cursor, &mut text);
         let mut complete = !text.is_empty();
-        let exceeds = self.choices.line_number_seven_digits
-            && text.trim_start_matches('0').len() > LINE_NUMBER_DIGITS_MAX;
+        let exceeds = match self.choices.line_numbers {
+            LineNumbers::Any => false,
+            LineNumbers::SevenDigits => text.trim_start_matches('0').len() > LINE_NUMBER_DIGITS_MAX,
+            LineNumbers::FiveDigits => text.len() > 5 || cursor.peek() == b'.',
+        };
         if cursor.take(b'.') {
             complete &= !planted(PlantedFault::LineNumberPoint);
             text.clear();
@@ -440,7 +444,7 @@ impl LineCompiler {
             complete &= !text.is_empty();
         }
         if exceeds {
-            let message = "a line number is 9,999,999 at most";
+            let message = "a line number is too great, or has too many digits";
             return cursor.refuse_from(start, FaultKind::WordOutOfRange, message);
         }
         if complete {

@@ -46,6 +46,15 @@ dialect! {
         /// To the even integer.
         "even" Even,
     }
+    /// Which line numbers there are.
+    "text.greatest-line-number" LineNumbers {
+        /// All of them, and a second number after a point.
+        "none" Any,
+        /// To 9,999,999.
+        "seven-digits" SevenDigits,
+        /// Those of five digits at most, without a point.
+        "five-digits" FiveDigits,
+    }
     /// The text for a named parameter that does not exist, in a message.
     "active-comments.absent-name" AbsentName {
         /// One sign.
@@ -121,6 +130,8 @@ choices! {
         do_label: DoLabel,
         /// A count that is not an integer.
         repeat_fraction: RepeatFraction,
+        /// Which line numbers there are.
+        line_numbers: LineNumbers,
         /// Where ROUND goes from halfway.
         round_half: RoundHalf,
         /// A percent line in a file that does not begin with one.
@@ -151,6 +162,8 @@ choices! {
         full_turn "expressions.arctangent-range" ["half-turns", "full-turn"],
         /// MOD has the sign of its left side.
         modulus_dividend "expressions.modulus-sign" ["not-negative", "dividend"],
+        /// AND, OR and XOR are in the group of plus and minus.
+        logic_among_sums "expressions.logical-precedence" ["after-comparisons", "with-addition"],
         /// A zero keeps the sign with which it was found.
         zero_signed "expressions.negative-zero" ["none", "kept"],
         /// GT GE LT LE take close numbers as equal.
@@ -169,6 +182,8 @@ choices! {
         uncalled_free "fanuc-subs.zero-count-unknown" ["refused", "accepted"],
         /// The decimals of a G or M number are rounded to hundredths.
         code_hundredths "modal-groups.code-decimals" ["ten-thousandths", "hundredths"],
+        /// There are no parameters above 5399.
+        parameters_to_5399 "parameters.greatest" ["to-5602", "to-5399"],
         /// A global parameter that was never set is zero.
         absent_zero "parameters.absent-global" ["refused", "zero"],
         /// A function may follow a number sign.
@@ -185,8 +200,6 @@ choices! {
         comment_to_line_end "text.comment-to-line-end" ["refused", "to-line-end"],
         /// Comments are blanks, also between a letter and its value.
         comments_removed "text.comments-removed" ["refused", "removed"],
-        /// A line number has seven digits at most.
-        line_number_seven_digits "text.greatest-line-number" ["none", "seven-digits"],
         /// The line end is not one of the 256 characters.
         line_end_free "text.line-end-counted" ["counted", "not-counted"],
         /// A file that begins with a percent line needs the second one although it has an M2.

@@ -198,7 +198,8 @@ fn parameter(
         return None;
     }
     let number = core::str::from_utf8(after_sign.get(..digits)?).ok()?.parse::<u32>();
-    let number = number.ok().and_then(|number| parameter_number(f64::from(number)).ok());
+    let number =
+        number.ok().and_then(|number| parameter_number(f64::from(number), &compiler.choices).ok());
     let piece = number.map_or(Piece::Absent, |number| Piece::Numbered(u32::from(number)));
     Some((piece, digits.checked_add(1)?))
 }

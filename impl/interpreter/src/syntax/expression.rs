@@ -97,6 +97,7 @@ impl LineCompiler {
         }
         let sign = cursor.peek();
         if sign == b'#'
+            && !self.choices.parameters_to_5399
             && let Some(number) = short_parameter(cursor)
         {
             into.ops.push(Op::Numbered(number));
@@ -164,6 +165,13 @@ impl LineCompiler {
         }
     }
 
+    /// The group of an operator. Whether AND, OR and XOR are among plus and minus is a choice.
+    #[inline]
+    fn group(&self, operator: Binary) -> u8 {
+        let is_logic = matches!(operator, Binary::And | Binary::Or | Binary::Xor);
+        if self.choices.logic_among_sums && is_logic { 3 } else { group(operator) }
+    }
+
     /// `[` … `]`, with operators by groups, those of one group from the left.
     pub(crate) fn expression(
         &mut self,
@@ -183,10 +191,10 @@ impl LineCompiler {
         loop {
             self.value(cursor, into, depth.wrapping_sub(1))?;
             let operator = operator(cursor)?;
-            let lowest = operator.map_or(0, group);
+            let lowest = operator.map_or(0, |operator| self.group(operator));
             let from_right = lowest == 5 && planted(PlantedFault::PowerFromRight);
             while let Some(last) = count.checked_sub(1).and_then(|last| waiting.get(last)).copied()
-                && group(last) >= lowest
+                && self.group(last) >= lowest
                 && !from_right
                 && !(planted(PlantedFault::AddFirst)
                     && last == Binary::Subtract

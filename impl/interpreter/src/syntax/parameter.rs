@@ -10,12 +10,16 @@ use crate::limits::Limit;
 use crate::math;
 use crate::parameters::{Internal, LAST, NameId, Predefined};
 use crate::syntax::bytecode::{CodeSegment, Op, ParameterRef};
+use crate::syntax::choices::Choices;
 use crate::syntax::compiler::LineCompiler;
 use crate::syntax::cursor::Cursor;
 use crate::syntax::{Parsed, arithmetic, number};
 
 /// The last number of a parameter.
 const LAST_NUMBER: u64 = 5602;
+
+/// The greatest number where, by a choice, there are no parameters above it.
+const LAST_OF_FEWER: u64 = 5399;
 /// It is the one that the parameters end with.
 const _: () = assert!(LAST == 5602);
 
@@ -34,6 +38,7 @@ impl LineCompiler {
             b'0'..=b'9' | b'.' => {
                 if let Some(short) = number::read_short(cursor.rest())
                     && let Some(number @ 1..=LAST_NUMBER) = short.integer()
+                    && (number <= LAST_OF_FEWER || !self.choices.parameters_to_5399)
                 {
                     cursor.advance_to_next(short.length);
                     return Ok(ParameterRef::Numbered(u16::try_from(number).unwrap_or(0)));
@@ -76,7 +81,7 @@ impl LineCompiler {
             return Ok(ParameterRef::Indirect);
         };
         into.ops.pop();
-        match parameter_number(number) {
+        match parameter_number(number, &self.choices) {
             Ok(number) => Ok(ParameterRef::Numbered(number)),
             Err(_) if self.in_label || !self.emulates_rs274 => {
                 // Whether its value is ever needed is not known yet, and an o-word keeps its keyword.
@@ -237,16 +242,25 @@ pub(crate) fn is_machine_state(number: u16) -> bool {
 
 /// The number of a parameter from a value that should be one.
 #[inline]
-pub(crate) fn parameter_number(value: f64) -> Result<u16, arithmetic::ArithmeticError> {
+pub(crate) fn parameter_number(
+    value: f64,
+    choices: &Choices,
+) -> Result<u16, arithmetic::ArithmeticError> {
     let value = narrowed(PlantedFault::ParameterWraps, value, 65_536.0);
     let value = if planted(PlantedFault::ParameterCut) { math::floor(value) } else { value };
     let Some(number) = math::near_integer(value) else {
         return Err(&(FaultKind::ParameterNotInteger, "a parameter number is not an integer"));
     };
     match u16::try_from(number) {
-        Ok(number) if number != 0 && u32::from(number) <= LAST => Ok(number),
+        Ok(number)
+            if number != 0
+                && u32::from(number) <= LAST
+                && (u64::from(number) <= LAST_OF_FEWER || !choices.parameters_to_5399) =>
+        {
+            Ok(number)
+        }
         Ok(_) | Err(_) => {
-            Err(&(FaultKind::ParameterOutOfRange, "a parameter number is not in 1 to 5602"))
+            Err(&(FaultKind::ParameterOutOfRange, "the number of the parameter is out of range"))
         }
     }
 }

@@ -7,6 +7,7 @@ mod expressions;
 mod fast_path;
 mod grbl;
 mod loops;
+mod nist;
 mod numbered;
 mod parameters;
 mod property;

@@ -32,7 +32,8 @@ choices! {
 
     /// How far the radii at start and end of an arc may be apart when that is more than a thousandth of them:
     /// 0.005 mm or 0.0005 inch in the section on arcs, 0.001 mm or 0.0001 inch in the advice. Grbl has 0.005
-    /// mm, and 0.5 mm for the greater bound, in inches too.
+    /// mm, and 0.5 mm for the greater bound, in inches too. NIST has 0.002 mm or 0.0002 inch whatever the
+    /// radius.
     SmallTolerance = "arcs.small-tolerance" {
         /// 0.005 mm or 0.0005 inch
         Coarse = "coarse",
@@ -40,6 +41,8 @@ choices! {
         Fine = "fine",
         /// 0.005 mm, and 0.5 mm for the greater bound, whatever the unit
         Millimetres = "millimetres",
+        /// 0.002 mm or 0.0002 inch for every arc, whatever its radius
+        TwoMicrometres = "two-micrometres",
     }
 
     /// What an arc with P0 or a negative P is: the document wants an integer, and counts turns from 1.

@@ -3,6 +3,15 @@
 choices! {
     super::first::CYCLES;
 
+    /// How G85 goes on from R to the clear height: LinuxCNC feeds out to R and traverses from there, NIST
+    /// feeds to the clear height.
+    BoreReturn = "cycles.bore-return" {
+        /// it traverses
+        Traverse = "traverse",
+        /// it feeds
+        Feed = "feed",
+    }
+
     /// Whether G73 ends at R under G98 too. Its own section names R; the section on the return mode speaks of
     /// all canned cycles.
     ChipBreakReturn = "cycles.chip-break-return" {
@@ -10,6 +19,15 @@ choices! {
         Retract = "retract",
         /// it ends where the return mode says
         ReturnLevel = "return-level",
+    }
+
+    /// Where G83 goes between two pecks: in LinuxCNC to R, in NIST to the clear height, which under G98 can
+    /// be above R.
+    PeckReturn = "cycles.peck-return" {
+        /// R
+        Retract = "retract",
+        /// the clear height
+        Clear = "clear",
     }
 
     /// Whether P and Q of a canned cycle stick as R and the depth do. The manual says what a sticky number

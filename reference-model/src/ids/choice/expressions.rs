@@ -11,6 +11,15 @@ choices! {
         FullTurn = "full-turn",
     }
 
+    /// When AND, OR and XOR are performed: LinuxCNC puts them after the comparisons, NIST among additions and
+    /// subtractions.
+    LogicalPrecedence = "expressions.logical-precedence" {
+        /// after additions, subtractions and comparisons
+        AfterComparisons = "after-comparisons",
+        /// with additions and subtractions, from left to right
+        WithAddition = "with-addition",
+    }
+
     /// The sign of MOD for a negative number on its left. The document is silent.
     ModulusSign = "expressions.modulus-sign" {
         /// the remainder is never negative

@@ -13,12 +13,15 @@ choices! {
         Refused = "refused",
     }
 
-    /// Whether a motion code without axis words makes a move to where the point is. All axis words are
-    /// optional, and an axis without a word keeps its value.
+    /// What a motion code without axis words does: it makes a move to where the point is, sets the mode only,
+    /// or is refused. All axis words are optional, and an axis without a word keeps its value; NIST lists
+    /// their absence as an error.
     WithoutAxisWords = "motion.without-axis-words" {
         /// only the mode is set
         Nothing = "nothing",
         /// a move of no length
         MoveInPlace = "move-in-place",
+        /// a word is missing
+        Refused = "refused",
     }
 }

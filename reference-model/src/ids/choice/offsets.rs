@@ -21,6 +21,14 @@ choices! {
         Kept = "kept",
     }
 
+    /// What P0 of G10 L2 is: LinuxCNC means the active coordinate system, NIST has systems 1 to 9 only.
+    SetActiveNumber = "offsets.set-active-number" {
+        /// the active coordinate system
+        Active = "active",
+        /// no coordinate system
+        Refused = "refused",
+    }
+
     /// Whether G10 L2 needs an axis word: LinuxCNC calls all of them optional, Grbl lists their absence as an
     /// error.
     SetWithoutAxes = "offsets.set-without-axes" {

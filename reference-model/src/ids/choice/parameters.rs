@@ -21,6 +21,14 @@ choices! {
         Accepted = "accepted",
     }
 
+    /// Up to which number there are parameters: to 5602 in LinuxCNC, to 5399 in NIST.
+    Greatest = "parameters.greatest" {
+        /// there are
+        To5602 = "to-5602",
+        /// there are none
+        To5399 = "to-5399",
+    }
+
     /// Whether `_lathe_diameter_mode` and `_lathe_radius_mode` report G7 and G8 on a machine that is not set
     /// up as a lathe. The document says that they need a lathe configuration and not what that is.
     LatheFlags = "parameters.lathe-flags" {

@@ -3,6 +3,15 @@
 choices! {
     super::first::POSITIONS;
 
+    /// Which axes go to the stored position by G28 and G30 with axis words: in LinuxCNC those that have a
+    /// word, in NIST all of them.
+    HomeAxes = "positions.home-axes" {
+        /// those that have a word
+        Named = "named",
+        /// all axes
+        All = "all",
+    }
+
     /// Which axes go to the stored position when G28 or G30 has axis words and the coordinate system is
     /// rotated: those of the machine, whose positions are stored, or those of the coordinate system, which
     /// the words name.

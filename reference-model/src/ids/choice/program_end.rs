@@ -12,6 +12,15 @@ choices! {
         Kept = "kept",
     }
 
+    /// What the program end does to the offset of G92: in LinuxCNC it stays, in NIST it is cancelled as by
+    /// G92.2.
+    LocalOffset = "program-end.local-offset" {
+        /// it stays
+        Kept = "kept",
+        /// it is cancelled as by G92.2
+        Suspended = "suspended",
+    }
+
     /// Which spindles the program end stops on a machine with several: the documents speak of the spindle, as
     /// if there were one.
     Spindles = "program-end.spindles" {

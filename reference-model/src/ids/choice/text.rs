@@ -30,12 +30,14 @@ choices! {
     }
 
     /// Whether there is a greatest line number: in LinuxCNC it is an unsigned integer, Grbl refuses one above
-    /// 9,999,999.
+    /// 9,999,999, and NIST one that is not written with one to five digits.
     GreatestLineNumber = "text.greatest-line-number" {
         /// a line number has no bound
         None = "none",
         /// a line number above 9,999,999 is refused
         SevenDigits = "seven-digits",
+        /// a line number has one to five digits, leading zeros counted
+        FiveDigits = "five-digits",
     }
 
     /// Whether the line end is one of the at most 256 characters of a line. The document lists it among a

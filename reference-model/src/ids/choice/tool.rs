@@ -39,6 +39,15 @@ choices! {
         Refused = "refused",
     }
 
+    /// What G43 does with H0, and without H: in LinuxCNC it applies the offset of the tool in the spindle, in
+    /// NIST H0 is an offset of zero, and H is required.
+    LengthNumberZero = "tool.length-number-zero" {
+        /// the tool in the spindle
+        Spindle = "spindle",
+        /// H0 is an offset of zero, and no H is refused
+        Zero = "zero",
+    }
+
     /// Whether G49 can be in a block with a motion: in LinuxCNC it acts before the motion, Grbl counts it
     /// among the codes that use axis words.
     LengthOffWithMotion = "tool.length-off-with-motion" {

@@ -29,8 +29,8 @@ choices! {
         Machine = "machine",
     }
 
-    /// Whether G17, G18 and G19 can select another plane while cutter compensation is on. The section on them
-    /// names no error.
+    /// Whether G17, G18 and G19 can select another plane while cutter compensation is on. LinuxCNC's section
+    /// on them names no error; in NIST compensation needs the XY plane.
     PlaneUnderCompensation = "units-planes.plane-under-compensation" {
         /// the plane is selected
         Accepted = "accepted",

@@ -17,6 +17,9 @@ rules! {
     /// G2 goes clockwise and G3 counterclockwise, seen from the positive end of the axis normal to the plane,
     /// at the feed rate.
     DIRECTION = "arcs.direction",
+    /// Where one bound holds for arcs of every radius, an arc is refused when its radii at the start and at
+    /// the end differ by more than 0.002 mm or 0.0002 inch.
+    EQUAL_RADII = "arcs.equal-radii",
     /// Without axis words, or with an end point that is the current point, an arc with a centre is a full
     /// circle.
     FULL_CIRCLE = "arcs.full-circle",

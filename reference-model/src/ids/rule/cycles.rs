@@ -14,6 +14,8 @@ rules! {
     BORE_DWELL = "cycles.bore-dwell",
     /// G86 is refused while the spindle does not turn.
     BORE_NEEDS_SPINDLE = "cycles.bore-needs-spindle",
+    /// Whether G85 feeds out to R and traverses on to the clear height, or feeds all the way, is a choice.
+    BORE_RETURN = "cycles.bore-return",
     /// G86 feeds to the bottom, dwells P seconds, stops the spindle, traverses to the clear height, and lets
     /// the spindle turn again as before.
     BORE_SPINDLE_STOP = "cycles.bore-spindle-stop",
@@ -47,6 +49,8 @@ rules! {
     PECK_INCREMENT = "cycles.peck-increment",
     /// G73 and G83 need Q, the increment of their pecks, in their first block.
     PECK_NEEDED = "cycles.peck-needed",
+    /// Whether G83 traverses between two pecks to R, or to the clear height, is a choice.
+    PECK_RETURN = "cycles.peck-return",
     /// A canned cycle works in the selected plane, whichever it is: it drills along its normal axis, R is a
     /// position along that axis, and the hole is in the plane.
     PLANE = "cycles.plane",

@@ -33,6 +33,9 @@ rules! {
     LEFT_FIRST = "expressions.left-first",
     /// AND, OR and XOR take any real numbers; zero is false, every other number is true.
     LOGICAL = "expressions.logical",
+    /// Whether AND, OR and XOR come after additions and subtractions, or from left to right with them, is a
+    /// choice.
+    LOGICAL_PRECEDENCE = "expressions.logical-precedence",
     /// MOD gives the remainder of a division of any real numbers.
     MODULUS = "expressions.modulus",
     /// A modulus of zero gives no number and is refused.

@@ -39,6 +39,6 @@ rules! {
     ROTARY_AXES = "motion.rotary-axes",
     /// G0 makes a rapid move to the programmed point.
     TRAVERSE = "motion.traverse",
-    /// A motion code without axis words sets the motion mode and leaves the point where it is.
+    /// G0 and G1 without axis words set the motion mode and leave the point where it is, or are refused.
     WITHOUT_AXIS_WORDS = "motion.without-axis-words",
 }

@@ -58,6 +58,8 @@ rules! {
     POSITION_PARAMETERS = "offsets.position-parameters",
     /// The offset that G92 makes takes the place of an earlier one, of G52 or G92.
     POSITION_REPLACES = "offsets.position-replaces",
+    /// `#5211` to `#5216` hold the offset that G92 makes, axis by axis from X to C.
+    POSITION_STORED = "offsets.position-stored",
     /// R of G10 L2 turns the coordinate system about Z through its origin, counterclockwise in degrees;
     /// without R the rotation stays.
     ROTATION = "offsets.rotation",
@@ -75,6 +77,8 @@ rules! {
     SET = "offsets.set",
     /// P0 of G10 L2 means the active coordinate system.
     SET_ACTIVE = "offsets.set-active",
+    /// Whether P0 of G10 L2 is refused is a choice.
+    SET_ACTIVE_NUMBER = "offsets.set-active-number",
     /// A new origin of the active coordinate system takes effect at once and moves nothing.
     SET_IMMEDIATE = "offsets.set-immediate",
     /// G10 L2 selects no coordinate system.

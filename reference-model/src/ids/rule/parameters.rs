@@ -33,6 +33,8 @@ rules! {
     FEED_HOLD = "parameters.feed-hold",
     /// `_inverse_time`, `_units_per_minute` and `_units_per_rev` are 1 under G93, G94 and G95, else 0.
     FEED_MODE = "parameters.feed-mode",
+    /// Whether there are parameters above 5399 is a choice.
+    GREATEST = "parameters.greatest",
     /// `#<_hal[item]>` is the value of that HAL item, such as a pin of the machine; the name counts in lower
     /// case, and as a whole.
     HAL = "parameters.hal",

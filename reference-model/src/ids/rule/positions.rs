@@ -9,6 +9,8 @@ rules! {
     /// G28 without axis words moves every axis at rapid speed to the machine position that `#5161` to `#5169`
     /// hold in the machine's unit.
     GO = "positions.go",
+    /// Whether G28 and G30 with axis words move an axis without a word to the stored position is a choice.
+    HOME_AXES = "positions.home-axes",
     /// Axes for which G28 or G30 has no word do not move.
     NAMED_AXES = "positions.named-axes",
     /// Where nothing was stored, G28 and G30 go to the machine's zero.

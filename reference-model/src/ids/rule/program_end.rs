@@ -25,6 +25,8 @@ rules! {
     LAST_IN_BLOCK = "program-end.last-in-block",
     /// Blocks after the program end are not executed, nor even read.
     LINES_AFTER = "program-end.lines-after",
+    /// Whether the program end cancels the local offset, and keeps its parameters, is a choice.
+    LOCAL_OFFSET = "program-end.local-offset",
     /// After the program end the controller is in MDI mode, so that a block by hand is executed.
     MDI_FOLLOWS = "program-end.mdi-follows",
     /// A file without program end that is not wrapped in percent signs is refused.

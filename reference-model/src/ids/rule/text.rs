@@ -34,7 +34,7 @@ rules! {
     COMMENT_VERBATIM = "text.comment-verbatim",
     /// Whether a comment between a letter and its value is refused is a choice.
     COMMENTS_REMOVED = "text.comments-removed",
-    /// Whether a line number above 9,999,999 is refused is a choice.
+    /// Whether a line number above 9,999,999, or one of more than five digits, is refused is a choice.
     GREATEST_LINE_NUMBER = "text.greatest-line-number",
     /// Characters that no rule allows are refused.
     ILLEGAL_INPUT = "text.illegal-input",

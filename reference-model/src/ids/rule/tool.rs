@@ -95,6 +95,8 @@ rules! {
     LENGTH_NEGATIVE = "tool.length-negative",
     /// G43 with an H that is not an integer is refused.
     LENGTH_NOT_AN_INTEGER = "tool.length-not-an-integer",
+    /// Whether G43 with H0, or without H, applies the offset of the tool in the spindle is a choice.
+    LENGTH_NUMBER_ZERO = "tool.length-number-zero",
     /// G49 cancels the tool length offset.
     LENGTH_OFF = "tool.length-off",
     /// Whether G49 in the block of a motion is refused is a choice.

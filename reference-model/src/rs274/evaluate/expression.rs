@@ -43,6 +43,7 @@ pub fn value_of(expression: &Expression, state: &mut State) -> Result<f64, StepE
 /// Which parameter is meant.
 ///
 /// Rule parameters.range. The number of a parameter is an integer from 1 to 5602.
+/// Rule parameters.greatest. Whether there are parameters above 5399 is a choice.
 /// Rule parameters.index-integer. The number of a parameter must be close to an integer.
 pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, StepError> {
     let number = match parameter {
@@ -67,13 +68,19 @@ pub(super) fn name(parameter: &Parameter, state: &mut State) -> Result<Name, Ste
     match u32::try_from(number) {
         Ok(number) if (1..=last).contains(&number) => {
             state.coverage.accepted(rule::parameters::RANGE);
+            state.coverage.accepted(rule::parameters::GREATEST);
             state.coverage.accepted(rule::parameters::INDEX_INTEGER);
             state.coverage.accepted(rule::numbers::NEAR_INTEGER);
             Ok(Name::Numbered(number))
         }
         _ => {
             let message = format!("there is no parameter {number}");
-            Err(refuse(rule::parameters::RANGE, FaultKind::ParameterOutOfRange, message))
+            // Those that are only missing by a choice.
+            let rule = match number {
+                5400..=5602 => rule::parameters::GREATEST,
+                _ => rule::parameters::RANGE,
+            };
+            Err(refuse(rule, FaultKind::ParameterOutOfRange, message))
         }
     }
 }

@@ -217,9 +217,9 @@ pub(crate) trait ArcRules {
     /// The first one applies to every arc, the second one if the difference is more than a thousandth of the radius.
     ///
     /// Choice arcs.small-tolerance: LinuxCNC's manual has two numbers for the second one; Grbl has both tolerances in
-    /// millimetres, whatever the unit.
+    /// millimetres, whatever the unit. Rule arcs.equal-radii. NIST has one tolerance, whatever the radius.
     fn radius_tolerances(&self, state: &State) -> (f64, f64) {
-        use choice::arcs::SmallTolerance::{Coarse, Fine, Millimetres};
+        use choice::arcs::SmallTolerance::{Coarse, Fine, Millimetres, TwoMicrometres};
         let units = state.modes.units;
         match (state.choices.get(), units) {
             (Coarse, LengthUnit::Inch) => (0.05, 0.000_5),
@@ -227,6 +227,8 @@ pub(crate) trait ArcRules {
             (Coarse, LengthUnit::Millimetre) => (0.5, 0.005),
             (Fine, LengthUnit::Millimetre) => (0.5, 0.001),
             (Millimetres, _) => (0.5 / unit_size(units), 0.005 / unit_size(units)),
+            (TwoMicrometres, LengthUnit::Inch) => (0.000_2, 0.000_2),
+            (TwoMicrometres, LengthUnit::Millimetre) => (0.002, 0.002),
         }
     }
 
@@ -342,11 +344,13 @@ fn same_radius(
     let apart = (to_start - to_end).abs();
     let by_start = state.choices.is(choice::arcs::SmallTolerance::Millimetres);
     let radius = if by_start { to_start } else { to_start.max(to_end) };
+    let is_one_bound = state.choices.is(choice::arcs::SmallTolerance::TwoMicrometres);
+    let rule = if is_one_bound { rule::arcs::EQUAL_RADII } else { rule::arcs::UNEQUAL_RADII };
     if apart > large || apart > small && apart > 0.001 * radius {
         let message = format!("the radius is {to_start} at the start and {to_end} at the end");
-        return Err(refuse(rule::arcs::UNEQUAL_RADII, FaultKind::BadArc, message));
+        return Err(refuse(rule, FaultKind::BadArc, message));
     }
-    state.coverage.accepted(rule::arcs::UNEQUAL_RADII);
+    state.coverage.accepted(rule);
     state.dialect().check_radius(to_start, to_end, state)
 }
 

@@ -91,6 +91,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
         rule::offsets::POSITION_OMITTED_AXES,
         rule::offsets::POSITION_OTHER_AXES,
         rule::offsets::POSITION_PARAMETERS,
+        rule::offsets::POSITION_STORED,
     ] {
         state.coverage.accepted(rule);
     }
@@ -120,7 +121,8 @@ fn suspend(state: &mut State) {
     suspend_offset(state);
 }
 
-fn suspend_offset(state: &mut State) {
+/// Takes the local offset away; its parameters stay.
+pub(super) fn suspend_offset(state: &mut State) {
     apply(Position::default(), state);
     state.modes.local_applies = false;
     state.parameters.store(APPLIES, 0.0);

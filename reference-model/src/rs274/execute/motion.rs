@@ -215,15 +215,20 @@ pub(crate) trait MotionRules {
     }
 }
 
-/// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length is a choice.
+/// Rule motion.without-axis-words. Whether a motion code alone makes a move of no length, or is refused, is a choice.
 fn without_axis_words(
     motion: Motion,
     words: &Words,
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    state.coverage.accepted(rule::motion::WITHOUT_AXIS_WORDS);
-    if state.choices.is(choice::motion::WithoutAxisWords::MoveInPlace) {
+    use choice::motion::WithoutAxisWords::{MoveInPlace, Refused};
+    let rule = rule::motion::WITHOUT_AXIS_WORDS;
+    if state.choices.is(Refused) {
+        return Err(refuse(rule, FaultKind::MissingWord, "a motion code without an axis word"));
+    }
+    state.coverage.accepted(rule);
+    if state.choices.is(MoveInPlace) {
         return move_to(motion, words, state, record);
     }
     state.modes.motion = motion;

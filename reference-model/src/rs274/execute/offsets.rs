@@ -230,6 +230,7 @@ fn kind(words: &Words, state: &State) -> Result<i32, StepError> {
 
 /// Rule offsets.set-number. P is an integer from 0 to 9; 0 is the active system.
 /// Rule offsets.systems. Whether there are systems 7 to 9 is a choice.
+/// Rule offsets.set-active-number. Whether 0 is refused is a choice.
 fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
     let Some(number) = state.dialect().programmed_system(words, state) else {
         let message = "G10 L2 and L20 need P, the coordinate system";
@@ -248,6 +249,15 @@ fn system(words: &Words, state: &mut State) -> Result<u32, StepError> {
             if system > 0 {
                 return Ok(system);
             }
+            let rule = rule::offsets::SET_ACTIVE_NUMBER;
+            if state.choices.is(choice::offsets::SetActiveNumber::Refused) {
+                return Err(refuse(
+                    rule,
+                    FaultKind::WordOutOfRange,
+                    "P0: expected a coordinate system from 1 to 9",
+                ));
+            }
+            state.coverage.accepted(rule);
             state.coverage.accepted(rule::offsets::SET_ACTIVE);
             Ok(state.modes.work_offset)
         }

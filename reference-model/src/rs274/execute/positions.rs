@@ -133,6 +133,7 @@ pub(super) fn destination(first: u32, state: &State) -> Position {
 
 /// Rule positions.by-way-of. With axis words the machine first goes to the point that they name, as G0 would.
 /// Rule positions.named-axes. From there the axes that they name go to the stored position, and no other.
+/// Rule positions.home-axes. Whether an axis without a word goes there, too, is a choice.
 /// Rule positions.rotated-axes. Whether those are axes of the machine or of a rotated coordinate system is a choice.
 fn by_way_of(
     first: u32,
@@ -142,7 +143,6 @@ fn by_way_of(
 ) -> Result<(), StepError> {
     let between = end_point(words, state)?;
     state.coverage.accepted(rule::positions::BY_WAY_OF);
-    state.coverage.accepted(rule::positions::NAMED_AXES);
     traverse(state.modes.machine_point(between), state, record);
     let of_machine = state.choices.is(choice::positions::RotatedAxes::Machine);
     let to = |point: Position, state: &State| {
@@ -150,7 +150,15 @@ fn by_way_of(
     };
     let there = to(state.modes.program_point(destination(first, state)), state);
     let mut end = to(state.position, state);
-    for axis in Axis::ALL.iter().copied().filter(|axis| word(words, letter(*axis)).is_some()) {
+    state.coverage.accepted(rule::positions::HOME_AXES);
+    let has_all = state.choices.is(choice::positions::HomeAxes::All);
+    if !has_all {
+        state.coverage.accepted(rule::positions::NAMED_AXES);
+    }
+    let goes = |axis: &Axis| {
+        word(words, letter(*axis)).is_some() || has_all && state.machine.axes.contains(axis)
+    };
+    for axis in Axis::ALL.iter().copied().filter(goes) {
         *end.get_mut(axis) = there.get(axis);
     }
     if state.modes.rotation != 0.0 {

@@ -4,6 +4,7 @@ use gaugeblock_vocabulary::{
     Compensation, ControllerMode, Distance, Effect, FeedMode, Motion, Plane, SpindleTurn, Switch,
 };
 
+use super::local_offset::suspend_offset;
 use super::offsets::use_system;
 use super::outputs;
 use crate::ids::{choice, rule};
@@ -37,7 +38,8 @@ pub(crate) trait ProgramEndRules {
     /// Rules program-end.work-offset, program-end.plane, program-end.distance, program-end.feed-mode,
     /// program-end.overrides, program-end.compensation, program-end.spindle, program-end.motion, program-end.coolant.
     /// On a machine with several spindles it is a choice which of them stop. Rules program-end.kept and
-    /// program-end.feed-kept. What the list leaves out stays. Rule offsets.local-persists. So does the local offset.
+    /// program-end.feed-kept. What the list leaves out stays. Rule offsets.local-persists. So does the local offset,
+    /// unless it is cancelled by choice: rule program-end.local-offset.
     fn reset_at_end(&self, state: &mut State) {
         for rule in [
             rule::program_end::WORK_OFFSET,
@@ -56,7 +58,12 @@ pub(crate) trait ProgramEndRules {
             state.coverage.accepted(rule);
         }
         if state.modes.local_applies {
-            state.coverage.accepted(rule::offsets::LOCAL_PERSISTS);
+            state.coverage.accepted(rule::program_end::LOCAL_OFFSET);
+            if state.choices.is(choice::program_end::LocalOffset::Suspended) {
+                suspend_offset(state);
+            } else {
+                state.coverage.accepted(rule::offsets::LOCAL_PERSISTS);
+            }
         }
         state.dialect().select_first_system(state);
         let every = state.choices.is(choice::program_end::Spindles::All);

@@ -105,10 +105,17 @@ pub(crate) trait ToolLengthRules {
 /// Rule tool.length. G43 applies the offset of tool H from the tool table, all its axes.
 /// Rule tool.length-zero. H0, and no H, mean the tool in the spindle, and an offset of zero when there is none: without
 /// H that is no number that the table would have to hold.
+/// Rule tool.length-number-zero. By a choice H0 is an offset of zero, and H is required.
 /// Rule tool.length-zero-random. Where tools change places, H0 is tool 0, which the table must hold.
 fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     let random = state.machine.random_tool_changer;
+    let choice_rule = rule::tool::LENGTH_NUMBER_ZERO;
+    let has_no_offset = state.choices.is(choice::tool::LengthNumberZero::Zero);
     let Some(number) = word(words, 'h') else {
+        if has_no_offset {
+            return Err(refuse(choice_rule, FaultKind::MissingWord, "G43 needs H"));
+        }
+        state.coverage.accepted(choice_rule);
         state.coverage.accepted(rule::tool::LENGTH_ZERO);
         let offset = state.loaded_tool().map(|tool| tool.offset).unwrap_or_default();
         return Ok(converted(offset, state.machine.length_unit, state.modes.units));
@@ -124,6 +131,12 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
     if whole < 0 {
         let message = format!("H{number} is negative");
         return Err(refuse(rule::tool::LENGTH_NEGATIVE, FaultKind::WordOutOfRange, message));
+    }
+    if whole == 0 {
+        state.coverage.accepted(choice_rule);
+        if has_no_offset {
+            return Ok(Position::default());
+        }
     }
     let rule = match whole {
         0 if random => rule::tool::LENGTH_ZERO_RANDOM,

@@ -113,8 +113,12 @@ pub(crate) trait ParameterRules {
     }
 
     /// Rule parameters.range. The greatest number of a parameter is 5602.
-    fn last_parameter(&self, _choices: &Choices) -> u32 {
-        5602
+    /// Rule parameters.greatest. By a choice it is 5399.
+    fn last_parameter(&self, choices: &Choices) -> u32 {
+        match choices.get() {
+            choice::parameters::Greatest::To5602 => 5602,
+            choice::parameters::Greatest::To5399 => 5399,
+        }
     }
 
     /// Rule parameters.ini-read-only. Whether a name of the form of an INI or HAL parameter can be assigned: it cannot.

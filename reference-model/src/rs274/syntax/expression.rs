@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::parser::Parser;
 use super::value::Wanted;
 use super::{Expression, Operator};
-use crate::ids::{Rule, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::refusal::StepError;
 use crate::rs274::text::Glyph;
 
@@ -40,8 +40,11 @@ enum Group {
 impl Group {
     const ALL: [Self; 5] = [Self::Power, Self::Product, Self::Sum, Self::Comparison, Self::Logic];
 
-    fn of(operator: Operator) -> Self {
+    /// The group of an operator. Rule expressions.logical-precedence. Whether AND, OR and XOR are among additions and
+    /// subtractions is a choice.
+    fn of(operator: Operator, is_logic_a_sum: bool) -> Self {
         match operator {
+            Operator::And | Operator::Or | Operator::ExclusiveOr if is_logic_a_sum => Self::Sum,
             Operator::Power => Self::Power,
             Operator::Multiply | Operator::Divide | Operator::Modulus => Self::Product,
             Operator::Add | Operator::Subtract => Self::Sum,
@@ -92,8 +95,11 @@ impl Parser<'_> {
             operators.push(operator);
             operands.push(self.value(Wanted::Operand)?);
         }
-        self.reach_groups(&operators);
-        Ok(combine(operands, operators))
+        let is_logic_a_sum = self.choices.is(choice::expressions::LogicalPrecedence::WithAddition);
+        let groups: Vec<_> =
+            operators.iter().map(|operator| Group::of(*operator, is_logic_a_sum)).collect();
+        self.reach_groups(&operators, &groups);
+        Ok(combine(operands, operators, groups))
     }
 
     /// Which rule refuses what stands where an operator or the closing bracket should stand.
@@ -130,16 +136,22 @@ impl Parser<'_> {
     }
 
     /// The rules of precedence that an expression with these operators reaches.
-    fn reach_groups(&mut self, operators: &[Operator]) {
+    fn reach_groups(&mut self, operators: &[Operator], groups: &[Group]) {
         for group in Group::ALL {
-            let of_group =
-                operators.iter().filter(|operator| Group::of(**operator) == group).count();
+            let of_group = groups.iter().filter(|other| **other == group).count();
             if of_group > 1 {
                 self.reach(rule::expressions::LEFT_FIRST);
             }
-            if of_group > 0 && operators.iter().any(|operator| Group::of(*operator) > group) {
+            if of_group > 0 && groups.iter().any(|other| *other > group) {
                 self.reach(group.rule());
             }
+        }
+        let is_logical = |operator: &Operator| {
+            matches!(operator, Operator::And | Operator::Or | Operator::ExclusiveOr)
+        };
+        let is_sum = |operator: &Operator| matches!(operator, Operator::Add | Operator::Subtract);
+        if operators.iter().any(is_logical) && operators.iter().any(is_sum) {
+            self.reach(rule::expressions::LOGICAL_PRECEDENCE);
         }
         if !operators.is_empty() {
             self.reach(rule::expressions::OPERATORS_IN_BRACKETS);
@@ -150,10 +162,14 @@ impl Parser<'_> {
 /// Operations of a group are performed before those of the groups that follow.
 ///
 /// Rule expressions.left-first. Of operations of one group the one on the left comes first.
-fn combine(mut operands: Vec<Expression>, mut operators: Vec<Operator>) -> Expression {
+fn combine(
+    mut operands: Vec<Expression>,
+    mut operators: Vec<Operator>,
+    mut groups: Vec<Group>,
+) -> Expression {
     for group in Group::ALL {
-        while let Some(index) = operators.iter().position(|operator| Group::of(*operator) == group)
-        {
+        while let Some(index) = groups.iter().position(|other| *other == group) {
+            groups.remove(index);
             let operator = operators.remove(index);
             let right = operands.remove(index + 1);
             let left = std::mem::replace(&mut operands[index], Expression::Number(0.0));

@@ -120,6 +120,7 @@ impl Parser<'_> {
         if number.is_empty() {
             return wrong(self);
         }
+        self.check_digits(&number)?;
         if self.take(".") {
             let second = self.take_while(|character| character.is_ascii_digit());
             if second.is_empty() || self.peek() == Some('.') {
@@ -142,6 +143,19 @@ impl Parser<'_> {
         self.reach(rule::text::LINE_NUMBER);
         self.reach(rule::text::LINE_NUMBER_ORDER);
         Ok(Some(number))
+    }
+
+    /// Rule text.greatest-line-number. By a choice a line number has five digits at most, and no second number.
+    fn check_digits(&mut self, digits: &str) -> Result<(), StepError> {
+        let is_five_digits = self.choices.is(choice::text::GreatestLineNumber::FiveDigits);
+        if is_five_digits && (digits.len() > 5 || self.peek() == Some('.')) {
+            return Err(self.refuse(
+                rule::text::GREATEST_LINE_NUMBER,
+                FaultKind::WordOutOfRange,
+                "a line number has one to five digits; more of it ends",
+            ));
+        }
+        Ok(())
     }
 
     /// Skips comments.

@@ -49,7 +49,7 @@ pub(crate) fn explain(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
             let (mut text, mut document) = (String::new(), json!({ "gaugeblock": "explain" }));
             if let Some(rule) = rule {
                 text.push_str(&rule_text(rule, suite));
-                document["rule"] = rule_document(rule);
+                document["rule"] = rule_document(rule, suite);
             }
             let shares_id = rule.is_some();
             if let Some(choice) = choice {
@@ -146,6 +146,7 @@ fn unknown(subject: &str, suite: &Suite) -> CliError {
 fn rule_text(rule: &Rule, suite: &Suite) -> String {
     let mut text = format!("{}\n  {}\n", rule.id, rule.sentence);
     text.push_str(&sources_text(&rule.sources));
+    let _infallible = writeln!(text, "  profile {}", suite.profile_of(rule));
     let (own, others): (Vec<_>, Vec<_>) = rule.options.iter().partition(|id| **id == rule.id);
     if !others.is_empty() {
         let others: Vec<_> = others.into_iter().map(String::as_str).collect();
@@ -194,10 +195,10 @@ fn calls_text(rule: &Rule, suite: &Suite) -> String {
     text
 }
 
-fn rule_document(rule: &Rule) -> Value {
+fn rule_document(rule: &Rule, suite: &Suite) -> Value {
     json!({
         "id": rule.id, "sentence": rule.sentence, "sources": rule.sources,
-        "outcomes": rule.outcomes, "options": rule.options, "void": rule.void,
+        "profile": suite.profile_of(rule), "outcomes": rule.outcomes, "options": rule.options, "void": rule.void,
         "cases": rule.cases.iter().map(case::case_document).collect::<Vec<_>>(),
         "motion": rule.motion.iter().map(case::motion_document).collect::<Vec<_>>(),
     })

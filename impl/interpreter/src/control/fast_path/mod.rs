@@ -223,7 +223,7 @@ impl FastLine<'_> {
 fn line_number(text: &[u8]) -> Option<&[u8]> {
     let digits = text.iter().position(|byte| !byte.is_ascii_digit())?;
     let behind = text.get(digits..)?;
-    ((1..=7).contains(&digits) && behind.first() != Some(&b'.')).then_some(behind)
+    ((1..=5).contains(&digits) && behind.first() != Some(&b'.')).then_some(behind)
 }
 
 /// The text after a plain comment. One that begins like the name of an active one is not looked at any further.

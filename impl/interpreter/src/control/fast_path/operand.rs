@@ -60,8 +60,14 @@ impl Values<'_> {
     /// The value of a numbered parameter, after its number sign.
     #[inline(never)]
     fn numbered<'t>(&self, text: &'t [u8]) -> Found<'t, f64> {
-        let (number, text) = parameter(text)?;
+        let (number, text) = self.parameter(text)?;
         (!is_position(number)).then(|| (self.parameters.numbered.get(u32::from(number)), text))
+    }
+
+    /// The number of a parameter; none where, by a choice, not all numbers are those of parameters.
+    #[inline]
+    fn parameter<'t>(&self, text: &'t [u8]) -> Found<'t, u16> {
+        parameter(text).filter(|_| !self.compiler.choices.parameters_to_5399)
     }
 
     /// The value of a parameter; none where it is not kept with the other ones.
@@ -123,10 +129,11 @@ impl Values<'_> {
             }
             (b'[', behind) => {
                 let (value, text) = self.expression(behind, depth)?;
-                Some((ParameterRef::Numbered(parameter_number(value).ok()?), text))
+                let number = parameter_number(value, &self.compiler.choices).ok()?;
+                Some((ParameterRef::Numbered(number), text))
             }
             _ => {
-                let (number, text) = parameter(text)?;
+                let (number, text) = self.parameter(text)?;
                 Some((ParameterRef::Numbered(number), text))
             }
         }
@@ -136,7 +143,8 @@ impl Values<'_> {
     fn expression<'t>(&self, text: &'t [u8], depth: u32) -> Found<'t, f64> {
         let depth = depth.checked_sub(1)?;
         // What waits for its right side, each in a higher group than the one before, whose group it keeps.
-        if planted(PlantedFault::AddFirst) || planted(PlantedFault::EqualityLast) {
+        let other_groups = planted(PlantedFault::AddFirst) || planted(PlantedFault::EqualityLast);
+        if self.compiler.choices.logic_among_sums || other_groups {
             return None;
         }
         let mut waiting = [(0.0, Binary::Add, 0_u8); 5];

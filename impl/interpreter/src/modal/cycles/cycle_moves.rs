@@ -41,7 +41,8 @@ impl Modal {
             CycleMove::DrillBreaking | CycleMove::DrillPecking => {
                 let clearance = self.peck_clearance();
                 let breaking = cycle_move == CycleMove::DrillBreaking;
-                let (level, feeds, done) = drilling.next_peck(breaking, clearance);
+                let to_clear = self.choices.pecks_clear;
+                let (level, feeds, done) = drilling.next_peck(breaking, clearance, to_clear);
                 if feeds {
                     self.feed_to(line, to(self, level), sink)?;
                 } else {

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{SpindleTurn, Switch};
 use crate::faults::{PlantedFault, planted};
 use crate::math;
 
+use super::super::choices::Choices;
 use super::super::modes::Spindles;
 use super::plane_axes::PlaneAxes;
 
@@ -145,10 +146,15 @@ enum Peck {
 }
 
 impl Drilling {
-    /// A cycle of a code, before its first move.
-    pub(super) fn new(code: u16, cycle: Cycle, repeats: u64) -> Self {
+    /// A cycle of a code, before its first move. Whether G85 feeds all the way out is a choice: then it moves as G89
+    /// does, without the dwell.
+    pub(super) fn new(code: u16, cycle: Cycle, repeats: u64, choices: &Choices) -> Self {
         let early = code == 860 && planted(PlantedFault::StopBeforeDwell);
-        let moves = if early { &STOPPED_EARLY } else { moves(code) };
+        let moves: &'static [CycleMove] = match code {
+            850 if choices.bore_feeds_out => &[CycleMove::Drill, CycleMove::FeedOut],
+            _ if early => &STOPPED_EARLY,
+            _ => moves(code),
+        };
         Self { cycle, moves, repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
     }
 
@@ -189,7 +195,14 @@ impl Drilling {
     }
 
     /// The level of a peck's next move and whether it is a feed move; whether the hole is done then.
-    pub(super) fn next_peck(&mut self, breaking: bool, clearance: f64) -> (f64, bool, bool) {
+    ///
+    /// Whether it goes out to the clear level is a choice.
+    pub(super) fn next_peck(
+        &mut self,
+        breaking: bool,
+        clearance: f64,
+        to_clear: bool,
+    ) -> (f64, bool, bool) {
         match self.peck {
             Peck::Down => {
                 self.pecks = self.pecks.saturating_add(1);
@@ -204,7 +217,8 @@ impl Drilling {
                 let again = planted(PlantedFault::PeckFromR);
                 self.peck = if again { Peck::Down } else { Peck::Back };
                 let Levels { retract, clear, .. } = self.cycle.levels;
-                let out = if planted(PlantedFault::PeckToClear) { clear } else { retract };
+                let out =
+                    if to_clear || planted(PlantedFault::PeckToClear) { clear } else { retract };
                 (out, false, false)
             }
             Peck::Back => {

@@ -135,6 +135,7 @@ impl Modal {
             code,
             cycle,
             numbers.repeats.saturating_add(u64::from(planted(PlantedFault::OneMoreHole))),
+            &self.choices,
         ));
         self.begin_job(block.words.line, job);
         Ok(())

@@ -10,6 +10,7 @@ mod inputs_outputs;
 mod motions_property;
 mod moves;
 mod names;
+mod nist;
 mod offsets;
 mod polar;
 mod probes;

@@ -105,7 +105,8 @@ pub(super) fn check_spindle(cycle: &Cycle, state: &mut State) -> Result<(), Step
 
 /// Rule cycles.drill. G81 feeds to the bottom and traverses to the clear height.
 /// Rule cycles.drill-dwell. G82 dwells between.
-/// Rule cycles.bore. G85 feeds out to R, and traverses on to the clear height.
+/// Rule cycles.bore. G85 feeds out to R, and traverses on to the clear height. Rule cycles.bore-return. By a choice it
+/// feeds all the way.
 /// Rule cycles.bore-dwell. G89 dwells, and feeds out to the clear height.
 /// Rule cycles.bore-spindle-stop. G86 dwells, stops the spindle, traverses out, and lets it turn again as before.
 pub(super) fn perform(
@@ -125,7 +126,11 @@ pub(super) fn perform(
     if matches!(cycle.kind, Kind::DrillDwell | Kind::BoreSpindleStop | Kind::BoreDwell) {
         record.dwell(state, cycle.dwell);
     }
-    if cycle.kind == Kind::BoreDwell {
+    let feeds_out = cycle.kind == Kind::Bore && state.choices.is(choice::cycles::BoreReturn::Feed);
+    if cycle.kind == Kind::Bore {
+        state.coverage.accepted(rule::cycles::BORE_RETURN);
+    }
+    if cycle.kind == Kind::BoreDwell || feeds_out {
         feed_along(normal, cycle.clear, state, record);
         return Ok(());
     }
@@ -147,13 +152,16 @@ pub(super) fn perform(
 ///
 /// Rule cycles.chip-breaking. Between two pecks G73 backs off by 0.254 mm or 0.01 inch. Rule cycles.peck. G83
 /// traverses out to R, whatever the return mode is, and back to that much above what it has drilled. Choice
-/// cycles.chip-break-return: whether G73 ends at R under G98 too.
+/// cycles.chip-break-return: whether G73 ends at R under G98 too. Rule cycles.peck-return. By a choice G83 goes out to
+/// the clear height.
 fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let [_, _, normal] = cycle.axes;
     let back_off = match state.modes.units {
         LengthUnit::Inch => 0.01,
         LengthUnit::Millimetre => 0.254,
     };
+    let is_clear = state.choices.is(choice::cycles::PeckReturn::Clear);
+    let between = if is_clear { cycle.clear } else { cycle.retract };
     let mut drilled = cycle.retract - cycle.peck;
     while !state.dialect().is_last_peck(drilled - cycle.bottom, state) {
         if record.is_full() {
@@ -161,7 +169,8 @@ fn pecks(cycle: &Cycle, state: &mut State, record: &mut Record) -> Result<(), St
         }
         feed_along(normal, drilled, state, record);
         if cycle.kind == Kind::Peck {
-            traverse_along(normal, cycle.retract, state, record);
+            state.coverage.accepted(rule::cycles::PECK_RETURN);
+            traverse_along(normal, between, state, record);
         }
         traverse_along(normal, drilled + back_off, state, record);
         drilled -= cycle.peck;

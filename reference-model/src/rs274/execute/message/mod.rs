@@ -56,6 +56,11 @@ pub(crate) fn is_active(comment: &str, choices: &Choices) -> bool {
     active(comment, choices).is_some()
 }
 
+/// Whether a comment is a message, MSG.
+pub(crate) fn is_message(comment: &str, choices: &Choices) -> bool {
+    active(comment, choices).is_some_and(|(active, _)| active == Active::Message)
+}
+
 /// Says what an active comment says, before anything of its block is done.
 ///
 /// Rule active-comments.plain. A comment that is none of the active ones does nothing.

@@ -1,0 +1,268 @@
+//! A controller is opened, runs the suite, and has a report.
+
+use std::path::Path;
+use std::time::Duration;
+
+use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::exec::Limits;
+use gaugeblock_compare::Capabilities;
+use gaugeblock_report::cost::{self, Cost};
+use gaugeblock_report::stored::JournalCase;
+use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
+use gaugeblock_runner::certify::{
+    CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, run_plan,
+};
+use gaugeblock_runner::expectations::Expectations;
+use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
+use gaugeblock_runner::journal::{self, Journal};
+use gaugeblock_runner::shard::Shard;
+use gaugeblock_suite::{Edition, Suite, options_of};
+use gaugeblock_vocabulary::Options;
+
+use super::arguments::{Arguments, FingerprintWhen};
+use super::selection::{only, profiles_in_edition};
+use crate::arguments::Format;
+use crate::command::comparison::ComparisonFiles;
+use crate::command::{controller, options, user_files};
+use crate::error::CliError;
+use crate::streams::{write_out, write_out_in_colours};
+
+/// What every controller of a call is judged with.
+pub(super) struct Course<'a> {
+    pub(super) arguments: &'a Arguments,
+    pub(super) suite: &'a Suite,
+    pub(super) known: ComparisonFiles,
+    pub(super) earlier: Option<Expectations>,
+    pub(super) model: Option<ModelOutcomes>,
+}
+
+/// A controller that is ready to run, and the edition that it is compared against.
+pub(super) struct Candidate<'a> {
+    pub(super) controller: Box<dyn Adapter>,
+    pub(super) edition: &'a Edition,
+}
+
+impl<'a> Course<'a> {
+    /// Opens a controller, and checks that it can be judged.
+    pub(super) fn open(&self, name: &str) -> Result<Candidate<'a>, CliError> {
+        let Self { arguments, suite, .. } = *self;
+        let time = Duration::from_secs(arguments.time_limit);
+        let limits = Limits { time, start: time, ..Limits::default() };
+        let mut controller = controller::controller_with_limits(name, limits, suite.defaults())?;
+        if let Some(like) = &arguments.restrict_to {
+            controller = controller::restricted(controller, like)?;
+        }
+        let own = controller::own_edition(controller.as_ref(), suite);
+        let edition =
+            crate::documents::edition(suite, arguments.edition.as_deref().unwrap_or(own))?;
+        profiles_in_edition(&arguments.profile, suite, edition)?;
+        controller::check_observed_edition(controller.as_ref(), suite)?;
+        controller::check_exported_from(controller.as_ref(), suite, edition)?;
+        controller::declared_options(controller.as_ref(), suite)?;
+        controller::check_options(controller.as_ref(), &suite.options(edition))?;
+        controller::check_language(controller.as_ref(), edition)?;
+        if arguments.check_observation {
+            controller.check_observation();
+        }
+        Ok(Candidate { controller, edition })
+    }
+
+    /// Runs the suite on a controller, writes its report into a folder, and hands the report over.
+    pub(super) fn judge<T>(
+        &self,
+        Candidate { controller, edition }: &Candidate<'_>,
+        folder: Option<&Path>,
+        then: impl FnOnce(&Report<'_>) -> Result<T, CliError>,
+    ) -> Result<T, CliError> {
+        let Self { arguments, suite, known, .. } = self;
+        let controller = controller.as_ref();
+        let jobs = crate::arguments::jobs(arguments.jobs.or(controller.best_jobs()));
+        let only = only(arguments, suite)?;
+        let scope = if arguments.assertions_only { Scope::AssertionsOnly } else { Scope::Full };
+        let plan = Plan { suite, edition, only: &only, jobs, scope };
+        let shard = arguments.shard;
+        if cases(plan, controller.has_laws_of_motion(), Shard::WHOLE).is_empty() {
+            return Err(CliError::usage(
+                "no case is selected",
+                "`gaugeblock rules` lists the rules; remove --only and --case, or choose another edition",
+            ));
+        }
+        let twice = arguments.repeat_percent;
+        let (options, undeclared) = comparison_options(arguments, suite, edition, controller)?;
+        let header = Header { twice, options, ..Header::of(plan, controller, shard) };
+        let newer = known.check_header(&header, suite)?;
+        let mut run = self.run_with_journal(plan, controller, &header, folder)?;
+        if is_fingerprinted(arguments, controller) {
+            let options = options_of(suite, edition, &header.options);
+            let environment = edition.environment.as_deref();
+            run.fingerprint = Some(fingerprint_entries(suite, &options, environment, controller));
+        }
+        let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
+        let (mismatches, fixed) = known.compare(&mut run, whole);
+        let mut notes = [controller.notes(), undeclared, newer, fixed].concat();
+        // Only a whole run can pass a profile.
+        let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
+        let profiles = profiles::profiles(suite, &run, claimed);
+        if let Some(file) = &arguments.write_expectations {
+            let earlier = self.earlier.as_ref();
+            notes.extend(write_expectations(file, earlier, &run, controller.capabilities())?);
+        }
+        let report = Report { notes, profiles, mismatches, ..Report::of(suite, &run, header) };
+        if let Some(folder) = folder {
+            write_report(folder, &report)?;
+            // The report has all that the journal had.
+            let _gone = std::fs::remove_file(folder.join(journal::FILE));
+        }
+        then(&report)
+    }
+
+    /// Runs the open cases of a plan. With a report folder, each finished case is written to its journal.
+    fn run_with_journal<'p>(
+        &self,
+        plan: Plan<'p>,
+        controller: &dyn Adapter,
+        header: &Header,
+        folder: Option<&Path>,
+    ) -> Result<Run<'p>, CliError> {
+        let shard = header.shard;
+        let (mut journal, done) = match folder {
+            Some(folder) => {
+                let (journal, done) =
+                    open_journal(folder, header, self.arguments.resume, plan.suite)?;
+                (Some(journal), done)
+            }
+            None => (None, Vec::new()),
+        };
+        let bar = progress(cases(plan, header.laws, shard).len());
+        bar.inc(u64::try_from(done.len()).unwrap_or_default());
+        let mut mismatch = None;
+        let mut each = |result: &CaseResult<'_>| {
+            bar.inc(1);
+            if let Some(Err(why)) =
+                journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
+            {
+                mismatch.get_or_insert(why);
+            }
+        };
+        let twice = RepeatSampling(header.twice);
+        let run_options = RunOptions {
+            shard,
+            options: header.options.clone(),
+            finished: done,
+            repeat: twice,
+            shrink_attempts: self.arguments.shrink,
+            model: self.model.as_ref(),
+            on_result: &mut each,
+        };
+        let run = run_plan(plan, controller, run_options);
+        bar.finish_and_clear();
+        match mismatch {
+            Some(why) => Err(CliError::failure(format!("the journal: {why}"), "is the disk full?")),
+            None => Ok(run),
+        }
+    }
+}
+
+/// The options that differ from those of the edition: those of --options, those that the controller declares, and those
+/// that it was observed to have for open choices, with a note for each of the last.
+fn comparison_options(
+    arguments: &Arguments,
+    suite: &Suite,
+    edition: &Edition,
+    controller: &dyn Adapter,
+) -> Result<(Options, Vec<String>), CliError> {
+    let mut options = controller.options();
+    if let Some(file) = &arguments.options {
+        options::read_into(file, suite, &mut options)?;
+    }
+    let shown = shown_open_options(suite, edition, &options, controller);
+    let never_refuses = !controller.capabilities().refuses;
+    let note = |(id, option): (&String, &String)| {
+        if never_refuses && may_be_refused(suite, id, option) {
+            return format!(
+                "the only option left of `{id}` is to refuse, and it never refuses: its cases are not judged"
+            );
+        }
+        format!("looks like `{id} = {option}`, which the documents leave open: declare it")
+    };
+    let notes = shown.0.iter().map(note).collect();
+    for (id, option) in shown.0.iter() {
+        options.0.insert(id.clone(), option.clone());
+    }
+    Ok((options, notes))
+}
+
+/// A fingerprint takes minutes on a controller in real time, and a second at most on others.
+fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
+    match arguments.fingerprint {
+        Some(when) => when == FingerprintWhen::Always,
+        None => arguments.report.is_some() && controller.capabilities().pin_period <= 0.0,
+    }
+}
+
+pub(crate) fn print(report: &Report<'_>, format: Format, verbose: bool) {
+    match format {
+        Format::Text => write_out_in_colours(&terminal::terminal(report, verbose)),
+        Format::Json => write_out(&format!("{:#}\n", json::json(report))),
+    }
+}
+
+/// The journal of a run in a folder, and what was run before.
+fn open_journal<'a>(
+    folder: &Path,
+    header: &Header,
+    resume: bool,
+    suite: &'a Suite,
+) -> Result<(Journal, Vec<CaseResult<'a>>), CliError> {
+    let mut done = Vec::new();
+    let journal = Journal::open(folder, header, resume, &mut |case: JournalCase| done.push(case));
+    let journal = journal.map_err(|why| {
+        CliError::usage(why, "--resume continues an interrupted run; or choose another folder")
+    })?;
+    let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
+    let done = done.map_err(|why| CliError::usage(why, "the journal belongs to another suite"))?;
+    Ok((journal, done))
+}
+
+/// A bar on a terminal, nothing in a pipe.
+pub(crate) fn progress(cases: usize) -> indicatif::ProgressBar {
+    let cases = u64::try_from(cases).unwrap_or(u64::MAX);
+    let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
+    let bar = indicatif::ProgressBar::new(cases);
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
+
+/// Writes the divergences as expectations, with the reasons that the earlier file had. Returns notes about reasons.
+fn write_expectations(
+    file: &Path,
+    earlier: Option<&Expectations>,
+    run: &Run<'_>,
+    observables: &Capabilities,
+) -> Result<Vec<String>, CliError> {
+    let mut listed = Expectations::of(run, &observables.name, &observables.version);
+    let notes = earlier.map_or_else(Vec::new, |earlier| listed.keep_reasons(earlier));
+    let text = listed.to_text().map_err(|error| {
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    user_files::write_whole(file, &text)?;
+    Ok(notes)
+}
+
+pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), CliError> {
+    let xml = junit::junit(report).map_err(|error| {
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    let page = html::html(report).map_err(|error| {
+        CliError::failure(error, "this is a bug in gaugeblock; please report it")
+    })?;
+    let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
+    user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
+    user_files::write_whole(&folder.join("report.html"), &page)?;
+    user_files::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
+    user_files::write_whole(&folder.join("junit.xml"), &xml)?;
+    user_files::write_whole(&folder.join("report.txt"), &text)?;
+    user_files::write_whole(&folder.join("summary.md"), markdown::markdown(report))
+}
