@@ -8,7 +8,7 @@ use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
-    adapter, certify, compare, explain, fingerprint, fuzz, motion_check, motion_fuzz, offline,
+    adapter, book, certify, compare, explain, fingerprint, fuzz, motion_check, motion_fuzz, offline,
     plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
@@ -73,6 +73,8 @@ enum Command {
     Choices(rules::ChoiceArguments),
     /// Explain a rule, a choice, a quirk, or a code such as M73
     Explain(explain::Arguments),
+    /// Write the rules as a site: by rule, code, document, choice and edition, with the guide
+    Book(book::Arguments),
     /// Maintain the suite: check it, bless goldens, list what became of each document
     #[command(subcommand)]
     Suite(suite::Maintenance),
@@ -164,6 +166,8 @@ fn execute(call: &Call) -> Result<u8, CliError> {
         Command::Explain(arguments) => {
             suite(call).and_then(|suite| explain::explain(arguments, &suite))
         }
+        Command::Book(arguments) => suite(call)
+            .and_then(|suite| book::book(arguments, &suite, call.suite.as_deref())),
         Command::Suite(command) => suite::maintain(command, call.suite.as_deref()),
         Command::Offline(command) => {
             suite(call).and_then(|suite| offline::offline(command, &suite))

@@ -1,6 +1,7 @@
 //! The commands, each in its file.
 
 pub(crate) mod adapter;
+pub(crate) mod book;
 pub(crate) mod certify;
 pub(crate) mod check;
 pub(crate) mod compare;

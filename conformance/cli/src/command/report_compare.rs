@@ -75,7 +75,7 @@ pub(crate) fn json(comparison: &Comparison) -> String {
 }
 
 /// A report of the command line, with the name of its column if it has one.
-fn read_named(named: &str) -> Result<ComparedReport, CliError> {
+pub(crate) fn read_named(named: &str) -> Result<ComparedReport, CliError> {
     match named.split_once('=') {
         Some((name, path)) if !name.is_empty() && !Path::new(named).exists() => {
             read(Path::new(path), Some(name))

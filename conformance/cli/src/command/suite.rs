@@ -203,6 +203,18 @@ fn ledgers(suite: &Suite, folder: Option<&Path>) -> Result<(Vec<Ledger>, Vec<Str
     Ok((ledgers, faults))
 }
 
+/// The sentence ledgers.
+///
+/// # Errors
+/// The first fault of one of them.
+pub(crate) fn sound_ledgers(suite: &Suite, folder: Option<&Path>) -> Result<Vec<Ledger>, CliError> {
+    let (ledgers, faults) = ledgers(suite, folder)?;
+    match faults.into_iter().next() {
+        None => Ok(ledgers),
+        Some(fault) => Err(CliError::usage(fault, "`gaugeblock suite check` lists all errors")),
+    }
+}
+
 fn check_document(ledgers: &[Ledger], named: &str) -> Result<Vec<String>, CliError> {
     let (id, file) = named.split_once('=').ok_or_else(|| {
         CliError::usage(

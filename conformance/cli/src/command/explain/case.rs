@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
+use gaugeblock_book::{motion_settings, setting_lines, setup_settings};
 use gaugeblock_suite::{Case, Choice, MotionCase, MotionChoice, Setup};
 use gaugeblock_vocabulary::Language;
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 /// What the assertions of a case do not say themselves; printed once below all cases.
@@ -34,29 +34,10 @@ fn assertions_text(text: &mut String, assertions: &[String]) {
     }
 }
 
-/// Settings as TOML, as the pages of the suite write them: one line for each event or field.
 fn settings_text(text: &mut String, settings: &Map<String, Value>) {
-    for (name, value) in settings {
-        match value {
-            Value::Object(fields) => {
-                for (field, value) in fields {
-                    let _infallible = writeln!(text, "    {name}.{field} = {}", toml(value));
-                }
-            }
-            Value::Array(elements) => {
-                for element in elements {
-                    let _infallible = writeln!(text, "    {name}: {}", toml(element));
-                }
-            }
-            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {
-                let _infallible = writeln!(text, "    {name} = {}", toml(value));
-            }
-        }
+    for line in setting_lines(settings) {
+        let _infallible = writeln!(text, "    {line}");
     }
-}
-
-fn toml(value: &Value) -> String {
-    toml::Value::try_from(value).map_or_else(|_| value.to_string(), |value| value.to_string())
 }
 
 fn title(text: &mut String, kind: &str, name: &str, why: &str, editions: &[String]) {
@@ -112,7 +93,7 @@ pub(super) fn case_document(case: &Case) -> Value {
         "files": case.setup.files,
     });
     let more = [("why", json!(case.why)), ("editions", json!(case.editions))];
-    extend(&mut document, more.into_iter().filter(|(_, value)| !is_empty(value)));
+    extend(&mut document, more.into_iter().filter(|(_, value)| !is_blank(value)));
     extend(&mut document, setup_settings(&case.setup));
     document
 }
@@ -121,7 +102,7 @@ pub(super) fn motion_document(case: &MotionCase) -> Value {
     let mut document =
         json!({ "name": case.name, "program": case.program, "assert": case.assertions });
     let why = [("why", json!(case.why))];
-    extend(&mut document, why.into_iter().filter(|(_, value)| !is_empty(value)));
+    extend(&mut document, why.into_iter().filter(|(_, value)| !is_blank(value)));
     extend(&mut document, motion_settings(case));
     document
 }
@@ -140,83 +121,7 @@ fn extend(document: &mut Value, more: impl IntoIterator<Item = (impl Into<String
     }
 }
 
-/// What a run depends on except its texts, where it differs from a page that says nothing.
-fn setup_settings(setup: &Setup) -> Map<String, Value> {
-    let none = Setup::default();
-    let all = [
-        ("start", changed(&setup.start, &none.start)),
-        ("block_delete", changed(&setup.block_delete, &none.block_delete)),
-        ("environment", changed(&setup.environment, &none.environment)),
-        ("machine", changed(&setup.machine, &none.machine)),
-        ("operator", changed(&setup.operator, &none.operator)),
-        ("budget", changed(&setup.budget, &none.budget)),
-    ];
-    all.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
-}
-
-/// What a case of motion depends on except its program.
-fn motion_settings(case: &MotionCase) -> Map<String, Value> {
-    let none: MotionSettings<'_> = MotionSettings::default();
-    let own = MotionSettings {
-        limits: case.limits.as_ref(),
-        script: &case.script,
-        pieces: &case.pieces,
-        columns: (!case.columns.is_empty()).then_some(&case.columns),
-        every: case.every,
-        resolution: case.resolution,
-        fault: case.fault.as_ref(),
-    };
-    match changed(&own, &none) {
-        Some(Value::Object(settings)) => settings,
-        _ => Map::new(),
-    }
-}
-
-#[derive(Default, Serialize)]
-struct MotionSettings<'a> {
-    limits: Option<&'a gaugeblock_vocabulary::motion::MotionLimits>,
-    script: &'a [gaugeblock_vocabulary::motion::MotionEvent],
-    pieces: &'a [gaugeblock_suite::Piece],
-    columns: Option<&'a std::collections::BTreeMap<String, Vec<(usize, f64)>>>,
-    every: Option<f64>,
-    resolution: f64,
-    fault: Option<&'a gaugeblock_suite::SampleDefect>,
-}
-
-/// A value as JSON; of one with fields, those that differ from the default. None if nothing differs.
-fn changed<T: Serialize>(value: &T, default: &T) -> Option<Value> {
-    let value = serde_json::to_value(value).ok()?;
-    let default = serde_json::to_value(default).ok()?;
-    let differing = match (value, default) {
-        (Value::Object(mut fields), Value::Object(defaults)) => {
-            fields.retain(|name, value| defaults.get(name) != Some(value));
-            Value::Object(fields)
-        }
-        (value, default) if value == default => return None,
-        (value, _) => value,
-    };
-    let differing = without_empty(differing);
-    (!is_empty(&differing)).then_some(differing)
-}
-
-/// The value without members that are null or empty.
-fn without_empty(value: Value) -> Value {
-    match value {
-        Value::Object(fields) => {
-            let fields = fields.into_iter().map(|(name, value)| (name, without_empty(value)));
-            Value::Object(fields.filter(|(_, value)| !is_empty(value)).collect())
-        }
-        Value::Array(elements) => Value::Array(elements.into_iter().map(without_empty).collect()),
-        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value,
-    }
-}
-
-fn is_empty(value: &Value) -> bool {
-    match value {
-        Value::Null => true,
-        Value::Object(fields) => fields.is_empty(),
-        Value::Array(elements) => elements.is_empty(),
-        Value::String(text) => text.is_empty(),
-        Value::Bool(_) | Value::Number(_) => false,
-    }
+/// Whether a text or a list is empty.
+fn is_blank(value: &Value) -> bool {
+    value.as_str().is_some_and(str::is_empty) || value.as_array().is_some_and(Vec::is_empty)
 }

@@ -6,11 +6,11 @@ mod code;
 use std::fmt::Write as _;
 
 use clap::Args;
+use gaugeblock_book::{Code, Explanation};
 use gaugeblock_suite::{Choice, ChoiceKind, MotionChoice, Rule, Source, Suite, sections};
 use gaugeblock_vocabulary::{End, Program, Scenario};
 use serde_json::{Value, json};
 
-use self::code::{Code, Explanation};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::streams::write_out;
@@ -94,12 +94,12 @@ fn explain_code(code: &Code, suite: &Suite) -> Result<(String, Value), CliError>
             ),
         ));
     }
-    let mut text = about.text(code);
+    let mut text = code::text(&about, code);
     if let Some(what) = unsupported(code) {
         let _infallible =
             writeln!(text, "\nnot specified yet: {what}; such a program ends as unsupported");
     }
-    Ok((text, about.document(code)))
+    Ok((text, code::document(&about, code)))
 }
 
 /// What the specification leaves to later of a code that it knows.
