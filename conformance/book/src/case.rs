@@ -75,7 +75,6 @@ pub(super) fn numbered(language: Language, program: &str) -> Vec<Line> {
 
 /// Runs cases on the model and lays them out.
 pub(super) struct Cases<'a> {
-    suite: &'a Suite,
     /// The editions that the model of this build runs, the usual one first.
     editions: Vec<(&'a Edition, Options)>,
 }
@@ -89,7 +88,7 @@ impl<'a> Cases<'a> {
             .filter(|(_, options)| gaugeblock_reference::accepts_options(options).is_ok())
             .collect();
         editions.sort_by_key(|(edition, _)| edition.id != USUAL_EDITION);
-        Self { suite, editions }
+        Self { editions }
     }
 
     /// A case of a rule with what the model does in the first edition that has it.
@@ -134,7 +133,8 @@ impl<'a> Cases<'a> {
             settings: setting_lines(&setup_settings(setup)),
             ..CaseView::default()
         };
-        let mut all = self.suite.defaults();
+        let edition = self.editions.iter().find(|(edition, _)| edition.language == language);
+        let mut all = edition.map(|(_, options)| options.clone()).unwrap_or_default();
         for (id, option) in options {
             all.0.insert(id.clone(), option.clone());
         }
@@ -214,8 +214,10 @@ fn blocks(outcome: &Outcome, scenario: &Scenario) -> Vec<Block> {
             let text = text.unwrap_or_default();
             blocks.push(Block { place: place.to_owned(), text, events: Vec::new() });
         } else if let (Some(block), Some(event)) = (blocks.last_mut(), line.strip_prefix("  ")) {
-            let (kind, text) = event.split_once(' ').unwrap_or((event, ""));
-            block.events.push(Event { kind: kind.to_owned(), text: text.to_owned() });
+            // A state without fields is that before it.
+            if let Some((kind, text)) = event.split_once(' ') {
+                block.events.push(Event { kind: kind.to_owned(), text: text.to_owned() });
+            }
         }
     }
     blocks

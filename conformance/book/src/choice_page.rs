@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use gaugeblock_suite::{Choice, ChoiceKind, MotionChoice, Suite};
 use serde::Serialize;
 
-use super::Book;
 use super::address::{self, SourceLink};
 use super::case::{CaseView, Cases};
+use super::contents::Book;
 use super::rule_page;
 use super::site::{Link, Links, Listing, Site};
 

@@ -1,17 +1,19 @@
 //! A page for each G and M code: what it means here.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use gaugeblock_suite::{ChoiceKind, Suite};
 use serde::Serialize;
 
-use super::Book;
 use super::address;
 use super::code::{Code, Explanation};
+use super::contents::Book;
 use super::site::{Link, Links, Listing, Site};
 
 #[derive(Debug, Serialize)]
 struct CodePage {
+    about: String,
     rules: Vec<Link>,
     choices: Vec<Link>,
     quirks: Vec<Link>,
@@ -30,6 +32,7 @@ pub(super) fn add(book: &Book<'_>, site: &mut Site) -> Result<(), String> {
             sentence: explanation.title.clone(),
         });
         let page = CodePage {
+            about: explanation.title.clone(),
             rules: explanation.rules.clone(),
             choices: explanation.choices.clone(),
             quirks: explanation.quirks.clone(),
@@ -109,14 +112,23 @@ impl CodeLinks {
             })
         };
         let title = titles.iter().filter(|title| code.is_in_title(title)).min_by_key(|it| it.len());
+        let mut documented = about.documented.clone();
+        documented.sort_by_key(|(id, _)| Reverse(share(code, suite, id)));
         Self {
             title: title.map(|it| without_number(it).to_owned()).unwrap_or_default(),
-            rules: about.documented.iter().map(|(id, sentence)| rule(id, sentence)).collect(),
+            rules: documented.iter().map(|(id, sentence)| rule(id, sentence)).collect(),
             choices: of_kind(ChoiceKind::Choice).collect(),
             quirks: of_kind(ChoiceKind::Quirk).collect(),
             used: about.used.iter().map(|id| rule(id, "")).collect(),
         }
     }
+}
+
+/// Share of the sources of a rule that are sections of the code, in percent.
+fn share(code: &Code, suite: &Suite, rule: &str) -> usize {
+    let sources = suite.rule(rule).map_or(&[][..], |rule| &rule.sources);
+    let own = sources.iter().filter(|source| code.is_in_title(&source.section)).count();
+    (100 * own).checked_div(sources.len()).unwrap_or_default()
 }
 
 /// A title without the number of its section.

@@ -4,8 +4,8 @@ use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::{Item, Ledger, Section};
 use serde::Serialize;
 
-use super::Book;
 use super::address::{self, anchor};
+use super::contents::Book;
 use super::site::{Link, Links, Listing, Site};
 
 #[derive(Debug, Serialize)]

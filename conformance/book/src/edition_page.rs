@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use gaugeblock_suite::{Edition, Suite};
 use serde::Serialize;
 
-use super::Book;
 use super::address;
+use super::contents::Book;
 use super::site::{Link, Links, Listing, Site};
 
 #[derive(Debug, Serialize)]

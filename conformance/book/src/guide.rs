@@ -4,8 +4,8 @@ use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, 
 use serde::Serialize;
 
 use super::address::anchor;
+use super::contents::{Book, Guide};
 use super::site::{Link, Links, Listing, Site};
-use super::{Book, Guide};
 
 macro_rules! page {
     ($name:literal) => {
@@ -76,15 +76,15 @@ fn rendered(guide: &Guide, book: &Book<'_>) -> String {
     let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH;
     let events: Vec<Event<'_>> = Parser::new_ext(guide.text, options).collect();
     let mut is_dropped = false;
-    let events = with_anchors(events).into_iter().filter_map(|event| match event {
-        Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
-            let target = target(&dest_url, guide.path, book);
-            is_dropped = target.is_none();
-            let dest_url = CowStr::from(target?);
-            Some(Event::Start(Tag::Link { link_type, dest_url, title, id }))
-        }
-        Event::End(TagEnd::Link) if is_dropped => None,
-        event => Some(event),
+    let events = with_anchors(events).into_iter().filter_map(|event| {
+        let Event::Start(Tag::Link { link_type, dest_url, title, id }) = event else {
+            let is_end = event == Event::End(TagEnd::Link);
+            return (!is_end || !is_dropped).then_some(event);
+        };
+        let target = target(&dest_url, guide.path, book);
+        is_dropped = target.is_none();
+        let dest_url = CowStr::from(target?);
+        Some(Event::Start(Tag::Link { link_type, dest_url, title, id }))
     });
     let mut html = String::new();
     html::push_html(&mut html, events);

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::Book;
 use super::address;
+use super::contents::Book;
 use super::site::Site;
 
 #[derive(Debug, Serialize)]

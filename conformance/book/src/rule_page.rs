@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use gaugeblock_suite::{Grid, GridList, Rule, Suite, sections};
 use serde::Serialize;
 
-use super::Book;
 use super::address::{self, SourceLink, anchor};
 use super::case::{CaseView, Cases, motion_view};
 use super::code_page::Codes;
+use super::contents::Book;
 use super::site::{Link, Links, Listing, Site};
 
 #[derive(Debug, Serialize)]
@@ -18,7 +18,7 @@ struct RulePage {
     chapter: Link,
     profile: String,
     sources: Vec<SourceLink>,
-    void: BTreeMap<String, String>,
+    void: Vec<Void>,
     choices: Vec<Link>,
     quirks: Vec<Link>,
     codes: Vec<Link>,
@@ -27,6 +27,13 @@ struct RulePage {
     grids: Vec<GridView>,
     /// Rules that a section of its sources has, too.
     neighbours: Vec<Link>,
+}
+
+/// Editions that do not have a rule, for one reason.
+#[derive(Debug, Serialize)]
+struct Void {
+    editions: Vec<String>,
+    why: String,
 }
 
 /// What a rule is for a controller.
@@ -130,7 +137,7 @@ fn page(book: &Book<'_>, rule: &Rule, cases: &Cases<'_>, codes: &Codes) -> RuleP
         },
         profile: suite.profile_of(rule).to_owned(),
         sources: address::links(&rule.sources, book.ledgers),
-        void: rule.void.clone(),
+        void: void(rule),
         choices,
         quirks,
         codes: codes.of_rule(&rule.id),
@@ -139,6 +146,16 @@ fn page(book: &Book<'_>, rule: &Rule, cases: &Cases<'_>, codes: &Codes) -> RuleP
         grids,
         neighbours: neighbours(suite, rule),
     }
+}
+
+/// The editions without the rule, by their reasons.
+fn void(rule: &Rule) -> Vec<Void> {
+    let mut by_reason: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for (edition, why) in &rule.void {
+        by_reason.entry(why).or_default().push(edition.clone());
+    }
+    let void = |(why, editions): (&str, _)| Void { editions, why: why.to_owned() };
+    by_reason.into_iter().map(void).collect()
 }
 
 /// The quirks and the choices on which a rule depends.

@@ -2,10 +2,12 @@
 
 use serde::Serialize;
 
+use super::address;
 use super::code_page::Codes;
+use super::contents::Book;
+use super::guide;
 use super::rule_page::places;
 use super::site::Site;
-use super::{Book, address, guide};
 
 /// A page, as the search finds it.
 #[derive(Debug, Serialize)]

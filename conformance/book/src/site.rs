@@ -4,7 +4,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, Error, Output, State, Value, escape_formatter};
 use serde::Serialize;
 
-use super::{Book, Page};
+use super::contents::Page;
 
 const TEMPLATES: [(&str, &str); 12] = [
     ("base.html", include_str!("../templates/base.html")),
@@ -48,7 +48,7 @@ struct Values<'a, T> {
 }
 
 impl Site {
-    pub(super) fn new(book: &Book<'_>) -> Result<Self, String> {
+    pub(super) fn new(digest: &str) -> Result<Self, String> {
         let mut environment = Environment::new();
         environment.set_formatter(escaped);
         for (name, text) in TEMPLATES {
@@ -57,7 +57,7 @@ impl Site {
         let fixed =
             |(path, text): (&str, &str)| Page { path: path.to_owned(), text: text.to_owned() };
         let pages = FIXED.into_iter().map(fixed).collect();
-        let suite = book.suite.digest.chars().take(12).collect();
+        let suite = digest.chars().take(12).collect();
         Ok(Self { environment, suite, pages })
     }
 

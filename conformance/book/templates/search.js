@@ -1,5 +1,6 @@
 // Finds pages by their ids, sentences and sections. The index is loaded when the field gets the focus first.
 (() => {
+  const page = document.documentElement;
   const root = document.currentScript.dataset.root;
   const field = document.getElementById("search");
   const found = document.getElementById("found");
@@ -10,7 +11,10 @@
     const script = document.createElement("script");
     script.id = "index";
     script.src = root + "search-index.js";
-    script.addEventListener("load", show);
+    script.addEventListener("load", () => {
+      show();
+      page.dataset.script = "ran";
+    });
     document.head.append(script);
   };
 
@@ -62,6 +66,17 @@
     links[chosen].scrollIntoView({ block: "nearest" });
   };
 
+  window.addEventListener("error", (event) => {
+    page.dataset.error = event.message;
+  });
+  // A link can have the words: `index.html?q=M73`.
+  const query = new URLSearchParams(location.search).get("q");
+  if (query) {
+    field.value = query;
+    load();
+  } else {
+    page.dataset.script = "ran";
+  }
   field.addEventListener("focus", load);
   field.addEventListener("input", () => { load(); show(); });
   field.addEventListener("keydown", (event) => {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
-use gaugeblock_book::{Book, GUIDE, anchor, choice_address, code_address, rule_address};
+use gaugeblock_book::{Book, GUIDE, anchor, choice_address, code_address, render, rule_address};
 use gaugeblock_suite::Suite;
 use gaugeblock_suite::ledger::Ledger;
 
@@ -27,7 +27,7 @@ fn rendered() -> (Suite, BTreeMap<String, String>) {
         guide: &GUIDE,
         repository: Some("https://example.org/"),
     };
-    let pages = book.render().expect("every template fits");
+    let pages = render(&book).expect("every template fits");
     let pages = pages.into_iter().map(|page| (page.path, page.text)).collect();
     (suite, pages)
 }
@@ -124,6 +124,18 @@ fn case_has_its_place_its_program_and_what_each_block_does() {
     assert!(page.contains("g85 x4 z1 r2"), "its program");
     assert!(page.contains("straight_feed end=(x4 z1)"), "what it does");
     assert!(page.contains("when cycles.bore-return = feed:"), "what is checked");
+}
+
+#[test]
+fn option_of_a_choice_has_what_each_block_does_under_it() {
+    let (_, pages) = pages();
+    for path in
+        ["choices/rs274.feed-unit.html", "choices/nct.depth.html", "choices/gpp.newline.html"]
+    {
+        let page = &pages[path];
+        assert!(page.contains("<table class=\"trace\">"), "{path}");
+        assert!(!page.contains("no choice or quirk"), "{path}");
+    }
 }
 
 #[test]

@@ -8,8 +8,8 @@ use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
-    adapter, book, certify, compare, explain, fingerprint, fuzz, motion_check, motion_fuzz, offline,
-    plan, report, rs274, rules, run, schema, serve, shrink, suite,
+    adapter, book, certify, compare, explain, fingerprint, fuzz, motion_check, motion_fuzz,
+    offline, plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
 use crate::error::CliError;
@@ -166,8 +166,9 @@ fn execute(call: &Call) -> Result<u8, CliError> {
         Command::Explain(arguments) => {
             suite(call).and_then(|suite| explain::explain(arguments, &suite))
         }
-        Command::Book(arguments) => suite(call)
-            .and_then(|suite| book::book(arguments, &suite, call.suite.as_deref())),
+        Command::Book(arguments) => {
+            suite(call).and_then(|suite| book::book(arguments, &suite, call.suite.as_deref()))
+        }
         Command::Suite(command) => suite::maintain(command, call.suite.as_deref()),
         Command::Offline(command) => {
             suite(call).and_then(|suite| offline::offline(command, &suite))

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use gaugeblock_book::{Book, GUIDE};
+use gaugeblock_book::{Book, GUIDE, render};
 use gaugeblock_report::comparison::{ComparedReport, Comparison};
 use gaugeblock_suite::Suite;
 
@@ -50,7 +50,7 @@ pub(crate) fn book(
         guide: &GUIDE,
         repository: arguments.repository.as_deref(),
     };
-    let pages = book.render().map_err(|error| {
+    let pages = render(&book).map_err(|error| {
         CliError::failure(error, "this is a bug in gaugeblock; please report it")
     })?;
     for page in &pages {

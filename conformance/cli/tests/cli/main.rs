@@ -3,6 +3,7 @@
 mod any_answer;
 mod assertions_only;
 mod baseline;
+mod book;
 mod by_protocol;
 mod command;
 mod command_line;
