@@ -52,6 +52,14 @@ pub(crate) fn degrees_of_signed(opposite: f64, adjacent: f64) -> f64 {
     libm::atan2(opposite, adjacent).to_degrees()
 }
 
+/// A full turn, radians.
+pub(crate) const TURN: f64 = std::f64::consts::TAU;
+
+/// The angle in radians, above -pi up to pi, of the direction with these components. A zero has no sign.
+pub(crate) fn angle(opposite: f64, adjacent: f64) -> f64 {
+    libm::atan2(opposite + 0.0, adjacent + 0.0)
+}
+
 /// Sine of an angle in radians.
 pub(crate) fn sine(radians: f64) -> f64 {
     libm::sin(radians)

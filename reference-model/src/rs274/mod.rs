@@ -7,6 +7,7 @@
 //! | [`evaluate`] | a block's expressions evaluated: numbers for words |
 //! | [`modes`] | the table of codes and modal groups; the modes in force |
 //! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
+//! | `planar` | lines and arcs in the plane, and the curves of a compensated tool along them |
 //! | [`state`] | the whole state, a sentence per field |
 //! | [`check`] | what is refused before anything of the block is done |
 //! | [`order`] | the fixed order of execution inside a block |
@@ -27,6 +28,7 @@ pub mod modes;
 mod needs;
 pub mod order;
 pub mod parameters;
+pub(crate) mod planar;
 pub mod refusal;
 pub mod state;
 pub mod syntax;

@@ -7,25 +7,23 @@ use crate::dialects::quirk;
 use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
+use crate::rs274::execute::compensation::programmed_point;
 use crate::rs274::execute::motion::MotionRules;
 use crate::rs274::execute::programmed_motion::{is_arc, is_spline, motion_of};
 use crate::rs274::execute::word;
 use crate::rs274::modes::each;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::task::Record;
 
 impl MotionRules for Observed {
-    fn move_straight(
+    fn straight_move_leads(
         &self,
         motion: Motion,
+        start: Position,
         end: Position,
-        words: &Words,
         state: &mut State,
-        record: &mut Record,
     ) {
-        feed_of_move(motion, end, state);
-        Documented.move_straight(motion, end, words, state, record);
+        feed_of_move(motion, start, end, state);
     }
 
     /// Quirk rs274.nurbs-machine-coordinates. G53 can be in the block of G5.2, but not in those of the points after
@@ -133,7 +131,8 @@ fn polar_plane(state: &State) -> Result<(), StepError> {
 /// too.
 fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
     let quirk = quirk::rs274::POLAR_NEEDS_ANGLE;
-    let at_origin = state.position.x == 0.0 && state.position.y == 0.0;
+    let here = programmed_point(state);
+    let at_origin = here.x == 0.0 && here.y == 0.0;
     if at_origin && word(words, '^').is_none() && state.has_quirk(quirk) {
         let message = "a distance without an angle, from the origin";
         return Err(refuse(quirk, FaultKind::AxisWords, message));
@@ -145,7 +144,8 @@ fn polar_angle(words: &Words, state: &State) -> Result<(), StepError> {
 fn polar_end(words: &Words, state: &State) -> Result<(), StepError> {
     let quirk = quirk::rs274::POLAR_TO_ORIGIN;
     let (Some(more), Some(_)) = (word(words, '@'), word(words, '^')) else { return Ok(()) };
-    let distance = math::hypotenuse(state.position.x, state.position.y) + more;
+    let here = programmed_point(state);
+    let distance = math::hypotenuse(here.x, here.y) + more;
     let incremental = state.modes.distance == Distance::Incremental;
     if incremental && distance == 0.0 && state.has_quirk(quirk) {
         let message = "an incremental polar move to the origin";
@@ -157,14 +157,14 @@ fn polar_end(words: &Words, state: &State) -> Result<(), StepError> {
 /// Quirk rs274.feed-name-inverse-time. In inverse time mode a straight feed sets `_feed` to the feed rate that it had:
 /// the length of the move times F, at least 0.1. The length is that of X, Y and Z if one of these axes moves, else that
 /// of U, V and W, else that of A, B and C.
-fn feed_of_move(motion: Motion, end: Position, state: &mut State) {
+fn feed_of_move(motion: Motion, start: Position, end: Position, state: &mut State) {
     if motion != Motion::Feed
         || state.modes.feed_mode != FeedMode::InverseTime
         || !state.has_quirk(quirk::rs274::FEED_NAME_INVERSE_TIME)
     {
         return;
     }
-    let way = each(end, state.position, |end, start| end - start);
+    let way = each(end, start, |end, start| end - start);
     let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
     let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
     let length = lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default();

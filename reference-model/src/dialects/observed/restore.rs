@@ -15,6 +15,7 @@ use super::units_planes::retract_under_compensation;
 use super::{HasQuirk, Observed};
 use crate::dialects::{Quirk, quirk};
 use crate::rs274::dialect::Documented;
+use crate::rs274::execute::compensation::use_tool;
 use crate::rs274::execute::restore::{RestoreRules, restored_turn, same};
 use crate::rs274::execute::tool_length::table_offset;
 use crate::rs274::modes::{Modes, Spindle, unit_size};
@@ -114,7 +115,8 @@ impl RestoreRules for Observed {
         };
         if by_tool(saved.compensation) != by_tool(state.modes.compensation) {
             state.modes.compensation = by_tool(saved.compensation);
-            state.modes.compensation_radius = saved.compensation_radius;
+            let tool = state.loaded_tool().cloned();
+            use_tool(tool.as_ref().filter(|_| saved.compensation != Compensation::Off), state);
         }
     }
 

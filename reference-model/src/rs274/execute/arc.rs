@@ -7,18 +7,17 @@ use gaugeblock_vocabulary::{
     Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane, Position,
 };
 
+use super::compensation::{self, programmed_point};
 use super::target::{end_point, letter};
 use super::{whole, word};
 use crate::ids::{choice, rule};
 use crate::math;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::unit_size;
+pub(crate) use crate::rs274::planar::InPlane;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-
-/// A point of the selected plane: along its first axis, along its second.
-pub(crate) type InPlane = (f64, f64);
 
 /// The axes of an arc.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +30,26 @@ pub(crate) struct Axes {
 
 impl Axes {
     /// The coordinates of a position in the plane.
-    fn in_plane(self, position: Position) -> InPlane {
+    pub(crate) fn in_plane(self, position: Position) -> InPlane {
         (position.get(self.first), position.get(self.second))
+    }
+
+    /// Both axes of the plane.
+    pub(crate) fn of_plane(self) -> [Axis; 2] {
+        [self.first, self.second]
+    }
+
+    /// A position with other coordinates in the plane.
+    pub(crate) fn with(self, mut position: Position, (first, second): InPlane) -> Position {
+        *position.get_mut(self.first) = first;
+        *position.get_mut(self.second) = second;
+        position
+    }
+
+    /// A position with the coordinate that another one has along the normal axis.
+    pub(crate) fn with_normal_of(self, mut position: Position, other: Position) -> Position {
+        *position.get_mut(self.normal) = other.get(self.normal);
+        position
     }
 }
 
@@ -53,25 +70,38 @@ pub(super) fn perform(
     let axes = axes(state)?;
     let turns = turns(words, state)?;
     one_format(axes, words)?;
-    let start = state.position;
+    let start = programmed_point(state);
     let end = end_point(words, state)?;
     let clockwise = motion == Motion::ArcClockwise;
     let centre = match word(words, 'r') {
         Some(radius) => centre_of_radius(axes, radius, clockwise, end, words, state)?,
         None => centre_of_offsets(axes, end, words, state)?,
     };
+    let turns = if clockwise { -turns } else { turns };
+    check_after_compensation(state)?;
     report_accepted(axes, start, end, state);
+    if compensation::applies(state) {
+        return compensation::arc(motion, end, axes, (centre, turns), state, record);
+    }
     state.modes.motion = motion;
     state.position = end;
-    let turns = if clockwise { -turns } else { turns };
     let (first_centre, second_centre) = centre;
     record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
     Ok(())
 }
 
+/// docs/compensation.md, "The end": no arc follows a compensated move, before a straight one.
+fn check_after_compensation(state: &State) -> Result<(), StepError> {
+    if state.contour.straight_is_next && state.contour.path.is_none() {
+        let message = "an arc as first move after compensation";
+        return Err(refuse(rule::tool::COMPENSATION, FaultKind::ModalConflict, message));
+    }
+    Ok(())
+}
+
 /// Rule arcs.plane. An arc lies in the selected plane: XY, ZX or YZ.
 /// Rule arcs.secondary-planes. The planes of U, V and W have no arcs.
-fn axes(state: &mut State) -> Result<Axes, StepError> {
+pub(crate) fn axes(state: &mut State) -> Result<Axes, StepError> {
     use Axis::{X, Y, Z};
     let (first, second, normal) = match state.modes.plane {
         Plane::Xy => (X, Y, Z),
@@ -162,7 +192,7 @@ fn centre_of_offsets(
         return Err(refuse(rule::arcs::NEEDS_OFFSETS, FaultKind::MissingWord, message));
     }
     check_axis_words(axes, words, state)?;
-    let start = axes.in_plane(state.position);
+    let start = axes.in_plane(programmed_point(state));
     let centre = if state.modes.arc_distance == Distance::Absolute {
         let (Some(first), Some(second)) = offsets else {
             let message = "in absolute arc distance mode both offsets of the centre are needed";
@@ -371,8 +401,9 @@ fn centre_of_radius(
         return Err(refuse(rule::arcs::RADIUS_NEEDS_AXIS, FaultKind::MissingWord, message));
     }
     state.coverage.accepted(rule::arcs::RADIUS_NEEDS_AXIS);
-    let ends = state.dialect().ends_where_it_starts(state.position, end, axes, state);
-    let (start, end) = (axes.in_plane(state.position), axes.in_plane(end));
+    let start = programmed_point(state);
+    let ends = state.dialect().ends_where_it_starts(start, end, axes, state);
+    let (start, end) = (axes.in_plane(start), axes.in_plane(end));
     if ends {
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));

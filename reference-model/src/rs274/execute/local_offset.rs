@@ -1,6 +1,6 @@
 //! G52 and the G92 codes: an offset of every coordinate system.
 
-use gaugeblock_vocabulary::{Axis, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, Position};
 
 use super::offset_storage::{in_force_changes, store_length};
 use super::target::offset_words;
@@ -35,6 +35,10 @@ pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> 
         Some(520) => shift(words, state)?,
         Some(_) => name_point(words, state)?,
         None => {}
+    }
+    // docs/compensation.md: while the cutter is compensated G92.1 to G92.3 have no effect.
+    if state.modes.compensation != Compensation::Off {
+        return Ok(());
     }
     match code(&[921, 922, 923]) {
         Some(921) => clear(state),

@@ -8,7 +8,7 @@ use super::arc;
 use super::feed::check_feed_rate;
 use super::programmed_motion::{by_offsets_alone, is_arc, is_feed, is_spline, motion_of};
 use super::target::{end_point, machine_end_point};
-use super::{cycles, probe, splines, threading};
+use super::{compensation, cycles, probe, splines, threading};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
@@ -66,7 +66,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         state.curve.continues = continues;
         splines::perform(motion, in_data_block, words, state, record)
     } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
-        state.dialect().move_synchronised(motion, words, state, record)
+        state.dialect().move_synchronised(motion, words, state, record)?;
+        compensation::straight_move(state);
+        Ok(())
     } else if motion == Motion::Thread76 {
         threading::thread(words, state, record)
     } else if probe::is_probing(motion) {
@@ -108,24 +110,14 @@ fn moves_by(words: &Words) -> bool {
 
 /// The rules of moves that a controller may follow differently.
 pub(crate) trait MotionRules {
-    /// Moves straight to a point.
-    fn move_straight(
+    /// A straight move leads from one programmed point to another.
+    fn straight_move_leads(
         &self,
-        motion: Motion,
-        end: Position,
-        words: &Words,
-        state: &mut State,
-        record: &mut Record,
+        _motion: Motion,
+        _start: Position,
+        _end: Position,
+        _state: &mut State,
     ) {
-        state.modes.motion = motion;
-        state.position = end;
-        accepted(motion, end, words, state);
-        let effect = if motion == Motion::Feed {
-            Effect::StraightFeed { end }
-        } else {
-            Effect::StraightTraverse { end }
-        };
-        record.effect(state, effect);
     }
 
     /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before
@@ -170,7 +162,7 @@ pub(crate) trait MotionRules {
         Ok(())
     }
 
-    /// Whether moves are compensated for the radius of the cutter.
+    /// Whether the cutter is compensated, so that machine coordinates are refused.
     fn is_compensated(&self, state: &State) -> bool {
         state.modes.compensation != Compensation::Off
     }
@@ -205,7 +197,7 @@ pub(crate) trait MotionRules {
 
     /// Rule motion.polar-from-origin. An incremental polar move has no angle at the origin.
     fn check_polar(&self, _words: &Words, state: &State) -> Result<(), StepError> {
-        let here = state.position;
+        let here = compensation::programmed_point(state);
         let incremental = state.modes.distance == Distance::Incremental;
         if incremental && here.x == 0.0 && here.y == 0.0 {
             let message = "an incremental polar move from the origin, which has no angle";
@@ -243,9 +235,6 @@ fn move_to(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    if state.dialect().is_compensated(state) {
-        return Err(StepError::Unsupported("a move under cutter compensation".to_owned()));
-    }
     if is_feed(motion) {
         check_feed_rate(words, state)?;
     }
@@ -257,8 +246,27 @@ fn move_to(
     } else {
         end_point(words, state)?
     };
-    state.dialect().move_straight(motion, end, words, state, record);
+    let start = compensation::programmed_point(state);
+    state.dialect().straight_move_leads(motion, start, end, state);
+    accepted(motion, end, words, state);
+    if compensation::applies(state) {
+        return compensation::line(motion, end, state, record);
+    }
+    move_straight(motion, end, state, record);
     Ok(())
+}
+
+/// Moves straight to a point.
+fn move_straight(motion: Motion, end: Position, state: &mut State, record: &mut Record) {
+    compensation::straight_move(state);
+    state.modes.motion = motion;
+    state.position = end;
+    let effect = if motion == Motion::Feed {
+        Effect::StraightFeed { end }
+    } else {
+        Effect::StraightTraverse { end }
+    };
+    record.effect(state, effect);
 }
 
 /// The rules that an accepted move follows, those on modes that held until it among them.

@@ -80,6 +80,7 @@ pub(crate) trait RestoreRules {
     fn restore_compensation(&self, saved: &Modes, state: &mut State) {
         state.modes.compensation = saved.compensation;
         state.modes.compensation_radius = saved.compensation_radius;
+        state.modes.compensation_orientation = saved.compensation_orientation;
     }
 
     /// Rules saved-state.feed-mode and saved-state.feed.

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use super::compensation::{self, Surroundings};
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::control::{Frame, Style};
 use crate::rs274::evaluate::Words;
@@ -14,7 +15,7 @@ use crate::rs274::task::Record;
 ///
 /// # Errors
 /// Nothing to restore. Two of these codes in one block: the documents do not say which comes first.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let codes: Vec<u32> = words.m.iter().copied().filter(|code| (70..=73).contains(code)).collect();
     let [code] = codes[..] else {
         let why = "M70 to M73 are in no modal group, and nothing says which of two acts first";
@@ -26,7 +27,7 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
             state.frame_mut().saved_by_m70 = state.frame().saved.clone();
         }
         71 => invalidate(state)?,
-        72 => restore_explicitly(state)?,
+        72 => restore_explicitly(state, record)?,
         _ => {
             save(state);
             state.frame_mut().restore_at_return = state.frame().saved.clone();
@@ -128,7 +129,7 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
 /// Rule saved-state.autorestore-explicit. It may be one that M73 saved, under choice saved-state.restorable.
 /// Rule saved-state.nothing-saved. Where nothing was saved at this level the restore is refused.
 /// Rule saved-state.invalidated. And where what was saved is invalid.
-fn restore_explicitly(state: &mut State) -> Result<(), StepError> {
+fn restore_explicitly(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let saved = restorable(state);
     let Some(saved) = saved.as_ref().filter(|saved| saved.valid) else {
         let (rule, message) = if saved.is_some() {
@@ -153,7 +154,9 @@ fn restore_explicitly(state: &mut State) -> Result<(), StepError> {
     if state.frame().restore_at_return.is_some() {
         state.coverage.accepted(rule::saved_state::AUTORESTORE_EXPLICIT);
     }
-    state.dialect().restore_in_block(&saved.modes, state)
+    let along_path = Surroundings::of(state);
+    state.dialect().restore_in_block(&saved.modes, state)?;
+    compensation::restored(along_path, state, record)
 }
 
 /// Choice saved-state.restorable: what was saved last, or only where M70 did; where each code has its own place that
@@ -179,7 +182,7 @@ fn restorable(state: &State) -> Option<SavedState> {
 ///
 /// # Errors
 /// What the controller refuses to restore; by the documents that is nothing.
-pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), StepError> {
+pub fn restore_at_return(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let frame = state.frame();
     let promised = if state.choices.is(choice::saved_state::Places::One) {
         latest_if_promised(frame)
@@ -210,7 +213,9 @@ pub fn restore_at_return(state: &mut State, _record: &mut Record) -> Result<(), 
     if saved_since {
         state.coverage.accepted(rule::saved_state::AUTORESTORE_THEN_SAVE);
     }
-    state.dialect().restore(&promised.modes, state)
+    let along_path = Surroundings::of(state);
+    state.dialect().restore(&promised.modes, state)?;
+    compensation::restored(along_path, state, record)
 }
 
 /// Where M70 and M73 have one place: what was saved last there, if an M73 promised a restore.

@@ -43,7 +43,9 @@ pub(super) fn perform(
         quadratic(words, state)?;
     }
     if state.modes.compensation != Compensation::Off {
-        return Err(StepError::Unsupported("a spline under cutter compensation".to_owned()));
+        let message = "a spline while cutter compensation is on";
+        let rule = rule::tool::COMPENSATION;
+        return Err(refuse(rule, FaultKind::CompensationActive, message));
     }
     if !has_axis_words(words) {
         return Err(StepError::Unspecified("a spline without X and Y".to_owned()));

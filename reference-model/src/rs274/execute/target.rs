@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Position};
 
+use super::compensation::programmed_point;
 use super::word;
 use crate::ids::{choice, rule};
 use crate::math;
@@ -69,7 +70,7 @@ pub(super) fn moved(words: &Words, state: &State) -> Vec<(Axis, f64)> {
 /// # Errors
 /// Rules motion.polar-mixed and motion.polar-from-origin.
 pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, StepError> {
-    let mut end = polar(words, state)?.unwrap_or(state.position);
+    let mut end = polar(words, state)?.unwrap_or(programmed_point(state));
     let incremental = state.modes.distance == Distance::Incremental;
     state.coverage.accepted(if incremental {
         rule::units_planes::INCREMENTAL
@@ -124,7 +125,7 @@ pub(super) fn polar(words: &Words, state: &mut State) -> Result<Option<Position>
         return Err(refuse(rule::motion::POLAR_MIXED, FaultKind::AxisWords, message));
     }
     state.dialect().check_polar(words, state)?;
-    let here = state.position;
+    let here = programmed_point(state);
     let incremental = state.modes.distance == Distance::Incremental;
     let from = if incremental { 1.0 } else { 0.0 };
     let current_distance = math::hypotenuse(here.x, here.y);

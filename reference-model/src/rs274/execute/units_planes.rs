@@ -100,6 +100,7 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
     modes.blend_tolerance *= factor;
     modes.naive_cam_tolerance *= factor;
     modes.compensation_radius *= factor;
+    state.contour.convert(before, units, modes.rounding);
     convert_feed(before, state);
 }
 

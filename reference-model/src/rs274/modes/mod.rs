@@ -56,6 +56,8 @@ pub struct Modes {
     pub compensation: Compensation,
     /// Radius of the cutter while it is compensated, active length unit.
     pub compensation_radius: f64,
+    /// Orientation of the lathe tool that is compensated, 0 to 9; 0 and 9 are its centre.
+    pub compensation_orientation: i32,
     /// Whether a tool length offset applies.
     pub tool_length: Switch,
     /// The tool offset that applies, active length unit; zero under G49.
@@ -168,6 +170,7 @@ impl Modes {
             },
             compensation: Compensation::Off,
             compensation_radius: 0.0,
+            compensation_orientation: 0,
             tool_length: Switch::Off,
             tool_offset: Position::default(),
             work_offset: start_system(machine),

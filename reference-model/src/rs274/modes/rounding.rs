@@ -44,6 +44,15 @@ impl Rounding {
         (distance + distance * part, angle + 360.0 * part)
     }
 
+    /// By how much of a length, or of a radian, a bound is moved at which the last bits of what is computed decide.
+    pub(crate) fn margin(self) -> f64 {
+        match self {
+            Self::AsComputed | Self::ToDecimals => 0.0,
+            Self::Up => 1e-12,
+            Self::Down => -1e-12,
+        }
+    }
+
     /// A coordinate that is 0, or some very small number.
     pub(crate) fn of_nothing(self) -> f64 {
         match self {

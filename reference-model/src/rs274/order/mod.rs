@@ -10,6 +10,7 @@ pub use rules::{ORDER_RULES, OrderRule};
 
 use super::evaluate::Words;
 use super::execute;
+use super::execute::compensation::Surroundings;
 use super::refusal::StepError;
 use super::state::State;
 use super::task::Record;
@@ -45,7 +46,11 @@ pub fn execute_phase(
     record: &mut Record,
 ) -> Result<AfterPhase, StepError> {
     let frame = state.curve.open.is_some().then(|| state.modes.frame());
+    let along_path = Surroundings::of(state);
     let after_phase = perform_phase(phase, words, state, record);
+    if let (true, Some(surroundings)) = (after_phase.is_ok() && phase < Phase::Motion, along_path) {
+        surroundings.after(phase, state)?;
+    }
     if after_phase.is_ok()
         && phase < Phase::Motion
         && frame.is_some_and(|frame| frame != state.modes.frame())
@@ -116,7 +121,7 @@ fn perform_phase(
             state.dialect().orient(words, state, record)?;
         }
         Phase::Spindle => execute::spindle::turn(words, state)?,
-        Phase::SavedState => execute::saved_state::perform(words, state)?,
+        Phase::SavedState => execute::saved_state::perform(words, state, record)?,
         Phase::Coolant => execute::coolant::perform(words, state),
         Phase::Overrides => execute::overrides::perform(words, state)?,
         Phase::UserCode => {
@@ -127,7 +132,7 @@ fn perform_phase(
         Phase::Dwell => execute::dwell::perform(words, state, record)?,
         Phase::Plane => execute::units_planes::select_plane(words, state)?,
         Phase::Units => execute::units_planes::select_units(words, state),
-        Phase::Compensation => execute::compensation::perform(words, state)?,
+        Phase::Compensation => execute::compensation::perform(words, state, record)?,
         Phase::ToolLength => execute::tool_length::perform(words, state)?,
         Phase::WorkOffset => execute::offsets::select(words, state)?,
         Phase::Path => state.dialect().select_path(words, state)?,
@@ -135,7 +140,7 @@ fn perform_phase(
         Phase::Retract => state.dialect().select_retract(words, state)?,
         Phase::OffsetData => execute::offsets::change(words, state, record)?,
         Phase::Motion => execute::motion::perform(words, state, record)?,
-        Phase::Stop => return Ok(execute::stop::perform(words, state, record)),
+        Phase::Stop => return execute::stop::perform(words, state, record),
     }
     Ok(AfterPhase::Execute)
 }

@@ -1,5 +1,6 @@
 //! The whole state of a controller, a sentence per field.
 
+mod contour;
 mod curve;
 mod frame;
 mod pins;
@@ -9,6 +10,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared, Tool};
 
+pub(crate) use contour::CompensatedPath;
+pub use contour::Contour;
 pub use curve::{Curve, Nurbs};
 pub use frame::{Call, Frame, Open, Structure, Style};
 pub use pins::PinSnapshot;
@@ -58,6 +61,8 @@ pub struct State {
     pub series: Option<Series>,
     /// What the next spline may need of the one before.
     pub curve: Curve,
+    /// The contour along which the cutter is compensated.
+    pub contour: Contour,
     /// What the dialect remembers; nothing by the documents.
     #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) memory: Memory,
@@ -228,6 +233,7 @@ impl State {
             probe_log_open: false,
             series: None,
             curve: Curve::default(),
+            contour: Contour::default(),
             panel: Panel::new(&Machine::default()),
             environment: EnvironmentState::new(
                 &gaugeblock_vocabulary::scenario::Environment::default(),

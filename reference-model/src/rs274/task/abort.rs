@@ -27,6 +27,8 @@ impl ModelRun<'_> {
         } else {
             End::Aborted
         };
+        self.record.put_out();
+        execute::compensation::end_of_run(&mut self.state);
         execute::saved_state::run_is_over(&mut self.state);
         self.forget_waiting();
         self.switch_off();

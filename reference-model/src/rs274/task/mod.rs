@@ -12,6 +12,7 @@
 //! | [`abort`] | the state after an abort |
 //! | [`pins`] | the values of the machine's pins |
 //! | [`record`] | what is observed |
+//! | [`waiting`] | effects that wait until the next compensated move is known |
 //! | [`watch`] | moves and waits of a phase, looked at one by one |
 
 mod abort;
@@ -24,6 +25,7 @@ mod record;
 mod request;
 mod run;
 mod wait;
+mod waiting;
 mod watch;
 
 use std::borrow::Cow;
@@ -45,7 +47,7 @@ use super::execute;
 use super::modes::{Modes, Rounding};
 use super::parameters::{self, Name, Parameters};
 use super::refusal::{Refusal, StepError};
-use super::state::{Curve, Panel, State, in_pocket_zero, slots};
+use super::state::{Contour, Curve, Panel, State, in_pocket_zero, slots};
 use super::syntax::Room;
 use crate::Choices;
 use crate::Consulted;
@@ -108,6 +110,9 @@ pub fn run(
     let end = run.whole();
     if run.is_within_block && leaves_nothing(&end) {
         run.before_block();
+    }
+    if !matches!(end, End::Paused | End::Aborted) {
+        run.record.lose_waiting();
     }
     run.leave_calls();
     let parameters = run.parameters();
@@ -211,6 +216,7 @@ pub(super) fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rou
         probe_log_open: false,
         series: None,
         curve: Curve::default(),
+        contour: Contour::default(),
         pin_snapshot: None,
         room: Room::default(),
         coverage: RuleCoverage::default(),

@@ -41,6 +41,8 @@ impl ModelRun<'_> {
             Some(Line::End) => {
                 self.between()?;
                 self.state.coverage.accepted(rule::program_end::PERCENT);
+                self.record.lose_waiting();
+                execute::compensation::end_of_run(&mut self.state);
                 self.over();
                 return Ok(Some(End::PercentEnd));
             }

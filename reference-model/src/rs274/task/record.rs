@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::{
     Step,
 };
 
+use super::waiting::{Waiting, may_wait};
 use super::watch::{Begins, Mark, Watch, Why};
 use crate::rs274::environment::stub::BlockMotion;
 use crate::rs274::execute::move_start::{self, Speed};
@@ -29,9 +30,9 @@ const MANY_EVENTS: usize = 2;
 #[derive(Debug)]
 pub struct Record {
     start: Settings,
-    steps: Vec<Step>,
+    pub(super) steps: Vec<Step>,
     /// Events of the block that is being executed.
-    events: Vec<Event>,
+    pub(super) events: Vec<Event>,
     /// The modes whose settings were recorded last.
     modes: Modes,
     /// State as recorded last, without parameters.
@@ -48,6 +49,8 @@ pub struct Record {
     in_block: bool,
     /// Whether moves go by the spindle now.
     in_step: bool,
+    /// Effects that wait until the next compensated move is known, in the order of the program.
+    pub(super) waiting: Vec<Waiting>,
     /// The moves of the phase that is executed, where they may be held.
     pub(super) watch: Option<Watch>,
 }
@@ -69,6 +72,7 @@ impl Record {
             most_effects: Budget::default().effects,
             in_block: false,
             in_step: false,
+            waiting: Vec::new(),
             watch: None,
         }
     }
@@ -166,7 +170,12 @@ impl Record {
         self.effects = self.effects.saturating_add(1);
         let begins = matches!(effect, Effect::StartSpindleSynchronisation { .. });
         self.in_step = begins || self.in_step && effect != Effect::StopSpindleSynchronisation {};
+        let waits = self.in_block && state.contour.waits() && may_wait(&effect);
         self.push(Event::Do(effect));
+        if waits {
+            let (step, event) = (self.steps.len(), self.events.len() - 1);
+            self.waiting.push(Waiting { step, event, units: state.modes.units });
+        }
         self.leave_to_last();
     }
 
@@ -177,12 +186,14 @@ impl Record {
             modes: self.modes.clone(),
             effects: self.effects,
             in_step: self.in_step,
+            waiting: self.waiting.clone(),
         }
     }
 
     /// What was observed since has not happened.
     pub(super) fn back_to(&mut self, mark: Mark) {
-        let Mark { events, modes, effects, in_step } = mark;
+        let Mark { events, modes, effects, in_step, waiting } = mark;
+        self.waiting = waiting;
         self.events = events;
         self.modes = modes;
         self.effects = effects;
@@ -404,7 +415,7 @@ fn speed_of(effect: &Effect, in_step: bool) -> Option<Speed> {
 }
 
 /// Whether an effect leads the controlled point somewhere.
-fn is_move(effect: &Effect) -> bool {
+pub(super) fn is_move(effect: &Effect) -> bool {
     matches!(
         effect,
         Effect::StraightTraverse { .. }

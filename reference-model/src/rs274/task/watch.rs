@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Effect, Event, Position};
 
+use super::waiting::Waiting;
 use crate::rs274::environment::EnvironmentState;
 use crate::rs274::execute::move_start::{Speed, is_held};
 use crate::rs274::modes::Modes;
@@ -16,6 +17,7 @@ pub(super) struct Mark {
     pub(super) modes: Modes,
     pub(super) effects: u32,
     pub(super) in_step: bool,
+    pub(super) waiting: Vec<Waiting>,
 }
 
 /// The moves and dwells of a phase, looked at one by one.

@@ -1,14 +1,17 @@
 //! G40, G41, G42, G41.1, G42.1.
 
-use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane, Tool};
 
-use super::tool::named;
-use super::{whole, word};
+use super::ending::switch_off;
+use super::orientation::shifts;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
+use crate::rs274::execute::tool::named;
+use crate::rs274::execute::{whole, word};
 use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
+use crate::rs274::task::Record;
 
 /// The rules of cutter compensation that a controller may follow differently.
 pub(crate) trait CompensationRules {
@@ -25,8 +28,9 @@ pub(crate) trait CompensationRules {
 ///
 /// # Errors
 /// Rules tool.compensation-twice, tool.compensation-plane, tool.compensation-tool,
-/// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation.
-pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
+/// tool.dynamic-compensation-needs-diameter, tool.dynamic-compensation-orientation. A tool with an orientation outside
+/// of the ZX plane. G40: the tool does not fit along the last move.
+pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let compensation = words.g_tenths.iter().find_map(|code| match code {
         410 => Some(Compensation::Left),
         411 => Some(Compensation::DynamicLeft),
@@ -39,18 +43,27 @@ pub fn perform(words: &Words, state: &mut State) -> Result<(), StepError> {
             state.coverage.accepted(rule::tool::COMPENSATION_OFF_REPEATED);
         }
         state.coverage.accepted(rule::tool::COMPENSATION);
+        switch_off(state, record)?;
         state.modes.compensation = Compensation::Off;
         state.modes.compensation_radius = 0.0;
+        state.modes.compensation_orientation = 0;
         return Ok(());
     };
     possible(state)?;
-    let diameter = match compensation {
+    match compensation {
         Compensation::DynamicLeft | Compensation::DynamicRight => dynamic(words, state)?,
         Compensation::Left | Compensation::Right | Compensation::Off => by_tool(words, state)?,
-    };
+    }
     state.modes.compensation = compensation;
-    state.modes.compensation_radius = diameter / 2.0;
     Ok(())
+}
+
+/// Takes over half of the diameter, active length unit, and the orientation of a tool; without a tool both are zero.
+pub(crate) fn use_tool(tool: Option<&Tool>, state: &mut State) {
+    let (diameter, orientation) = tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
+    let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
+    state.modes.compensation_radius = diameter * unit / 2.0;
+    state.modes.compensation_orientation = i32::from(orientation);
 }
 
 /// Rule tool.compensation-twice. Compensation is not turned on while it is on.
@@ -68,11 +81,11 @@ fn possible(state: &mut State) -> Result<(), StepError> {
     Ok(())
 }
 
-/// The diameter, active length unit.
+/// Takes over radius and orientation of a tool.
 ///
 /// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
 /// radius is zero when there is none.
-fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
+fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = rule::tool::COMPENSATION_TOOL;
     let tool = match word(words, 'd') {
         Some(value) => {
@@ -83,18 +96,22 @@ fn by_tool(words: &Words, state: &mut State) -> Result<f64, StepError> {
         }
         None => state.loaded_tool(),
     };
-    let diameter = tool.map_or(0.0, |tool| tool.diameter);
-    let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
+    let tool = tool.cloned();
+    use_tool(tool.as_ref(), state);
+    if shifts(state.modes.compensation_orientation) && state.modes.plane != Plane::Zx {
+        let message = "a tool with an orientation, in another plane than ZX";
+        return Err(refuse(rule::tool::COMPENSATION, FaultKind::ModalConflict, message));
+    }
     state.coverage.accepted(rule);
     state.coverage.accepted(rule::tool::COMPENSATION);
-    Ok(diameter * unit)
+    Ok(())
 }
 
-/// The diameter, active length unit.
+/// Takes over a programmed diameter.
 ///
 /// Rule tool.dynamic-compensation. D is the diameter.
 /// Rule tool.dynamic-compensation-orientation. L is 0 to 9, and only allowed in the ZX plane.
-fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
+fn dynamic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(diameter) = word(words, 'd') else {
         let rule = rule::tool::DYNAMIC_COMPENSATION_NEEDS_DIAMETER;
         return Err(refuse(
@@ -115,6 +132,8 @@ fn dynamic(words: &Words, state: &mut State) -> Result<f64, StepError> {
         }
         state.coverage.accepted(rule);
     }
+    state.modes.compensation_radius = diameter / 2.0;
+    state.modes.compensation_orientation = word(words, 'l').and_then(whole).unwrap_or(0);
     state.coverage.accepted(rule::tool::DYNAMIC_COMPENSATION);
-    Ok(diameter)
+    Ok(())
 }

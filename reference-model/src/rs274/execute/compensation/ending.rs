@@ -1,0 +1,76 @@
+//! What puts a waiting move out, and the end of a compensated path.
+
+use gaugeblock_vocabulary::Compensation;
+
+use super::surroundings::Surroundings;
+use super::{gouges, slack};
+use crate::rs274::planar::{InPlane, Leg};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::{Contour, State};
+use crate::rs274::task::Record;
+
+/// Puts out what waits: the last move in the plane ends where its own curve does.
+///
+/// # Errors
+/// The tool does not fit.
+pub(crate) fn put_out(state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    let Some(path) = state.contour.path.as_ref().filter(|path| path.waits) else { return Ok(()) };
+    check_fit(&path.last, path.last.end, state)?;
+    stop_waiting(state, record);
+    Ok(())
+}
+
+/// The end of the last move is known.
+pub(super) fn stop_waiting(state: &mut State, record: &mut Record) {
+    if let Some(path) = &mut state.contour.path {
+        path.waits = false;
+    }
+    record.put_out();
+}
+
+/// Refuses a move of which the corner before it has left nothing. The entry is not checked.
+pub(super) fn check_fit(leg: &Leg, end: InPlane, state: &State) -> Result<(), StepError> {
+    if !leg.is_entry && !leg.fits(end, slack(state)) {
+        return Err(gouges("the tool does not fit between the corners of a move"));
+    }
+    Ok(())
+}
+
+/// G40: what waits is put out, and the programmed point is current again.
+///
+/// # Errors
+/// The tool does not fit.
+pub(super) fn switch_off(state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    put_out(state, record)?;
+    if let Some(path) = state.contour.path.take() {
+        state.position = path.programmed;
+        state.contour.straight_is_next = true;
+    }
+    Ok(())
+}
+
+/// The program has ended: the tool is where its last move has led it.
+pub(crate) fn end_of_run(state: &mut State) {
+    state.contour = Contour::default();
+}
+
+/// Modes were restored while the cutter was compensated along a path. A restore of G40 acts as G40.
+///
+/// # Errors
+/// A restore of the other side is open, and so are other coordinates along the path.
+pub(crate) fn restored(
+    before: Option<Surroundings>,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let Some(before) = before else { return Ok(()) };
+    before.check(state)?;
+    if state.modes.compensation == Compensation::Off {
+        return switch_off(state, record);
+    }
+    if !before.is_same_side(state) {
+        let why = "a restore of the other side of a compensated path";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    Ok(())
+}

@@ -1,0 +1,54 @@
+//! The first compensated move.
+
+use super::orientation::shifts;
+use super::{gouges, slack};
+use crate::rs274::planar::{
+    Circle, Curve, Cutter, InPlane, Leg, ProgrammedArc, along, away, between, direction, length,
+};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+
+/// The entry along a line: it ends at Q + R n.
+///
+/// # Errors
+/// It is not longer than R in the plane; one out of the plane has no length there.
+pub(super) fn line(
+    start: InPlane,
+    end: InPlane,
+    cutter: Cutter,
+    state: &State,
+) -> Result<Leg, StepError> {
+    if length(between(start, end)) + slack(state) <= cutter.radius {
+        return Err(gouges("the entry is not longer than the radius of the cutter"));
+    }
+    Ok(Leg { is_entry: true, ..Leg::line(start, end, cutter) })
+}
+
+/// The entry along an arc: it ends at E = Q - k R u1 in the programmed direction, and starts at P.
+///
+/// # Errors
+/// Its chord is not longer than R, or the tool does not fit into the arc.
+pub(super) fn arc(arc: ProgrammedArc, cutter: Cutter, state: &State) -> Result<Leg, StepError> {
+    if shifts(state.modes.compensation_orientation) {
+        let why = "an arc as entry with a tool that has an orientation";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    if length(between(arc.start, arc.end)) + slack(state) <= cutter.radius {
+        return Err(gouges("the chord of the entry is not longer than the radius of the cutter"));
+    }
+    let Some(leg) = Leg::arc(arc, cutter, slack(state)) else {
+        return Err(gouges("the radius of the entry is not greater than that of the cutter"));
+    };
+    let outward = direction(between(arc.centre, arc.end));
+    let back = between(leg.end, arc.start);
+    let radius = -along(back, back) / (2.0 * along(back, outward));
+    if !radius.is_finite() {
+        return Err(StepError::Unspecified("an arc as entry that becomes straight".to_owned()));
+    }
+    let circle = Circle { centre: away(leg.end, -radius, outward), radius: radius.abs() };
+    let curve = match leg.curve {
+        Curve::Straight(_) => leg.curve,
+        Curve::Round { sense, inside, sweep, .. } => Curve::Round { circle, sense, inside, sweep },
+    };
+    Ok(Leg { is_entry: true, curve, start: arc.start, begins: arc.start, ..leg })
+}

@@ -1,0 +1,245 @@
+//! Moves while the cutter is compensated.
+
+use gaugeblock_vocabulary::{Compensation, ControllerMode, Effect, Motion, Plane, Position};
+
+use super::ending::{check_fit, stop_waiting};
+use super::orientation::shifted;
+use super::{entry, gouges, slack};
+use crate::ids::rule;
+use crate::rs274::execute::arc::{Axes, axes};
+use crate::rs274::planar::{Corner, Curve, Cutter, InPlane, Leg, ProgrammedArc, corner};
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::{CompensatedPath, State};
+use crate::rs274::task::Record;
+
+/// A move in the plane as its block programs it.
+#[derive(Clone, Copy, Debug)]
+struct Programmed {
+    motion: Motion,
+    /// All axes.
+    end: Position,
+    /// Where it starts in the plane.
+    start: InPlane,
+    axes: Axes,
+    /// Turns of an arc; 0 for a line.
+    turns: i32,
+}
+
+/// Whether moves are compensated. With a radius of zero they are as without compensation.
+pub(crate) fn applies(state: &State) -> bool {
+    state.modes.compensation != Compensation::Off && state.modes.compensation_radius != 0.0
+}
+
+/// The point from which words count: the programmed one while the cutter is compensated, or the controlled one.
+pub(crate) fn programmed_point(state: &State) -> Position {
+    state.contour.path.as_ref().map_or(state.position, |path| path.programmed)
+}
+
+/// A straight move that is not compensated: an arc may follow it.
+pub(crate) fn straight_move(state: &mut State) {
+    state.contour.straight_is_next = false;
+}
+
+/// The side and the radius of the tool. A negative diameter changes the side.
+fn cutter(state: &State) -> Cutter {
+    let radius = state.modes.compensation_radius;
+    let left = matches!(state.modes.compensation, Compensation::Left | Compensation::DynamicLeft);
+    let side = if left == (radius > 0.0) { 1.0 } else { -1.0 };
+    Cutter { radius: radius.abs(), side }
+}
+
+/// Moves straight, G0 or G1, to a programmed point.
+///
+/// # Errors
+/// The tool has no place. What the documents leave open.
+pub(crate) fn line(
+    motion: Motion,
+    end: Position,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    check_specified(end, state)?;
+    let axes = axes(state)?;
+    let start = axes.in_plane(programmed_point(state));
+    let (to, cutter) = (axes.in_plane(end), cutter(state));
+    let next = if state.contour.path.is_none() {
+        entry::line(start, to, cutter, state)?
+    } else if start == to {
+        out_of_plane(motion, end, axes, state, record);
+        return Ok(());
+    } else {
+        Leg::line(start, to, cutter)
+    };
+    let programmed = Programmed { motion, end, start, axes, turns: 0 };
+    follow(next, &programmed, cutter, state, record)
+}
+
+/// Moves along a programmed arc.
+///
+/// # Errors
+/// The tool has no place. What the documents leave open.
+pub(crate) fn arc(
+    motion: Motion,
+    end: Position,
+    axes: Axes,
+    (centre, turns): (InPlane, i32),
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    check_specified(end, state)?;
+    let (start, cutter) = (axes.in_plane(programmed_point(state)), cutter(state));
+    let arc = ProgrammedArc { start, end: axes.in_plane(end), centre, turns };
+    let next = if state.contour.path.is_none() {
+        entry::arc(arc, cutter, state)?
+    } else {
+        Leg::arc(arc, cutter, slack(state))
+            .ok_or_else(|| gouges("the radius of the arc is not greater than that of the cutter"))?
+    };
+    let programmed = Programmed { motion, end, start, axes, turns };
+    follow(next, &programmed, cutter, state, record)
+}
+
+/// What the documents leave open of a compensated move.
+fn check_specified(end: Position, state: &State) -> Result<(), StepError> {
+    let from = programmed_point(state);
+    let why = if state.modes.controller_mode == ControllerMode::Mdi {
+        "a compensated move, entered by hand"
+    } else if state.machine.random_tool_changer {
+        "a compensated move on a machine whose tools change places"
+    } else if (end.u, end.v, end.w) != (from.u, from.v, from.w) {
+        "a compensated move along U, V or W"
+    } else if !matches!(state.modes.plane, Plane::Xy | Plane::Zx) {
+        "a compensated move in another plane than XY and ZX"
+    } else {
+        return Ok(());
+    };
+    Err(StepError::Unspecified(why.to_owned()))
+}
+
+/// A move without displacement in the plane: other axes go to their programmed points.
+fn out_of_plane(motion: Motion, end: Position, axes: Axes, state: &mut State, record: &mut Record) {
+    let here = axes.in_plane(state.position);
+    state.position = axes.with(end, here);
+    if let Some(path) = &mut state.contour.path {
+        path.programmed = end;
+    }
+    state.modes.motion = motion;
+    let end = axes.with(end, shifted(here, state));
+    record.effect(state, straight(motion, end));
+}
+
+/// The effect of a straight move.
+fn straight(motion: Motion, end: Position) -> Effect {
+    if motion == Motion::Traverse {
+        Effect::StraightTraverse { end }
+    } else {
+        Effect::StraightFeed { end }
+    }
+}
+
+/// A move in the plane follows the one before it.
+fn follow(
+    mut next: Leg,
+    programmed: &Programmed,
+    cutter: Cutter,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    if ![next.start, next.end].iter().all(|point| point.0.is_finite() && point.1.is_finite()) {
+        let why = "a compensated move whose points are beyond all numbers";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
+    if let Some(path) = state.contour.path.clone() {
+        next.begins = turn_corner(&path, &next, programmed, cutter, state, record)?;
+    }
+    let Programmed { motion, end, axes, turns, .. } = *programmed;
+    state.modes.motion = motion;
+    state.coverage.accepted(rule::tool::COMPENSATION);
+    state.position = state.modes.rounding.of(axes.with(end, next.end), end);
+    state.contour = crate::rs274::state::Contour {
+        path: Some(CompensatedPath { programmed: end, last: next, waits: true }),
+        straight_is_next: true,
+    };
+    let end = axes.with(state.position, shifted(axes.in_plane(state.position), state));
+    let effect = match next.curve {
+        Curve::Straight(_) => straight(motion, end),
+        Curve::Round { circle, .. } => {
+            let (first_centre, second_centre) = shifted(circle.centre, state);
+            Effect::ArcFeed { end, first_centre, second_centre, turns }
+        }
+    };
+    record.effect(state, effect);
+    Ok(())
+}
+
+/// Ends the move before at its corner with the next one, and returns where the tool begins the next one.
+fn turn_corner(
+    path: &CompensatedPath,
+    next: &Leg,
+    programmed: &Programmed,
+    cutter: Cutter,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<InPlane, StepError> {
+    let last = &path.last;
+    match corner(last, next, cutter, state.modes.rounding.margin()) {
+        Corner::Tangent => {
+            stop_waiting(state, record);
+            Ok(last.end)
+        }
+        Corner::Inner(_) if !path.waits => after_pause(last, next),
+        Corner::Inner(None) => Err(gouges("the compensated curves of a corner do not cross")),
+        Corner::Inner(Some(point)) => {
+            check_fit(last, point, state)?;
+            let units = state.modes.units;
+            record.amend(programmed.axes.of_plane(), shifted(point, state), units);
+            stop_waiting(state, record);
+            Ok(point)
+        }
+        Corner::Outer => {
+            if path.waits && programmed.turns == 0 {
+                check_fit(last, last.end, state)?;
+            }
+            stop_waiting(state, record);
+            join(next, programmed, cutter, state, record);
+            Ok(next.start)
+        }
+    }
+}
+
+/// A pause has put the move out in front of an inner corner. A line begins where it has left the tool.
+///
+/// # Errors
+/// One of both moves is an arc: that is open.
+fn after_pause(last: &Leg, next: &Leg) -> Result<InPlane, StepError> {
+    match (last.curve, next.curve) {
+        (Curve::Straight(_), Curve::Straight(_)) => Ok(last.end),
+        (Curve::Round { .. }, _) | (_, Curve::Round { .. }) => {
+            let why = "a pause in front of an inner corner at an arc";
+            Err(StepError::Unspecified(why.to_owned()))
+        }
+    }
+}
+
+/// The joining move of an outer corner: an arc about the programmed corner; in front of a G0 a straight traverse. The
+/// axis at right angles to the plane stays, and rotary axes go where the new block leads them.
+fn join(
+    next: &Leg,
+    programmed: &Programmed,
+    cutter: Cutter,
+    state: &mut State,
+    record: &mut Record,
+) {
+    let axes = programmed.axes;
+    let there = axes.with_normal_of(axes.with(programmed.end, next.start), state.position);
+    state.position = there;
+    let end = axes.with(there, shifted(next.start, state));
+    let effect = if programmed.motion == Motion::Traverse {
+        Effect::StraightTraverse { end }
+    } else {
+        let (first_centre, second_centre) = shifted(programmed.start, state);
+        let turns = if cutter.side > 0.0 { -1 } else { 1 };
+        Effect::ArcFeed { end, first_centre, second_centre, turns }
+    };
+    record.effect(state, effect);
+}

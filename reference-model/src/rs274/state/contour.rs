@@ -1,0 +1,42 @@
+//! The contour along which the cutter is compensated.
+
+use gaugeblock_vocabulary::{LengthUnit, Position};
+
+use crate::rs274::modes::{Rounding, converted, unit_size};
+use crate::rs274::planar::Leg;
+
+/// What compensated moves leave for the next move.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Contour {
+    /// The compensated moves since G41 or G42; none before the entry, and none after G40.
+    pub(crate) path: Option<CompensatedPath>,
+    /// Whether a move was compensated since the last straight one that was not: then none is an arc before a straight
+    /// one.
+    pub(crate) straight_is_next: bool,
+}
+
+/// Compensated moves from the entry on.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct CompensatedPath {
+    /// The programmed point, active length unit and degrees.
+    pub(crate) programmed: Position,
+    /// The last move in the plane.
+    pub(crate) last: Leg,
+    /// Whether its end waits for the next one.
+    pub(crate) waits: bool,
+}
+
+impl Contour {
+    /// Whether a move waits for the next one.
+    pub(crate) fn waits(&self) -> bool {
+        self.path.as_ref().is_some_and(|path| path.waits)
+    }
+
+    /// Tells the contour in another length unit.
+    pub(crate) fn convert(&mut self, from: LengthUnit, to: LengthUnit, rounding: Rounding) {
+        if let Some(path) = &mut self.path {
+            path.programmed = rounding.of(converted(path.programmed, from, to), path.programmed);
+            path.last = path.last.scaled(unit_size(from) / unit_size(to));
+        }
+    }
+}
