@@ -57,8 +57,8 @@ pub(crate) struct Leg {
     pub(crate) leaves: Vector,
     /// The direction of the programmed move at its end.
     pub(crate) arrives: Vector,
-    /// Whether it is the entry.
-    pub(crate) is_entry: bool,
+    /// Whether it has to fit between its corners. The entry does not, nor a move right after a pause.
+    pub(crate) has_to_fit: bool,
 }
 
 impl Leg {
@@ -74,7 +74,7 @@ impl Leg {
             begins: start,
             leaves: ahead,
             arrives: ahead,
-            is_entry: false,
+            has_to_fit: true,
         }
     }
 
@@ -105,8 +105,19 @@ impl Leg {
             begins: start,
             leaves: quarter_turn(first, sense),
             arrives: quarter_turn(last, sense),
-            is_entry: false,
+            has_to_fit: true,
         })
+    }
+
+    /// Whether an arc as entry is turned over: along its circle it arrives against its programmed direction.
+    pub(crate) fn is_turned_over(&self) -> bool {
+        match self.curve {
+            Curve::Straight(_) => false,
+            Curve::Round { circle, sense, .. } => {
+                let ahead = quarter_turn(between(circle.centre, self.end), sense);
+                along(ahead, self.arrives) < 0.0
+            }
+        }
     }
 
     /// Whether it leads somewhere from where it begins to an end, and not backward. `slack` is how far, active length

@@ -21,7 +21,7 @@ pub(super) fn line(
     if length(between(start, end)) + slack(state) <= cutter.radius {
         return Err(gouges("the entry is not longer than the radius of the cutter"));
     }
-    Ok(Leg { is_entry: true, ..Leg::line(start, end, cutter) })
+    Ok(Leg { has_to_fit: false, ..Leg::line(start, end, cutter) })
 }
 
 /// The entry along an arc: it ends at E = Q - k R u1 in the programmed direction, and starts at P.
@@ -50,5 +50,5 @@ pub(super) fn arc(arc: ProgrammedArc, cutter: Cutter, state: &State) -> Result<L
         Curve::Straight(_) => leg.curve,
         Curve::Round { sense, inside, sweep, .. } => Curve::Round { circle, sense, inside, sweep },
     };
-    Ok(Leg { is_entry: true, curve, start: arc.start, begins: arc.start, ..leg })
+    Ok(Leg { has_to_fit: false, curve, start: arc.start, begins: arc.start, ..leg })
 }

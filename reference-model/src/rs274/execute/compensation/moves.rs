@@ -150,7 +150,7 @@ fn follow(
         return Err(StepError::Unspecified(why.to_owned()));
     }
     if let Some(path) = state.contour.path.clone() {
-        next.begins = turn_corner(&path, &next, programmed, cutter, state, record)?;
+        turn_corner(&path, &mut next, programmed, cutter, state, record)?;
     }
     let Programmed { motion, end, axes, turns, .. } = *programmed;
     state.modes.motion = motion;
@@ -172,29 +172,35 @@ fn follow(
     Ok(())
 }
 
-/// Ends the move before at its corner with the next one, and returns where the tool begins the next one.
+/// Ends the move before at its corner with the next one, and begins the next one there.
 fn turn_corner(
     path: &CompensatedPath,
-    next: &Leg,
+    next: &mut Leg,
     programmed: &Programmed,
     cutter: Cutter,
     state: &mut State,
     record: &mut Record,
-) -> Result<InPlane, StepError> {
+) -> Result<(), StepError> {
     let last = &path.last;
     match corner(last, next, cutter, state.modes.rounding.margin()) {
         Corner::Tangent => {
+            next.begins = last.end;
             stop_waiting(state, record);
-            Ok(last.end)
         }
-        Corner::Inner(_) if !path.waits => after_pause(last, next),
-        Corner::Inner(None) => Err(gouges("the compensated curves of a corner do not cross")),
+        Corner::Inner(_) if last.is_turned_over() => {
+            let why = "an inner corner after an arc as entry that is turned over";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
+        Corner::Inner(_) if !path.waits => after_pause(last, next)?,
+        Corner::Inner(None) => {
+            return Err(gouges("the compensated curves of a corner do not cross"));
+        }
         Corner::Inner(Some(point)) => {
             check_fit(last, point, state)?;
             let units = state.modes.units;
             record.amend(programmed.axes.of_plane(), shifted(point, state), units);
+            next.begins = point;
             stop_waiting(state, record);
-            Ok(point)
         }
         Corner::Outer => {
             if path.waits && programmed.turns == 0 {
@@ -202,18 +208,22 @@ fn turn_corner(
             }
             stop_waiting(state, record);
             join(next, programmed, cutter, state, record);
-            Ok(next.start)
         }
     }
+    Ok(())
 }
 
-/// A pause has put the move out in front of an inner corner. A line begins where it has left the tool.
+/// A pause has put the move out in front of an inner corner. A line begins where it has left the tool, and need not fit.
 ///
 /// # Errors
 /// One of both moves is an arc: that is open.
-fn after_pause(last: &Leg, next: &Leg) -> Result<InPlane, StepError> {
+fn after_pause(last: &Leg, next: &mut Leg) -> Result<(), StepError> {
     match (last.curve, next.curve) {
-        (Curve::Straight(_), Curve::Straight(_)) => Ok(last.end),
+        (Curve::Straight(_), Curve::Straight(_)) => {
+            next.begins = last.end;
+            next.has_to_fit = false;
+            Ok(())
+        }
         (Curve::Round { .. }, _) | (_, Curve::Round { .. }) => {
             let why = "a pause in front of an inner corner at an arc";
             Err(StepError::Unspecified(why.to_owned()))
