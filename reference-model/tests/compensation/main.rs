@@ -7,7 +7,7 @@ mod worked;
 
 use gaugeblock_reference::run;
 use gaugeblock_vocabulary::{
-    Effect, End, Event, FaultKind, LengthUnit, Machine, Outcome, Position, Scenario, Tool,
+    Axis, Effect, End, Event, FaultKind, LengthUnit, Machine, Outcome, Position, Scenario, Tool,
 };
 
 /// A compensated move: its end in the plane, and of an arc the centre and the turns.
@@ -31,7 +31,7 @@ fn machine() -> Machine {
     };
     let negative = Tool { number: 20, diameter: -0.5, orientation: 2, ..Tool::default() };
     let tools = (0..10).map(tool).chain([negative]).collect();
-    Machine { length_unit: LengthUnit::Inch, tools, ..Machine::default() }
+    Machine { length_unit: LengthUnit::Inch, tools, axes: Axis::ALL.to_vec(), ..Machine::default() }
 }
 
 /// Runs blocks that semicolons separate, in inches and with a feed rate before them.
@@ -74,13 +74,29 @@ fn effects(outcome: &Outcome) -> Vec<(u32, Effect)> {
 fn moves_in(outcome: &Outcome, plane: fn(Position) -> [f64; 2]) -> Vec<Move> {
     let effects = effects(outcome).into_iter();
     effects
-        .filter_map(|(_, effect)| match effect {
-            Effect::StraightTraverse { end } => Some(Move::Rapid(plane(end))),
-            Effect::StraightFeed { end } => Some(Move::Line(plane(end))),
-            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+        .filter_map(|(_, effect)| {
+            if let Effect::StraightTraverse { end } = effect {
+                Some(Move::Rapid(plane(end)))
+            } else if let Effect::StraightFeed { end } = effect {
+                Some(Move::Line(plane(end)))
+            } else if let Effect::ArcFeed { end, first_centre, second_centre, turns } = effect {
                 Some(Move::Arc(plane(end), [first_centre, second_centre], turns))
+            } else {
+                None
             }
-            _ => None,
+        })
+        .collect()
+}
+
+/// The ends of the feed moves with the lines of their blocks.
+fn feed_ends(outcome: &Outcome) -> Vec<(u32, Position)> {
+    let effects = effects(outcome).into_iter();
+    effects
+        .filter_map(|(line, effect)| {
+            let (Effect::StraightFeed { end } | Effect::ArcFeed { end, .. }) = effect else {
+                return None;
+            };
+            Some((line, end))
         })
         .collect()
 }
@@ -123,6 +139,12 @@ fn ending(outcome: &Outcome) -> (&'static str, u32) {
         }
         End::Unsupported { block, .. } => ("unsupported", line(block)),
         End::Unspecified { block, .. } => ("unspecified", line(block)),
-        _ => (outcome.end.name(), 0),
+        End::ProgramEnd
+        | End::PercentEnd
+        | End::StreamEnd
+        | End::Endless
+        | End::Paused
+        | End::Aborted
+        | End::BudgetExhausted { .. } => (outcome.end.name(), 0),
     }
 }

@@ -1,8 +1,8 @@
 //! What waits for the next move, where it is recorded, and what is lost.
 
 use super::Move::{Arc, Line};
-use super::{completed, effects, leads, moves, outcome};
-use gaugeblock_vocabulary::{Effect, Outcome};
+use super::{completed, effects, feed_ends, leads, moves, outcome};
+use gaugeblock_vocabulary::Outcome;
 
 /// The names of the effects with the lines of their blocks.
 fn names(outcome: &Outcome) -> Vec<(u32, &'static str)> {
@@ -12,13 +12,8 @@ fn names(outcome: &Outcome) -> Vec<(u32, &'static str)> {
 #[test]
 fn the_intersection_ends_moves_out_of_the_plane_too() {
     let outcome = completed("g41.1 d.5; g1 x1; y1; z1; g4 p1; (msg,hello); z2 y1; a5; x0; g40");
-    let ends: Vec<_> = effects(&outcome)
-        .into_iter()
-        .filter_map(|(line, effect)| match effect {
-            Effect::StraightFeed { end } => Some((line, end.x, end.y, end.z, end.a)),
-            _ => None,
-        })
-        .collect();
+    let ends = feed_ends(&outcome).into_iter();
+    let ends: Vec<_> = ends.map(|(line, end)| (line, end.x, end.y, end.z, end.a)).collect();
     assert_eq!(
         ends,
         [

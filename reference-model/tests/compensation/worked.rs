@@ -1,8 +1,8 @@
 //! The worked programs, and points that were observed.
 
 use super::Move::{Arc, Line, Rapid};
-use super::{Move, completed, effects, leads, moves, moves_in};
-use gaugeblock_vocabulary::{Effect, Position, State};
+use super::{Move, completed, feed_ends, leads, moves, moves_in};
+use gaugeblock_vocabulary::{Position, State};
 
 /// Whether a program makes these moves.
 #[track_caller]
@@ -195,15 +195,8 @@ fn the_length_unit_may_change_on_the_way() {
 #[test]
 fn a_joining_move_keeps_the_height_and_turns_rotary_axes() {
     let outcome = completed("g41.1 d.5; g1 x1; y1 z1 a10; x2 z2 a20");
-    let ends: Vec<_> = effects(&outcome)
-        .into_iter()
-        .filter_map(|(line, effect)| match effect {
-            Effect::ArcFeed { end, .. } | Effect::StraightFeed { end } => {
-                Some((line, end.z, end.a))
-            }
-            _ => None,
-        })
-        .collect();
+    let ends: Vec<_> =
+        feed_ends(&outcome).iter().map(|(line, end)| (*line, end.z, end.a)).collect();
     assert_eq!(ends, [(3, 0.0, 0.0), (4, 1.0, 10.0), (5, 1.0, 20.0), (5, 2.0, 20.0)]);
 }
 
