@@ -53,6 +53,20 @@ impl Change {
     }
 }
 
+impl Programmed {
+    /// Its end and the centre of an arc, from its start; the first move of a contour is a line.
+    fn leads(&self, start: [f64; 2], may_bend: bool) -> ([f64; 2], Option<[f64; 2]>) {
+        let (sine, cosine) = libm::sincos(self.direction);
+        let end = [start[0] + self.length * cosine, start[1] + self.length * sine];
+        let centre = self.bend.filter(|_| may_bend).map(|bend| {
+            let to_left = self.length / 2.0 / libm::tan(bend / 2.0);
+            let middle = [0, 1].map(|place| f64::midpoint(start[place], end[place]));
+            [middle[0] - to_left * sine, middle[1] + to_left * cosine]
+        });
+        (end, centre)
+    }
+}
+
 impl Contour {
     /// The blocks of the contour, as it is changed, from its start to G40.
     fn blocks(&self, change: &Change, diameter: f64, between: &str) -> String {
@@ -62,17 +76,14 @@ impl Contour {
         let code = if left { "g41.1" } else { "g42.1" };
         let mut blocks = vec![format!("g0 x{x:.12} y{y:.12}"), format!("{code} d{diameter:.12}")];
         for (place, one) in self.moves.iter().enumerate() {
-            let (sine, cosine) = libm::sincos(one.direction);
-            let end = [here[0] + one.length * cosine, here[1] + one.length * sine];
+            let (end, centre) = one.leads(here, place > 0);
             let [x, y] = change.of(end);
-            blocks.push(match one.bend.filter(|_| place > 0) {
+            blocks.push(match centre {
                 None => format!("g1 x{x:.12} y{y:.12}"),
-                Some(bend) => {
-                    let to_left = one.length / 2.0 / libm::tan(bend / 2.0);
-                    let middle = [0, 1].map(|place| (here[place] + end[place]) / 2.0);
-                    let centre = [middle[0] - to_left * sine, middle[1] + to_left * cosine];
+                Some(centre) => {
+                    let to_left = one.bend.is_some_and(|bend| bend > 0.0);
+                    let code = if to_left == change.mirrors { "g2" } else { "g3" };
                     let ([from_x, from_y], [i, j]) = (change.of(here), change.of(centre));
-                    let code = if (bend > 0.0) == change.mirrors { "g2" } else { "g3" };
                     let (i, j) = (i - from_x, j - from_y);
                     format!("{code} x{x:.12} y{y:.12} i{i:.12} j{j:.12}")
                 }
@@ -160,6 +171,34 @@ proptest! {
     }
 
     #[test]
+    fn each_move_is_a_radius_away_from_the_programmed_one(contour in contour()) {
+        let outcome = contour.run(&NONE);
+        prop_assume!(outcome.end.name() == "program_end");
+        let radius = contour.diameter / 2.0;
+        let mut here = [0.0, 0.0];
+        for (place, programmed) in contour.moves.iter().enumerate() {
+            let (end, centre) = programmed.leads(here, place > 0);
+            let (from, to, found_centre) = last_move_of(&outcome, place + 4);
+            let away = |point: [f64; 2]| match centre {
+                None => distance_to_line(point, here, end),
+                Some(centre) => (distance(point, centre) - distance(end, centre)).abs(),
+            };
+            prop_assert!((away(to) - radius).abs() < 1e-6);
+            if place > 0 {
+                // A tangent corner may bend by 0.05 radian.
+                prop_assert!((away(from) - radius).abs() < 0.002 * radius + 1e-6);
+                let concentric = match (centre, found_centre) {
+                    (Some(centre), Some(found)) => distance(centre, found) < 1e-6,
+                    (None, None) => true,
+                    (Some(_), None) | (None, Some(_)) => false,
+                };
+                prop_assert!(concentric);
+            }
+            here = end;
+        }
+    }
+
+    #[test]
     fn a_convex_contour_is_longer_by_a_circle(
         steps in vec((0.3_f64..2.0, 0.2_f64..1.2), 6..12),
         radius in 0.05_f64..0.8,
@@ -178,6 +217,29 @@ fn without_points(mut moves: Vec<Move>) -> Vec<Move> {
         matches!(later, Move::Line(there) if distance(*end, *there) == 0.0)
     });
     moves
+}
+
+/// The last move of a block: from where, to where, and the centre of an arc.
+fn last_move_of(outcome: &Outcome, line: usize) -> ([f64; 2], [f64; 2], Option<[f64; 2]>) {
+    let lines = super::effects(outcome);
+    let moves = moves(outcome);
+    let last = (0..moves.len()).rfind(|place| lines[*place].0 as usize == line);
+    let last = last.unwrap_or_default();
+    let end = |one: &Move| match one {
+        Move::Rapid(end) | Move::Line(end) | Move::Arc(end, ..) => *end,
+    };
+    let centre = match moves[last] {
+        Move::Arc(_, centre, _) => Some(centre),
+        Move::Rapid(_) | Move::Line(_) => None,
+    };
+    (end(&moves[last - 1]), end(&moves[last]), centre)
+}
+
+/// The distance of a point from the line through two others.
+fn distance_to_line(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let (way, there) =
+        ([to[0] - from[0], to[1] - from[1]], [point[0] - from[0], point[1] - from[1]]);
+    (way[0] * there[1] - way[1] * there[0]).abs() / distance(from, to)
 }
 
 /// The distance between two points.

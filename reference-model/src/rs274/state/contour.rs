@@ -32,7 +32,7 @@ impl Contour {
         self.path.as_ref().is_some_and(|path| path.waits)
     }
 
-    /// Tells the contour in another length unit.
+    /// Converts the contour to another length unit.
     pub(crate) fn convert(&mut self, from: LengthUnit, to: LengthUnit, rounding: Rounding) {
         if let Some(path) = &mut self.path {
             path.programmed = rounding.of(converted(path.programmed, from, to), path.programmed);

@@ -31,7 +31,7 @@ pub(super) fn may_wait(effect: &Effect) -> bool {
 }
 
 impl Record {
-    /// The moves that wait end at another point of the plane, which is told in `units`.
+    /// The moves that wait end at another point of the plane, in `units`.
     pub(crate) fn amend(&mut self, axes: [Axis; 2], point: (f64, f64), units: LengthUnit) {
         for place in self.waiting.clone() {
             let Some(end) = self.event_mut(place).and_then(end_of) else { continue };

@@ -28,7 +28,7 @@ pub(super) fn stop_waiting(state: &mut State, record: &mut Record) {
     record.put_out();
 }
 
-/// Refuses a move of which the corner before it has left nothing. The entry is not checked, nor a
+/// Refuses a move if the corner before it has left nothing of it. The entry is not checked, nor a
 /// move right after a pause.
 pub(super) fn check_fit(leg: &Leg, end: InPlane, state: &State) -> Result<(), StepError> {
     if leg.has_to_fit && !leg.fits(end, slack(state)) {

@@ -53,10 +53,10 @@ impl Surroundings {
     /// They are not as they were.
     pub(crate) fn check(&self, state: &State) -> Result<(), StepError> {
         let modes = &state.modes;
-        let told = self.offsets.map(|offset| converted(offset, self.units, modes.units));
+        let before = self.offsets.map(|offset| converted(offset, self.units, modes.units));
         let same = self.plane == modes.plane
             && self.rotation.to_bits() == modes.rotation.to_bits()
-            && told == offsets(modes);
+            && before == offsets(modes);
         if same {
             return Ok(());
         }
