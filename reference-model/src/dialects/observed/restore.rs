@@ -15,7 +15,7 @@ use super::units_planes::retract_under_compensation;
 use super::{HasQuirk, Observed};
 use crate::dialects::{Quirk, quirk};
 use crate::rs274::dialect::Documented;
-use crate::rs274::execute::compensation::use_tool;
+use crate::rs274::execute::compensation::mode::use_tool;
 use crate::rs274::execute::restore::{RestoreRules, restored_turn, same};
 use crate::rs274::execute::tool_length::table_offset;
 use crate::rs274::modes::{Modes, Spindle, unit_size};

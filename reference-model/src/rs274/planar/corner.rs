@@ -66,7 +66,8 @@ fn intersection(before: &Leg, next: &Leg, cutter: Cutter) -> Option<InPlane> {
 
 /// The intersection of the parallels to two lines that meet in a point, from the end of the first one.
 ///
-/// From the corner it is R (n0 + n1) / (1 + n0 · n1) away, which is R n0 and R tan(t / 2) backward along the first line.
+/// From the corner it is R (n0 + n1) / (1 + n0 · n1) away: R along n0, and R tan(t / 2) backward along the first
+/// line.
 fn of_parallels(first: Line, second: Line, cutter: Cutter) -> InPlane {
     let normal = |line: Line| quarter_turn(line.direction, cutter.side);
     let (one, other) = (normal(first), normal(second));

@@ -5,14 +5,14 @@
 
 mod ending;
 mod entry;
-mod mode;
+pub(crate) mod mode;
 mod moves;
 mod orientation;
 mod surroundings;
 
 pub(crate) use ending::{end_of_run, put_out, restored};
+pub(crate) use mode::CompensationRules;
 pub use mode::perform;
-pub(crate) use mode::{CompensationRules, use_tool};
 pub(crate) use moves::programmed_point;
 pub(super) use moves::{applies, arc, line, straight_move};
 pub(crate) use surroundings::Surroundings;

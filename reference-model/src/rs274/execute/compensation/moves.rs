@@ -213,7 +213,8 @@ fn turn_corner(
     Ok(())
 }
 
-/// A pause has put the move out in front of an inner corner. A line begins where it has left the tool, and need not fit.
+/// A pause has put the move out in front of an inner corner. A line begins where it has left the tool, and need not
+/// fit.
 ///
 /// # Errors
 /// One of both moves is an arc: that is open.
