@@ -10,6 +10,12 @@ use crate::probe_move::ProbeMove;
 
 /// Receives the commands of a program, in order.
 ///
+/// Under cutter compensation the end of a move follows from the next one, so that the move waits, and with it the
+/// settings, moves and dwells after it. All of them come later, in program order: what a sink receives is always what a
+/// machine does next. Effects that need no place in that order do not wait: messages, and the selection of a tool
+/// (`docs/compensation.md`, "What waits"). A sink that needs to know which block has programmed an effect implements
+/// [`Self::hold`] and [`Self::release`]; for others their defaults do nothing.
+///
 /// A sink that only queues answers [`Reply::Done`] to most effects. Some effects wait for the machine (a queue
 /// buster): a probe, an input, a tool change. For those the reply carries the result.
 pub trait Sink {
@@ -20,6 +26,21 @@ pub trait Sink {
 
     /// Performs an effect, or queues it, under the settings in force.
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply;
+
+    /// Reserves a place for what has to wait: the block in execution has programmed it, and it comes later. Returns
+    /// the number of the place.
+    ///
+    /// What is held may still change: the end of a move and of those out of the plane after it. What is never
+    /// released is not done: the program was refused or aborted before, or ended by a percent sign.
+    #[inline]
+    fn hold(&mut self, _line: u32, _waiting: Waiting<'_>) -> u64 {
+        0
+    }
+
+    /// The next call of [`Self::set`] or [`Self::perform`] is what was held at this place. Places are released in the
+    /// order in which they were held.
+    #[inline]
+    fn release(&mut self, _place: u64) {}
 
     /// Performs a straight probe. A sink with a probe replies where the probe changed. The default forwards to
     /// [`Self::perform`].
@@ -44,6 +65,15 @@ pub trait Sink {
     /// Receives the state after a step of a post-processor. It is not called for a refused step.
     #[inline]
     fn end_statement(&mut self, _end: &StatementEnd<'_>) {}
+}
+
+/// Something that has to wait under cutter compensation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Waiting<'a> {
+    /// Settings that changed. They are in force for the blocks that follow, and not yet for what is performed.
+    Settings(&'a Settings),
+    /// An effect; a move as far as it is known, with its end as if no inner corner followed.
+    Effect(&'a Effect),
 }
 
 /// The reply of a sink to an effect.

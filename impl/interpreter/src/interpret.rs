@@ -159,7 +159,8 @@ impl Interpreter {
         let mut numbered = numbered.unwrap_or_else(Numbered::new);
         // DEBUG speaks unless the program turns it off (11.4.3.1).
         numbered.set(5599, 1.0);
-        let modal = Modal::new(&machine, dialect.modes.clone(), &mut numbered)?;
+        let mut modal = Modal::new(&machine, dialect.modes.clone(), &mut numbered)?;
+        modal.limit_waiting(limits.waiting_effects);
         numbered.take_changes(|_, _| ());
         Ok(Self {
             compiler: LineCompiler::new(&machine, dialect.text.clone(), &limits),
@@ -345,6 +346,7 @@ impl Interpreter {
             self.leave_calls();
             self.modal.begin();
         }
+        self.modal.lose_waiting();
         self.at_branch = false;
         self.ended = None;
     }

@@ -37,9 +37,10 @@
 //! kept in tenths (`281` is G28.1), since some have a digit after the point. M codes are kept as they are.
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes,
-//! straight moves, arcs, canned cycles, probes, splines and threads, the task every request of an operator. Moves
-//! under cutter compensation end a run as [`gaugeblock_vocabulary::End::Unsupported`], and what the documents leave
-//! undefined as [`gaugeblock_vocabulary::End::Unspecified`].
+//! straight moves, arcs, cutter compensation, canned cycles, probes, splines and threads, the task every request of an
+//! operator. What the documents leave open of compensated moves ends a run as
+//! [`gaugeblock_vocabulary::End::Unsupported`], and what else they leave undefined as
+//! [`gaugeblock_vocabulary::End::Unspecified`].
 //!
 //! **Invariants.**
 //! * It is written from the documents, without reading the reference model, and shares only the vocabulary with it.
@@ -105,7 +106,7 @@ mod words;
 
 pub use block_end::{BlockEnd, BlockKind};
 pub use block_start::BlockStart;
-pub use canon::{Reply, Sink};
+pub use canon::{Reply, Sink, Waiting};
 pub use error::Error;
 pub use interpret::{Interpreter, Progress, Scratch};
 pub use limits::{Limit, Limits};

@@ -17,6 +17,8 @@ pub struct Limits {
     pub code_bytes: u32,
     /// Blocks that are read after an aborted one, where the dialect reads ahead.
     pub blocks_ahead: u32,
+    /// Settings and effects that wait for the next move under cutter compensation. A block adds a few more.
+    pub waiting_effects: u32,
 }
 
 impl Default for Limits {
@@ -28,6 +30,7 @@ impl Default for Limits {
             named_parameters: 65_536,
             code_bytes: 16_777_216,
             blocks_ahead: 100_000,
+            waiting_effects: 65_536,
         }
     }
 }
@@ -45,6 +48,8 @@ pub enum Limit {
     CodeBytes,
     /// [`Limits::blocks_ahead`].
     BlocksAhead,
+    /// [`Limits::waiting_effects`].
+    WaitingEffects,
 }
 
 impl fmt::Display for Limit {
@@ -55,6 +60,7 @@ impl fmt::Display for Limit {
             Self::NamedParameters => "named parameters",
             Self::CodeBytes => "bytes of loops and subroutines",
             Self::BlocksAhead => "blocks read ahead at an abort",
+            Self::WaitingEffects => "effects that wait under cutter compensation",
         })
     }
 }

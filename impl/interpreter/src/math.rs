@@ -133,6 +133,10 @@ pub(crate) fn arccosine(value: f64) -> f64 {
 pub(crate) fn arctangent(y: f64, x: f64) -> f64 {
     libm::atan2(y, x).to_degrees()
 }
+/// The angle of a direction: radians, above -pi up to pi.
+pub(crate) fn angle(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
 /// The integer that a number is, within ±2^53.
 #[inline]
 #[expect(clippy::as_conversions, reason = "the range is checked, so that nothing is lost")]

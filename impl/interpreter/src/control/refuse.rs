@@ -49,6 +49,10 @@ impl Interpreter {
                 let message = "the probe did not change".into();
                 Err(self.fault(at.segment, line, FaultKind::Probe, message, None))
             }
+            Refusal::LimitExceeded(limit) => {
+                let block = self.location(at.segment, line);
+                Err(Error::LimitExceeded { limit, block })
+            }
             Refusal::Aborted => Ok(Progress::Aborted),
         }
     }

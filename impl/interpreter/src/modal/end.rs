@@ -9,6 +9,7 @@ use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
+use super::compensation::Cutter;
 use super::modes::FIRST;
 use super::refusal::Refusal;
 
@@ -27,9 +28,11 @@ impl Modal {
             code => code == 2,
         };
         let mode = self.controller_mode;
+        self.finish_waiting(sink)?;
         if ends {
+            self.end_path(sink)?;
             // What the block has switched on before has been on.
-            self.active.report(line, sink);
+            self.report(line, sink);
             if planted(PlantedFault::EndRestores) {
                 self.restore_at_end(numbered);
             }
@@ -74,7 +77,7 @@ impl Modal {
         if self.choices.feed_kept_at_end {
             self.active.set_feed_rate(feed);
         }
-        self.compensation_radius = 0.0;
+        self.cutter = Cutter::NONE;
         if !planted(PlantedFault::MotionStays) {
             self.motion = Motion::Feed;
         }
@@ -92,6 +95,7 @@ impl Modal {
             modes.compensation = Compensation::Off;
         }
         modes.feed_override = Switch::On;
+        self.forget_compensated_path();
         let all = self.all_spindles();
         let first = planted(PlantedFault::OtherOverridesStay);
         self.set_speed_override(if first { FIRST } else { all }, Switch::On);
@@ -129,6 +133,7 @@ impl Modal {
         self.leave_saved_calls();
         self.stop_asked = false;
         self.abandon();
+        self.forget_compensated_path();
         self.controller_mode = ControllerMode::Auto;
     }
 
@@ -141,6 +146,7 @@ impl Modal {
     /// An operator's abort while no program runs: none ends by it.
     pub(crate) fn abort_idle<K: Sink>(&mut self, sink: &mut K, line: u32) {
         self.abandon();
+        self.forget_compensated_path();
         if !self.choices.abort_leaves_running {
             self.stop_running(self.all_spindles());
         }

@@ -14,6 +14,7 @@ use super::codes::{
     ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, MOTION, NON_MODAL, PATH, PLANE,
     RETRACT, STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
+use super::compensation::waits_behind_move;
 use super::coordinates::{Conversion, Coordinates};
 use super::mode_select::{checked_feed, unit_of};
 use super::refusal::{Flow, Refusal, refuse};
@@ -59,6 +60,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         let block = self.check(words)?;
+        self.check_compensated_path()?;
         let before = self.snapshot_block(numbered);
         let flow = self.phases(&block, numbered, sink);
         self.end_step(before, flow, numbered)
@@ -76,7 +78,7 @@ impl Modal {
         self.feed(block)?;
         self.spindle_speed(block)?;
         if words.m_count != 0 {
-            self.active.report(words.line, sink);
+            self.report(words.line, sink);
         }
         if let Some(tool) = words.get(b'T') {
             self.prepare_tool(tool, words.line, sink)?;
@@ -85,7 +87,7 @@ impl Modal {
             if rank < STOP_RANK {
                 self.before_motion(block, code, numbered, sink)?;
                 // A setting that the next code sets again is reported first.
-                self.active.report(words.line, sink);
+                self.report(words.line, sink);
             }
         }
         let stop = |block: &Block<'_>| {
@@ -154,7 +156,7 @@ impl Modal {
             self.select_lathe_mode(code);
         }
         if let Some(code) = block.g(COMPENSATION) {
-            self.compensation(block.words, code)?;
+            self.switch_compensation(block.words, code, sink)?;
         }
         if !planted(PlantedFault::LengthBeforeUnits) {
             self.length_offset(block)?;
@@ -268,7 +270,7 @@ impl Modal {
     pub(crate) fn execute_wordless<K: Sink>(&mut self, line: u32, sink: &mut K) {
         if self.choices.feed_for_one_block && self.active.now().feed_mode == FeedMode::InverseTime {
             self.active.set_feed_rate(0.0);
-            self.active.report(line, sink);
+            self.report(line, sink);
         }
     }
 
@@ -294,12 +296,16 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.active.report(line, sink);
+        if self.compensation.waits() && waits_behind_move(effect) {
+            self.hold(line, self.position, effect.clone(), sink);
+            return Ok(());
+        }
+        self.report(line, sink);
         match sink.perform(line, effect) {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Aborted => return Err(Refusal::Aborted),
-            Reply::ReadOnly => self.begin_read_ahead_at(self.position),
+            Reply::ReadOnly => self.begin_read_ahead_at(self.reached_point()),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(())
@@ -331,13 +337,13 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<Reply, Refusal> {
-        self.active.report(line, sink);
+        self.report(line, sink);
         let reply = sink.perform(line, effect);
         match reply {
             Reply::Stop => self.stop_asked = true,
             Reply::Failed(kind) => return refuse(kind, "refused from outside"),
             Reply::Aborted => return Err(Refusal::Aborted),
-            Reply::ReadOnly => self.begin_read_ahead_at(self.position),
+            Reply::ReadOnly => self.begin_read_ahead_at(self.reached_point()),
             Reply::Done | Reply::Contact(_) | Reply::Input(_) | Reply::Tool(_) => {}
         }
         Ok(reply)

@@ -2,7 +2,7 @@
 //!
 //! **Invariant:** a fast path has the outcome of the whole block, and takes only blocks that no mode in force changes.
 
-use gaugeblock_vocabulary::{Compensation, Effect, FaultKind, FeedMode, Lathe, Motion};
+use gaugeblock_vocabulary::{Effect, FaultKind, FeedMode, Lathe, Motion};
 
 use crate::canon::{Reply, Sink};
 use crate::faults::{PlantedFault, planted};
@@ -53,7 +53,7 @@ impl Modal {
     #[inline]
     fn is_plain(&self) -> bool {
         let now = self.active.now();
-        now.compensation == Compensation::Off
+        self.compensation.is_idle()
             && now.lathe == Lathe::Radius
             && now.feed_mode != FeedMode::InverseTime
             && !self.surface_speed

@@ -6,10 +6,12 @@ use gaugeblock_vocabulary::{Axis, ControllerMode, LengthUnit, Machine, Motion, R
 
 use crate::error::Error;
 use crate::faults::{PlantedFault, planted};
+use crate::limits::Limits;
 use crate::parameters::{Numbered, is_stored};
 
 use super::Modal;
 use super::choices::{Choices, InitialMotion};
+use super::compensation::{CompensationState, Cutter};
 use super::coordinates::{Conversion, Coordinates};
 use super::cycles::MotionSeries;
 use super::modes::{ActiveSettings, Modes, SPINDLES};
@@ -45,7 +47,8 @@ impl Modal {
             position: Coordinates::default(),
             series: MotionSeries::default(),
             pending: None,
-            compensation_radius: 0.0,
+            cutter: Cutter::NONE,
+            compensation: CompensationState::new(Limits::default().waiting_effects),
             surface_speed: false,
             feed_spindle: 0,
             tool: initial_tool(machine).map_or(0, number_of),

@@ -70,6 +70,7 @@ impl Modal {
         if self.choices.input_uncompensated {
             self.refuse_under_compensation("M66")?;
         }
+        self.check_without_path("M66")?;
         let words = block.words;
         let waits = words.get(b'L').is_some_and(|l| l > 0.0);
         let ignored = words.has(b'P') && !waits && planted(PlantedFault::BothImmediate);
@@ -132,6 +133,7 @@ impl Modal {
         if planted(PlantedFault::UserCodeUncompensated) {
             self.refuse_under_compensation("a user-defined code")?;
         }
+        self.check_without_path("a user-defined code")?;
         let argument = |value: Option<f64>| match value {
             Some(value) => value.to_string(),
             None if self.choices.empty_argument => String::new(),

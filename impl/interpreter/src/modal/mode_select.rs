@@ -76,7 +76,8 @@ impl Modal {
             self.position = self.position.converted(conversion);
         }
         self.series.convert(conversion);
-        self.compensation_radius = conversion.of(self.compensation_radius);
+        self.cutter = self.cutter.converted(conversion);
+        self.compensation.convert(conversion);
         let keep_feed = self.choices.feed_number_kept || planted(PlantedFault::FeedNumber);
         let modes = self.active.set();
         modes.units = units;

@@ -70,8 +70,14 @@ impl Modal {
         if self.motion == Motion::None || !moves {
             return Ok(());
         }
-        self.check_compensated_move(block.g(NON_MODAL) == Some(530))?;
         self.check_straight_or_arc()?;
+        if !self.compensation.is_idle() {
+            self.check_machine_move(block.g(NON_MODAL) == Some(530))?;
+            self.leave_path()?;
+            if self.compensates() {
+                return self.compensated_move(block, sink);
+            }
+        }
         let start = self.position;
         self.move_to_end_point(block)?;
         let end = self.position.position();
@@ -121,16 +127,23 @@ impl Modal {
         Ok(())
     }
 
-    /// Checks the preconditions of a move under cutter compensation.
-    pub(super) fn check_compensated_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
-        if self.active.now().compensation == Compensation::Off {
-            return Ok(());
-        }
+    /// G53 is refused under cutter compensation.
+    fn check_machine_move(&self, machine_coordinates: bool) -> Result<(), Refusal> {
         if machine_coordinates {
-            return refuse(FaultKind::CompensationActive, "G53 under cutter compensation");
+            return self.refuse_under_compensation("G53");
         }
-        if self.compensation_radius.abs() > 0.0 {
-            return Err(Refusal::Unsupported("moves under cutter compensation".into()));
+        Ok(())
+    }
+
+    /// Whether moves are compensated: compensation is on, and the cutter has a radius.
+    pub(super) fn compensates(&self) -> bool {
+        self.active.now().compensation != Compensation::Off && self.cutter.has_radius()
+    }
+
+    /// Ends the run at a move of which the documents do not say how it is compensated.
+    pub(super) fn check_uncompensated_move(&self) -> Result<(), Refusal> {
+        if self.compensates() {
+            return Err(Refusal::Unsupported("such a move under cutter compensation".into()));
         }
         Ok(())
     }

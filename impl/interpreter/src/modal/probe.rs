@@ -53,7 +53,7 @@ impl Modal {
             stored_to_active: self.stored_to_active(),
         };
         // Only the sink can see that the probe is in the target state already; it refuses then.
-        self.active.report(words.line, sink);
+        self.report(words.line, sink);
         let reply = sink.probe(words.line, &effect, &probing);
         match reply {
             Reply::Stop => self.stop_asked = true,

@@ -26,12 +26,13 @@ impl Modal {
 
     /// From here on blocks are only read.
     pub(crate) fn begin_read_ahead(&mut self) {
-        self.begin_read_ahead_at(self.position);
+        self.begin_read_ahead_at(self.reached_point());
     }
 
     /// Ends reading ahead: position and tools are those of the machine again.
     pub(crate) fn end_read_ahead(&mut self, numbered: &mut Numbered) {
         let Some(snapshot) = self.machine_snapshot.take() else { return };
+        self.forget_compensated_path();
         let point = snapshot.point.converted(self.stored_to_active());
         self.position = self.active.now().program_of(point);
         self.tool = snapshot.tool;

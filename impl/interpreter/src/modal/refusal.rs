@@ -4,6 +4,8 @@ use alloc::string::String;
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::limits::Limit;
+
 /// How execution continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flow {
@@ -29,6 +31,8 @@ pub(crate) enum Refusal {
     Unsupported(String),
     /// The documents leave open what it does; the message is for people.
     Unspecified(String),
+    /// More waits under cutter compensation than may.
+    LimitExceeded(Limit),
     /// Its probe has moved and found nothing: what it did before stays.
     Missed,
     /// The sink aborted it: what it did before stays.

@@ -42,7 +42,7 @@ impl Modal {
             if place.autorestore && place.valid && !planted(PlantedFault::NoAutorestore) {
                 let state = place.state;
                 self.restore(&state, numbered);
-                self.active.report(line, sink);
+                self.report(line, sink);
             }
             self.saved.places.pop();
         }
@@ -79,7 +79,7 @@ impl Modal {
                 let state = Saved {
                     modes: *self.active.now(),
                     motion: self.motion,
-                    compensation_radius: self.compensation_radius,
+                    cutter: self.cutter,
                     feed_spindle: self.feed_spindle,
                 };
                 let slot_code = if self.choices.one_place { 70 } else { code };
@@ -101,7 +101,7 @@ impl Modal {
                     return refuse(FaultKind::NothingSaved, "nothing was saved at this call level");
                 };
                 self.restore(&state, numbered);
-                Ok(())
+                self.check_compensated_path()
             }
         }
     }
@@ -139,13 +139,13 @@ impl Modal {
         if !planted(PlantedFault::UnitsForgotten) {
             self.change_units(modes.units);
         }
+        self.restore_cutter(saved);
         if self.active.now().work_offset != modes.work_offset {
             self.use_work_offset(modes.work_offset, numbered);
         }
         self.offset_by(|now| {
             (now.tool_length, now.tool_offset) = (modes.tool_length, modes.tool_offset);
         });
-        self.compensation_radius = saved.compensation_radius;
         self.feed_spindle = saved.feed_spindle;
         let feed_rate = if planted(PlantedFault::FeedNotRestored) {
             self.active.now().feed_rate
@@ -179,6 +179,7 @@ impl Modal {
             ..*modes
         };
         self.note_surface_speed();
+        self.note_compensation();
         if self.choices.motion_restored && (self.choices.every_motion || is_listed(saved.motion)) {
             self.series = self.series.changed(self.motion, saved.motion);
             self.motion = saved.motion;

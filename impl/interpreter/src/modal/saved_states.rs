@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::Motion;
 
+use super::compensation::Cutter;
 use super::modes::Modes;
 
 /// The state that M70 and M73 save.
@@ -11,7 +12,7 @@ use super::modes::Modes;
 pub(super) struct Saved {
     pub(super) modes: Modes,
     pub(super) motion: Motion,
-    pub(super) compensation_radius: f64,
+    pub(super) cutter: Cutter,
     pub(super) feed_spindle: u32,
 }
 

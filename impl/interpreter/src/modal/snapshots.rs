@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{ControllerMode, Motion, Tool};
 
+use super::compensation::Cutter;
 use super::coordinates::Coordinates;
 use super::cycles::MotionSeries;
 
@@ -14,7 +15,7 @@ pub(super) struct BlockSnapshot {
     pub(super) motion: Motion,
     pub(super) position: Coordinates,
     pub(super) series: MotionSeries,
-    pub(super) compensation_radius: f64,
+    pub(super) cutter: Cutter,
     pub(super) surface_speed: bool,
     pub(super) feed_spindle: u32,
     pub(super) tool: i32,

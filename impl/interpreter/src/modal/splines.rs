@@ -23,6 +23,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         self.check_spline(words)?;
+        self.refuse_under_compensation("a spline")?;
         if code == 50 {
             self.check_cubic(words)?;
         } else {
@@ -46,7 +47,7 @@ impl Modal {
         if words.present & AXES & !(X | Y) != 0 {
             return refuse(FaultKind::AxisWords, "a spline with an axis other than X and Y");
         }
-        self.check_compensated_move(false)
+        self.check_uncompensated_move()
     }
 
     /// Checks I and J of G5: both or neither, and both in the first G5 of a series.

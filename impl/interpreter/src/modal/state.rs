@@ -9,6 +9,7 @@ use gaugeblock_vocabulary::{ControllerMode, LengthUnit, Motion, Rs274State, Sett
 use crate::parameters::Numbered;
 
 use super::choices::Choices;
+use super::compensation::{CompensationState, Cutter};
 use super::coordinates::{Conversion, Coordinates};
 use super::cycles::{MotionSeries, PendingBlock};
 use super::modes::ActiveSettings;
@@ -32,8 +33,10 @@ pub(crate) struct Modal {
     pub(super) series: MotionSeries,
     /// The rest of a block that takes more than a step.
     pub(super) pending: Option<PendingBlock>,
-    /// Radius under cutter compensation, active length unit.
-    pub(super) compensation_radius: f64,
+    /// The cutter of the compensation in force.
+    pub(super) cutter: Cutter,
+    /// The compensated path, and what waits.
+    pub(super) compensation: CompensationState,
     /// Whether any spindle is under constant surface speed.
     pub(super) surface_speed: bool,
     /// The spindle that G95 follows.

@@ -22,6 +22,7 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let (line, end) = (block.words.line, self.begin_synchronised(block, mode_of(330), sink)?);
         self.feed_to(line, end, sink)?;
+        self.leave_path()?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 
@@ -67,7 +68,7 @@ impl Modal {
 
     /// The number of the selected spindle, which must turn.
     fn turning_spindle(&self, block: &Block<'_>) -> Result<u32, Refusal> {
-        self.check_compensated_move(false)?;
+        self.check_uncompensated_move()?;
         let spindle = self.selected(block, FIRST)?;
         let asked = if planted(PlantedFault::ChecksFirst) { FIRST } else { spindle };
         if !self.spindle_of(asked).turns() && !planted(PlantedFault::StandingSpindle) {

@@ -79,6 +79,7 @@ impl Modal {
         if self.choices.change_uncompensated {
             self.refuse_under_compensation("M6")?;
         }
+        self.check_without_path("M6")?;
         let tool = match self.prepared {
             Some(tool) => tool.max(0),
             None if self.choices.change_unselected => self.tool,
@@ -156,6 +157,7 @@ impl Modal {
         if self.choices.no_set_in_program && self.controller_mode == ControllerMode::Auto {
             return refuse(FaultKind::ControllerMode, "M61 belongs to MDI and manual mode");
         }
+        self.check_without_path("M61")?;
         let tool = integer_in(block.words.get(b'Q').unwrap_or(0.0), 0, i32::MAX, "Q of M61")?;
         // 9.6.17.13: zero unloads the tool, whatever the changer.
         let none = tool == 0;
@@ -188,6 +190,7 @@ impl Modal {
         if self.choices.length_uncompensated {
             self.refuse_under_compensation("a tool length offset")?;
         }
+        self.check_without_path("another tool length")?;
         let old = self.active.now().tool_offset;
         let offset = match code {
             490 => Coordinates::default(),

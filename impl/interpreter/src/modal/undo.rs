@@ -17,11 +17,12 @@ impl Modal {
         self.active.begin_notes();
         self.changed_tools.clear();
         self.saved.begin_notes();
+        self.compensation.begin_notes();
         BlockSnapshot {
             motion: self.motion,
             position: self.position,
             series: self.series,
-            compensation_radius: self.compensation_radius,
+            cutter: self.cutter,
             surface_speed: self.surface_speed,
             feed_spindle: self.feed_spindle,
             tool: self.tool,
@@ -53,12 +54,14 @@ impl Modal {
         self.motion = before.motion;
         self.position = before.position;
         self.series = before.series;
-        self.compensation_radius = before.compensation_radius;
+        self.cutter = before.cutter;
         self.surface_speed = before.surface_speed;
         self.feed_spindle = before.feed_spindle;
         self.tool = before.tool;
         self.prepared = before.prepared;
         self.selected = before.selected;
         self.controller_mode = before.controller_mode;
+        self.compensation.roll_back();
+        self.note_compensation();
     }
 }

@@ -3,7 +3,7 @@
 
 use alloc::format;
 
-use gaugeblock_vocabulary::{FaultKind, Lathe, Motion};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Lathe, Motion};
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, narrowed, planted};
@@ -86,6 +86,9 @@ impl Modal {
     ) -> Result<(), Refusal> {
         if matches!(code, 520 | 920) {
             self.check_offset_change()?;
+        } else if self.active.now().compensation != Compensation::Off {
+            // They are accepted, and change nothing.
+            return Ok(());
         }
         match code {
             520 => {
@@ -130,7 +133,7 @@ impl Modal {
         if self.choices.offset_uncompensated {
             self.refuse_under_compensation("changing an offset in force")?;
         }
-        Ok(())
+        self.check_without_path("another offset")
     }
 
     /// The offset of G92: the point gets the coordinates of the words. Whether an axis without a word keeps its offset

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::{Effect, FaultKind, Settings};
 
 use crate::block_end::BlockEnd;
 use crate::block_start::BlockStart;
-use crate::canon::{Reply, Sink};
+use crate::canon::{Reply, Sink, Waiting};
 use crate::faults::{PlantedFault, planted};
 use crate::probe_move::ProbeMove;
 
@@ -28,6 +28,7 @@ impl<M: Machine> TaskState<M> {
                 return self.abort_reply();
             }
         }
+        self.release_place();
         let reply = perform(&mut self.machine);
         if switches && !matches!(reply, Reply::Failed(_) | Reply::Aborted | Reply::ReadOnly) {
             let digital = self.digital.begin_motion();
@@ -120,6 +121,14 @@ impl<M: Machine> TaskState<M> {
         Reply::Aborted
     }
 
+    /// Releases the place of what the interpreter has released: the machine is about to receive it, and nothing comes
+    /// between.
+    fn release_place(&mut self) {
+        if let Some(place) = self.released.take() {
+            self.machine.release(place);
+        }
+    }
+
     /// An effect that is not a motion.
     #[expect(clippy::wildcard_enum_match_arm, reason = "the other effects take no time here")]
     fn perform_motionless(&mut self, effect: &Effect) -> Reply {
@@ -131,6 +140,7 @@ impl<M: Machine> TaskState<M> {
                 if planted(PlantedFault::DwellIsMotion) && self.digital.begin_motion() {
                     self.update_pins();
                 }
+                self.release_place();
                 let reply = self.machine.perform(self.line, effect);
                 match self.dwell(*seconds) {
                     Ok(()) => reply,
@@ -147,21 +157,27 @@ impl<M: Machine> TaskState<M> {
             }
             Effect::ChangeTool { tool } => self.change_tool(*tool, effect),
             Effect::OrientSpindle { spindle, angle, direction } => {
+                self.release_place();
                 let reply = self.machine.perform(self.line, effect);
                 self.tracked.orient(*spindle, *angle, *direction);
                 self.update_pins();
                 reply
             }
-            Effect::WaitOrient { spindle, timeout } => self.wait_orient(*spindle, *timeout, effect),
+            Effect::WaitOrient { spindle, timeout } => {
+                self.release_place();
+                self.wait_orient(*spindle, *timeout, effect)
+            }
             Effect::UserCode { .. } => {
                 self.perform_operation(effect, ExternalOperation::UserProgram)
             }
             Effect::SetDigitalOutput { output, on, timing } => {
+                self.release_place();
                 self.digital.set(*output, bit(*on), *timing, self.choices.at_once_replaces);
                 self.update_pins();
                 self.machine.perform(self.line, effect)
             }
             Effect::SetAnalogOutput { output, to, timing } => {
+                self.release_place();
                 self.analog.set(*output, *to, *timing, self.choices.at_once_replaces);
                 self.update_pins();
                 self.machine.perform(self.line, effect)
@@ -208,10 +224,12 @@ impl<M: Machine> TaskState<M> {
 impl<M: Machine> Sink for TaskState<M> {
     fn set(&mut self, line: u32, changed: &Settings) {
         if self.reading_ahead {
+            self.released = None;
             self.settings_ahead.overlay(changed);
             return;
         }
         self.line = line;
+        self.release_place();
         self.machine.set(line, changed);
         if self.tracked.set(changed) {
             self.update_pins();
@@ -220,15 +238,26 @@ impl<M: Machine> Sink for TaskState<M> {
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {
         if self.reading_ahead {
+            self.released = None;
             return self.reply_read_only(effect);
         }
         self.line = line;
-        match motion_of(effect, self.synchronised) {
+        let reply = match motion_of(effect, self.synchronised) {
             Some(motion) => {
                 self.perform_move(motion, true, |machine| machine.perform(line, effect))
             }
             None => self.perform_motionless(effect),
-        }
+        };
+        self.released = None;
+        reply
+    }
+
+    fn hold(&mut self, line: u32, waiting: Waiting<'_>) -> u64 {
+        if self.reading_ahead { 0 } else { self.machine.hold(line, waiting) }
+    }
+
+    fn release(&mut self, place: u64) {
+        self.released = Some(place);
     }
 
     fn probe(&mut self, line: u32, effect: &Effect, probe_move: &ProbeMove) -> Reply {

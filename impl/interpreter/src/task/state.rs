@@ -91,6 +91,8 @@ pub(super) struct TaskState<M> {
     pub(super) within_block: bool,
     /// Line of the block that is being executed.
     pub(super) line: u32,
+    /// The place of what the interpreter puts out next, where that has waited.
+    pub(super) released: Option<u64>,
     /// Blocks are only read and not executed.
     pub(super) reading_ahead: bool,
     /// Settings that these blocks have changed.
@@ -125,6 +127,7 @@ impl<M: Machine> TaskState<M> {
             call_level: 0,
             within_block: false,
             line: 0,
+            released: None,
             reading_ahead: false,
             settings_ahead: Settings::default(),
             aborted_waiting: false,

@@ -78,7 +78,7 @@ impl Modal {
     /// Starts or stops spindles and reports it at once, since a later move of the cycle can change it again.
     fn turn<K: Sink>(&mut self, which: Spindles, turn: SpindleTurn, line: u32, sink: &mut K) {
         self.for_spindles(which, |spindle| spindle.turn = turn);
-        self.active.report(line, sink);
+        self.report(line, sink);
     }
 
     /// Restores the overrides that were active before the cycle.

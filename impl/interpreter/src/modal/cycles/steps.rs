@@ -125,7 +125,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         let ended = stop.map_or(Ok(false), |code| self.stop(code, line, numbered, sink))?;
-        self.active.report(line, sink);
+        self.report(line, sink);
         Ok(match (ended, self.stop_asked) {
             (true, _) => Flow::Ended,
             (false, true) => Flow::Stopped,

@@ -29,7 +29,7 @@ impl Modal {
         if words.present & AXES != Z || words.is_polar() {
             return refuse(FaultKind::AxisWords, "G76 takes a Z word and no other axis");
         }
-        self.check_compensated_move(false)?;
+        self.check_uncompensated_move()?;
         let spindles = self.selected(block, FIRST)?;
         if self.choices.thread_needs_spindle && !self.spindle_of(spindles).turns() {
             return refuse(FaultKind::ZeroSpeed, "G76 while the spindle is stopped");

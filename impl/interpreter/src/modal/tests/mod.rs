@@ -2,6 +2,8 @@
 
 mod arcs;
 mod arcs_property;
+mod compensation;
+mod compensation_property;
 mod cycles;
 mod ends;
 mod grbl;

@@ -122,7 +122,7 @@ fn state(modal: &Modal, numbered: &Numbered) -> alloc::string::String {
         modal.state(),
         modal.tools(),
         parameters,
-        (modal.compensation_radius, modal.feed_spindle, modal.surface_speed),
+        (modal.cutter, modal.feed_spindle, modal.surface_speed),
         modal.series,
         modal.saved,
     );

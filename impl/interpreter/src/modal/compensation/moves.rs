@@ -1,0 +1,264 @@
+//! Moves under compensation.
+
+use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Motion, Plane};
+
+use crate::canon::Sink;
+use crate::words::Words;
+
+use super::super::Modal;
+use super::super::check::Block;
+use super::super::coordinates::Coordinates;
+use super::super::letters::{U, V, W};
+use super::super::refusal::{Refusal, refuse};
+use super::corner::{Corner, intersection};
+use super::entry::{EntryArc, check_entry};
+use super::plane::{Curve, Cutter, Segment, Vector};
+use super::{LastMove, normal_of};
+
+/// A move of a block before compensation.
+struct Programmed {
+    line: u32,
+    motion: Motion,
+    /// The controlled point before the block, which is compensated.
+    before: Coordinates,
+    /// The programmed end.
+    end: Coordinates,
+    segment: Segment,
+    /// Turns of an arc with their sign.
+    turns: i32,
+}
+
+impl Modal {
+    /// Makes a straight move or an arc beside its programmed curve.
+    pub(in super::super) fn compensated_move<K: Sink>(
+        &mut self,
+        block: &Block<'_>,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        self.check_defined_move(block.words)?;
+        let plane = self.active.now().plane;
+        let before = self.position;
+        let from = match &self.compensation.path.last {
+            Some(last) => last.segment.to,
+            None => before.in_plane(plane),
+        };
+        self.position = before.with_in_plane(plane, from);
+        let start = self.position;
+        self.move_to_end_point(block)?;
+        let end = self.position;
+        let to = end.in_plane(plane);
+        let is_arc = !matches!(self.motion, Motion::Traverse | Motion::Feed);
+        if !is_arc && to.minus(from).is_zero() {
+            return self.move_out_of_plane(block.words.line, before, sink);
+        }
+        let (segment, turns) = if is_arc {
+            let Effect::ArcFeed { first_centre, second_centre, turns, .. } =
+                self.arc(block.words, self.motion, &start)?
+            else {
+                return Ok(());
+            };
+            let centre = Vector { p: first_centre, q: second_centre };
+            let sense = if turns > 0 { 1.0 } else { -1.0 };
+            (Segment::arc(from, to, centre, sense), turns)
+        } else {
+            (Segment::line(from, to), 0)
+        };
+        let (line, motion) = (block.words.line, self.motion);
+        let programmed = Programmed { line, motion, before, end, segment, turns };
+        if self.compensation.has_path() {
+            self.follow_path(&programmed, sink)
+        } else {
+            self.enter_path(&programmed, sink)
+        }
+    }
+
+    /// The shift of the cutter's orientation in the plane.
+    pub(super) fn plane_shift(&self) -> Vector {
+        if self.active.now().plane == Plane::Zx { self.cutter.shift() } else { Vector::default() }
+    }
+
+    /// Ends the run where the documents leave open what a move does.
+    fn check_defined_move(&self, words: &Words) -> Result<(), Refusal> {
+        let plane = self.active.now().plane;
+        let other = self.compensation.path.last.is_some_and(|last| last.plane != plane);
+        let why = if let Some(why) = self.compensation.path.undefined {
+            why
+        } else if words.present & (U | V | W) != 0 {
+            "U, V or W under cutter compensation"
+        } else if other || !matches!(plane, Plane::Xy | Plane::Zx) {
+            "another plane under cutter compensation"
+        } else if self.random_tool_changer {
+            "moves under cutter compensation with a random tool changer"
+        } else if self.controller_mode == ControllerMode::Mdi {
+            "moves under cutter compensation that are entered by hand"
+        } else {
+            return Ok(());
+        };
+        Err(Refusal::Unsupported(why.into()))
+    }
+
+    /// A move that displaces nothing in the plane; what waits before it decides where it is.
+    fn move_out_of_plane<K: Sink>(
+        &mut self,
+        line: u32,
+        before: Coordinates,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if !self.compensation.has_path() {
+            return refuse(
+                FaultKind::Gouging,
+                "an entry that is not longer than the cutter's radius",
+            );
+        }
+        let plane = self.active.now().plane;
+        self.position = self.position.with_in_plane(plane, before.in_plane(plane));
+        let effect = straight(self.motion, self.position);
+        if self.compensation.waits() {
+            self.hold(line, before, effect, sink);
+            return Ok(());
+        }
+        self.perform_move(line, before, &effect, sink)
+    }
+
+    /// The first compensated move.
+    fn enter_path<K: Sink>(&mut self, to: &Programmed, sink: &mut K) -> Result<(), Refusal> {
+        check_entry(&to.segment, &self.cutter)?;
+        let end = finite(to.segment.offset_end(&self.cutter))?;
+        let effect = match &to.segment.curve {
+            Curve::Line { .. } => straight(to.motion, self.move_end(to, end)),
+            Curve::Arc(_) if !self.plane_shift().is_zero() => {
+                let why = "an entry by an arc with the orientation of a lathe tool";
+                return Err(Refusal::Unsupported(why.into()));
+            }
+            Curve::Arc(arc) => {
+                let entry = EntryArc::new(&to.segment, arc, end)?;
+                let turns = if entry.is_turned_over { to.turns.wrapping_neg() } else { to.turns };
+                arc_effect(self.move_end(to, end), entry.centre, turns)
+            }
+        };
+        self.wait_with(to, to.segment.from, end, true, effect, sink)
+    }
+
+    /// A compensated move after another one: the corner between them.
+    fn follow_path<K: Sink>(&mut self, to: &Programmed, sink: &mut K) -> Result<(), Refusal> {
+        let Some(last) = self.compensation.path.last else { return Ok(()) };
+        let cutter = self.cutter;
+        check_radius(&to.segment, &cutter)?;
+        let own_start = to.segment.offset_start(&cutter);
+        let end = finite(to.segment.offset_end(&cutter))?;
+        finite(own_start)?;
+        let waits = self.compensation.waits();
+        let start = match Corner::between(&last.segment, &to.segment, &cutter) {
+            Corner::Tangent => {
+                self.put_out(None, sink)?;
+                last.end
+            }
+            Corner::Inner if waits => {
+                let crossing = intersection(&last.segment, &to.segment, &cutter)?;
+                last.check_fit(crossing)?;
+                self.put_out(Some(crossing), sink)?;
+                crossing
+            }
+            Corner::Inner if last.segment.as_arc().is_some() || to.segment.as_arc().is_some() => {
+                let why = "a stop before an inner corner at an arc under cutter compensation";
+                return Err(Refusal::Unsupported(why.into()));
+            }
+            Corner::Inner => own_start,
+            Corner::Outer => {
+                if waits && to.segment.as_arc().is_none() {
+                    last.check_fit(last.end)?;
+                }
+                self.put_out(None, sink)?;
+                self.join(to, own_start, sink)?;
+                own_start
+            }
+        };
+        let effect = match &to.segment.curve {
+            Curve::Line { .. } => straight(to.motion, self.move_end(to, end)),
+            Curve::Arc(arc) => {
+                arc_effect(self.move_end(to, end), arc.centre.plus(self.plane_shift()), to.turns)
+            }
+        };
+        self.wait_with(to, start, end, false, effect, sink)
+    }
+
+    /// The joining move round an outer corner. The third axis is where it was, rotary axes are where the next move
+    /// takes them.
+    fn join<K: Sink>(&mut self, to: &Programmed, end: Vector, sink: &mut K) -> Result<(), Refusal> {
+        let plane = self.active.now().plane;
+        let shift = self.plane_shift();
+        let normal = normal_of(plane);
+        let point = to
+            .end
+            .with_axis(normal, to.before.coordinate_of(normal))
+            .with_in_plane(plane, end.plus(shift));
+        let effect = if to.motion == Motion::Traverse {
+            Effect::StraightTraverse { end: point.position() }
+        } else {
+            let turns = if self.cutter.side > 0.0 { -1 } else { 1 };
+            arc_effect(point, to.segment.from.plus(shift), turns)
+        };
+        self.position = point;
+        self.perform_move(to.line, to.before, &effect, sink)
+    }
+
+    /// Where a move ends, with its end in the plane.
+    fn move_end(&self, to: &Programmed, end: Vector) -> Coordinates {
+        to.end.with_in_plane(self.active.now().plane, end.plus(self.plane_shift()))
+    }
+
+    /// Makes a move the last one, which waits until the next one is known.
+    fn wait_with<K: Sink>(
+        &mut self,
+        to: &Programmed,
+        start: Vector,
+        end: Vector,
+        is_entry: bool,
+        effect: Effect,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        let plane = self.active.now().plane;
+        let from = if is_entry {
+            to.before
+        } else {
+            to.before.with_in_plane(plane, start.plus(self.plane_shift()))
+        };
+        let point = self.move_end(to, end);
+        self.hold(to.line, from, effect, sink);
+        self.position = point;
+        let segment = to.segment;
+        self.compensation.path_mut().last = Some(LastMove { plane, segment, is_entry, start, end });
+        Ok(())
+    }
+}
+
+/// An arc that bends towards the cutter needs a radius greater than R.
+fn check_radius(segment: &Segment, cutter: &Cutter) -> Result<(), Refusal> {
+    if segment.as_arc().is_some_and(|arc| arc.offset_radius(cutter) <= 0.0) {
+        return refuse(FaultKind::Gouging, "an arc whose radius is not greater than the cutter's");
+    }
+    Ok(())
+}
+
+/// A point that can be reached.
+fn finite(point: Vector) -> Result<Vector, Refusal> {
+    if point.is_finite() {
+        return Ok(point);
+    }
+    refuse(FaultKind::Gouging, "a compensated move beyond the largest number")
+}
+
+/// A straight move to a point.
+fn straight(motion: Motion, end: Coordinates) -> Effect {
+    let end = end.position();
+    if motion == Motion::Traverse {
+        Effect::StraightTraverse { end }
+    } else {
+        Effect::StraightFeed { end }
+    }
+}
+
+/// An arc to a point.
+fn arc_effect(end: Coordinates, centre: Vector, turns: i32) -> Effect {
+    Effect::ArcFeed { end: end.position(), first_centre: centre.p, second_centre: centre.q, turns }
+}

@@ -1,0 +1,240 @@
+//! Geometry in the plane of compensation: the programmed curve of a move, and the one that is R beside it.
+
+use crate::math;
+
+use super::super::coordinates::Conversion;
+
+/// A point or a distance in the plane: along its first axis and along its second.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Vector {
+    pub(super) p: f64,
+    pub(super) q: f64,
+}
+
+/// The cutter of the compensation in force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in super::super) struct Cutter {
+    /// R, active length unit: half of the diameter, without its sign.
+    pub(super) radius: f64,
+    /// s: 1 with the cutter on the left of the path, -1 on the right. A negative diameter changes it (NIST B.4).
+    pub(super) side: f64,
+    /// 0 to 9; 0 and 9 shift nothing.
+    pub(super) orientation: u8,
+}
+
+/// A move in the plane, as programmed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Segment {
+    /// P.
+    pub(super) from: Vector,
+    /// Q.
+    pub(super) to: Vector,
+    pub(super) curve: Curve,
+}
+
+/// The curve of a move.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Curve {
+    /// A straight line.
+    Line {
+        /// Its direction, of length 1.
+        direction: Vector,
+    },
+    /// A part of a circle.
+    Arc(Arc),
+}
+
+/// An arc.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arc {
+    pub(super) centre: Vector,
+    /// g: 1 counterclockwise, -1 clockwise.
+    pub(super) sense: f64,
+    /// u0: from the centre to the start, of length 1.
+    pub(super) to_start: Vector,
+    /// u1: from the centre to the end, of length 1.
+    pub(super) to_end: Vector,
+    /// The distance of the end from the centre.
+    pub(super) radius: f64,
+}
+
+impl Vector {
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self { p: self.p + other.p, q: self.q + other.q }
+    }
+
+    pub(super) fn minus(self, other: Self) -> Self {
+        Self { p: self.p - other.p, q: self.q - other.q }
+    }
+
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { p: self.p * factor, q: self.q * factor }
+    }
+
+    pub(super) fn dot(self, other: Self) -> f64 {
+        self.p * other.p + self.q * other.q
+    }
+
+    fn cross(self, other: Self) -> f64 {
+        self.p * other.q - self.q * other.p
+    }
+
+    pub(super) fn length(self) -> f64 {
+        math::hypotenuse_of_any_size(self.p, self.q)
+    }
+
+    /// The same direction with length 1; not a number where it has none.
+    pub(super) fn unit(self) -> Self {
+        let length = self.length();
+        Self { p: self.p / length, q: self.q / length }
+    }
+
+    /// Turned by 90 degrees, counterclockwise where `sense` is 1 and clockwise where it is -1.
+    pub(super) fn quarter(self, sense: f64) -> Self {
+        Self { p: -self.q * sense, q: self.p * sense }
+    }
+
+    /// The angle to another direction, radians from -pi to pi, positive counterclockwise.
+    pub(super) fn angle_to(self, other: Self) -> f64 {
+        math::angle(self.cross(other), self.dot(other))
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        self.p == 0.0 && self.q == 0.0
+    }
+
+    pub(super) fn is_finite(self) -> bool {
+        self.p.is_finite() && self.q.is_finite()
+    }
+
+    /// Lengths in another unit.
+    pub(super) fn converted(self, by: Conversion) -> Self {
+        Self { p: by.of(self.p), q: by.of(self.q) }
+    }
+}
+
+impl Cutter {
+    /// No cutter: its radius is zero.
+    pub(in super::super) const NONE: Self = Self { radius: 0.0, side: 1.0, orientation: 0 };
+
+    /// The cutter of a diameter, active length unit.
+    pub(super) fn new(diameter: f64, is_left: bool, orientation: u8) -> Self {
+        let side = if is_left == (diameter >= 0.0) { 1.0 } else { -1.0 };
+        Self { radius: diameter.abs() / 2.0, side, orientation }
+    }
+
+    /// Whether it moves anything.
+    pub(in super::super) fn has_radius(&self) -> bool {
+        self.radius > 0.0
+    }
+
+    /// Whether it is the same cutter, apart from what conversions of units have changed.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let difference = (self.radius - other.radius).abs();
+        self.side == other.side
+            && self.orientation == other.orientation
+            && difference <= 1e-9 * self.radius
+    }
+
+    /// With its radius in another length unit.
+    pub(in super::super) fn converted(self, by: Conversion) -> Self {
+        Self { radius: by.of(self.radius), ..self }
+    }
+
+    /// The vector that the orientation adds to all points, in the coordinates of ZX.
+    pub(super) fn shift(&self) -> Vector {
+        let (x, z) = match self.orientation {
+            1 => (-1.0, 1.0),
+            2 => (-1.0, -1.0),
+            3 => (1.0, -1.0),
+            4 => (1.0, 1.0),
+            5 => (0.0, 1.0),
+            6 => (-1.0, 0.0),
+            7 => (0.0, -1.0),
+            8 => (1.0, 0.0),
+            _ => return Vector::default(),
+        };
+        Vector { p: z * self.radius, q: x * self.radius }
+    }
+
+    /// The normal of a direction on the cutter's side, R long.
+    fn beside(&self, direction: Vector) -> Vector {
+        direction.quarter(self.side).times(self.radius)
+    }
+}
+
+impl Arc {
+    /// k: 1 with the centre on the cutter's side, or else -1.
+    pub(super) fn bend(&self, cutter: &Cutter) -> f64 {
+        self.sense * cutter.side
+    }
+
+    /// r: the radius of the compensated arc.
+    pub(super) fn offset_radius(&self, cutter: &Cutter) -> f64 {
+        self.radius - self.bend(cutter) * cutter.radius
+    }
+
+    /// The angle in the arc's own sense from one direction to another, radians from 0 up to a full turn.
+    pub(super) fn sweep(&self, from: Vector, to: Vector) -> f64 {
+        let angle = self.sense * from.angle_to(to);
+        if angle < 0.0 { angle + core::f64::consts::TAU } else { angle }
+    }
+}
+
+impl Segment {
+    /// A straight move between two points that differ.
+    pub(super) fn line(from: Vector, to: Vector) -> Self {
+        Self { from, to, curve: Curve::Line { direction: to.minus(from).unit() } }
+    }
+
+    /// An arc.
+    pub(super) fn arc(from: Vector, to: Vector, centre: Vector, sense: f64) -> Self {
+        let radius = to.minus(centre).length();
+        let (to_start, to_end) = (from.minus(centre).unit(), to.minus(centre).unit());
+        Self { from, to, curve: Curve::Arc(Arc { centre, sense, to_start, to_end, radius }) }
+    }
+
+    /// Its arc, if it is one.
+    pub(super) fn as_arc(&self) -> Option<&Arc> {
+        match &self.curve {
+            Curve::Arc(arc) => Some(arc),
+            Curve::Line { .. } => None,
+        }
+    }
+
+    /// Its direction where it starts.
+    pub(super) fn start_direction(&self) -> Vector {
+        match &self.curve {
+            Curve::Line { direction } => *direction,
+            Curve::Arc(arc) => arc.to_start.quarter(arc.sense),
+        }
+    }
+
+    /// Its direction where it ends.
+    pub(super) fn end_direction(&self) -> Vector {
+        match &self.curve {
+            Curve::Line { direction } => *direction,
+            Curve::Arc(arc) => arc.to_end.quarter(arc.sense),
+        }
+    }
+
+    /// Where its compensated curve starts.
+    pub(super) fn offset_start(&self, cutter: &Cutter) -> Vector {
+        self.from.plus(cutter.beside(self.start_direction()))
+    }
+
+    /// Where its compensated curve ends.
+    pub(super) fn offset_end(&self, cutter: &Cutter) -> Vector {
+        self.to.plus(cutter.beside(self.end_direction()))
+    }
+
+    /// Converts lengths to another unit.
+    pub(super) fn convert(&mut self, by: Conversion) {
+        self.from = self.from.converted(by);
+        self.to = self.to.converted(by);
+        if let Curve::Arc(arc) = &mut self.curve {
+            arc.centre = arc.centre.converted(by);
+            arc.radius = by.of(arc.radius);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Cutter compensation as a mode: what it needs to be switched on, and the cutter that it takes.
+
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane};
+
+use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
+use crate::words::Words;
+
+use super::super::Modal;
+use super::super::refusal::{Refusal, refuse};
+use super::super::values::integer_in;
+use super::{Cutter, PathState};
+
+impl Modal {
+    /// G40 to G42.1.
+    pub(in super::super) fn switch_compensation<K: Sink>(
+        &mut self,
+        words: &Words,
+        code: u16,
+        sink: &mut K,
+    ) -> Result<(), Refusal> {
+        if code == 400 {
+            let exit_due = self.compensation.path.exit_due || self.compensation.has_path();
+            self.end_path(sink)?;
+            *self.compensation.path_mut() = PathState { exit_due, ..PathState::default() };
+            self.active.put(|modes| &mut modes.compensation, Compensation::Off);
+            self.note_compensation();
+            return Ok(());
+        }
+        self.refuse_under_compensation("cutter compensation")?;
+        let plane = self.active.now().plane;
+        if !matches!(plane, Plane::Xy | Plane::Zx) {
+            return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY and ZX");
+        }
+        let is_left = matches!(code, 410 | 411);
+        self.cutter = if let 411 | 421 = code {
+            let orientation = dynamic_orientation(words, plane)?;
+            Cutter::new(words.get(b'D').unwrap_or(0.0), is_left, orientation)
+        } else {
+            let tool = self.named_tool(words.get(b'D'), "D")?;
+            let (diameter, orientation) =
+                tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
+            if orientation != 0 && plane != Plane::Zx {
+                return refuse(
+                    FaultKind::ModalConflict,
+                    "compensation by a tool with an orientation outside of ZX",
+                );
+            }
+            Cutter::new(self.stored_to_active().of(diameter), is_left, orientation)
+        };
+        let compensation = match code {
+            410 => Compensation::Left,
+            420 => Compensation::Right,
+            411 => Compensation::DynamicLeft,
+            _ => Compensation::DynamicRight,
+        };
+        *self.compensation.path_mut() = PathState::default();
+        self.active.put(|modes| &mut modes.compensation, compensation);
+        self.note_compensation();
+        Ok(())
+    }
+}
+
+/// L of G41.1 and G42.1: an orientation from 0 to 9, in the ZX plane only (11.5.27).
+fn dynamic_orientation(words: &Words, plane: Plane) -> Result<u8, Refusal> {
+    let Some(word) = words.get(b'L') else { return Ok(0) };
+    let orientation = integer_in(word, 0, 9, "L of G41.1 and G42.1")?;
+    let none = word.abs() < 0.5 && planted(PlantedFault::OrientationZeroFree);
+    if plane != Plane::Zx && !none {
+        return refuse(FaultKind::UnusedWord, "L of dynamic compensation outside of ZX");
+    }
+    Ok(u8::try_from(orientation).unwrap_or(0))
+}
