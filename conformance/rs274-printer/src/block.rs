@@ -19,6 +19,10 @@ pub(super) struct Printed<'a> {
     /// Where the controlled point was before the block.
     pub(super) position: Position,
     pub(super) events: &'a [Event],
+    /// What among them waits, and what has come out before them.
+    pub(super) places: &'a Places,
+    /// How many of the released effects have been printed.
+    pub(super) released: usize,
     /// How many events have been printed.
     pub(super) at: usize,
     /// Whether the block is refused at a later phase.
@@ -60,6 +64,48 @@ impl Fixed {
     }
 }
 
+/// What waits and what comes out in a block.
+#[derive(Debug, Default)]
+pub(super) struct Places {
+    /// The events that wait, with their places.
+    pub(super) held: Vec<(usize, u64)>,
+    /// What comes out.
+    pub(super) released: Vec<Released>,
+}
+
+impl Places {
+    /// The place of an event that waits.
+    pub(super) fn of(&self, event: usize) -> Option<u64> {
+        self.held.iter().find(|(held, _)| *held == event).map(|(_, place)| *place)
+    }
+}
+
+/// An effect that comes out after it has waited.
+#[derive(Debug)]
+pub(super) struct Released {
+    /// The number of the block's event before which it comes.
+    pub(super) before: usize,
+    pub(super) place: u64,
+    pub(super) effect: Effect,
+    /// The length unit of the block that programmed it.
+    pub(super) units: LengthUnit,
+}
+
+/// Whether the calls of a phase wait behind a compensated move. A message in a comment does not.
+fn waits(phase: Phase) -> bool {
+    matches!(
+        phase,
+        Phase::Comment
+            | Phase::SpindleMode
+            | Phase::FeedMode
+            | Phase::Speed
+            | Phase::Spindle
+            | Phase::Coolant
+            | Phase::Dwell
+            | Phase::Motion
+    )
+}
+
 /// A phase and what prints it.
 type Step<T> = (Phase, fn(&mut T));
 
@@ -91,7 +137,50 @@ impl Printed<'_> {
             if phase >= end {
                 break;
             }
+            self.out.late().waits = waits(phase);
             print(self);
+        }
+        self.out.late().waits = false;
+        self.put_out(usize::MAX);
+    }
+
+    /// Prints what has come out before an event.
+    pub(super) fn put_out(&mut self, before: usize) {
+        while let Some(released) = self.places.released.get(self.released)
+            && released.before <= before
+        {
+            self.released += 1;
+            let effect = self.after_units(released);
+            match &effect {
+                Effect::StraightTraverse { end } => {
+                    self.out.put_out(released.place, |out| out.call_to("STRAIGHT_TRAVERSE", end))
+                }
+                Effect::StraightFeed { end } => {
+                    self.out.put_out(released.place, |out| out.call_to("STRAIGHT_FEED", end));
+                }
+                Effect::ArcFeed { end, first_centre, second_centre, turns } => {
+                    let (plane, centre) = (self.after.plane, [*first_centre, *second_centre]);
+                    self.out.put_out(released.place, |out| out.arc(plane, end, centre, *turns));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A released effect in the unit in force: `rs274` prints it in that one.
+    fn after_units(&self, released: &Released) -> Effect {
+        let scale = super::setting_calls::scale(released.units, self.after.units);
+        let scaled = |end: Position| super::setting_calls::scaled(end, scale);
+        match released.effect.clone() {
+            Effect::StraightTraverse { end } => Effect::StraightTraverse { end: scaled(end) },
+            Effect::StraightFeed { end } => Effect::StraightFeed { end: scaled(end) },
+            Effect::ArcFeed { end, first_centre, second_centre, turns } => Effect::ArcFeed {
+                end: scaled(end),
+                first_centre: first_centre * scale,
+                second_centre: second_centre * scale,
+                turns,
+            },
+            effect => effect,
         }
     }
 
@@ -138,6 +227,7 @@ impl Printed<'_> {
                     | Effect::ProbeLogClose {}
             )
         };
+        self.out.late().waits = false;
         match self.next(message) {
             Some(Effect::Message { channel, text }) => self.out.message(channel, &text),
             Some(Effect::LogOpen { file, append }) => {
@@ -147,6 +237,7 @@ impl Printed<'_> {
             Some(Effect::LogClose {}) => self.out.call("LOGCLOSE"),
             Some(_) | None => {}
         }
+        self.out.late().waits = true;
         if let Some(comment) = &self.comment {
             self.out.comment(comment);
         }
@@ -237,6 +328,7 @@ impl Printed<'_> {
 
     /// M0, M1, M60, and the end.
     fn stop(&mut self) {
+        self.put_out(usize::MAX);
         loop {
             match self.next(|_| true) {
                 Some(Effect::Stop { optional: true }) => self.out.call("OPTIONAL_PROGRAM_STOP"),

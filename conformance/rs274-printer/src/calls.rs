@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{
 
 use super::modes::{Modes, Spindle};
 use super::output::Output;
+use super::plane::in_plane;
 
 /// What stands for no limit of a spindle's speed.
 const NO_LIMIT: f64 = 1.0e30;
@@ -77,6 +78,16 @@ impl Output {
             Lathe::Diameter => "Lathe diameter mode changed to diameter",
             Lathe::Radius => "Lathe diameter mode changed to radius",
         });
+    }
+
+    /// An arc.
+    pub(super) fn arc(&mut self, plane: Plane, end: &Position, centre: [f64; 2], turns: i32) {
+        let ([first, second], axis) = in_plane(plane, end);
+        let [first_centre, second_centre] = centre;
+        let begun = self.begin("ARC_FEED(");
+        begun.numbers(&[first, second, first_centre, second_centre], ", ").text(", ");
+        begun.integer(turns.into()).text(", ");
+        begun.numbers(&[axis, end.a, end.b, end.c], ", ").text(")").end();
     }
 
     pub(super) fn compensation(&mut self, compensation: Compensation) {

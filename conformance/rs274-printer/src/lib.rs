@@ -27,6 +27,7 @@ mod calls;
 mod codes;
 mod ini;
 mod io_calls;
+mod late;
 mod machine;
 mod modes;
 mod motion;

@@ -25,7 +25,9 @@ impl Printed<'_> {
         let mut moved =
             self.cycle.is_some_and(|code| code != 870) && self.come_to_r(&mut stage, exact);
         let mut switched = moved || self.cycle.is_none() || exact;
-        while let Some(event) = self.events.get(self.at) {
+        loop {
+            self.put_out(self.at);
+            let Some(event) = self.events.get(self.at) else { break };
             match event {
                 Event::Set(changed) => {
                     let before = stage;
@@ -192,6 +194,18 @@ impl Printed<'_> {
         if self.threaded(event) {
             return;
         }
+        if let Some(place) = self.places.of(self.at) {
+            self.out.late().hold(place);
+            if let Event::Do(
+                Effect::StraightTraverse { end }
+                | Effect::StraightFeed { end }
+                | Effect::ArcFeed { end, .. },
+            ) = event
+            {
+                self.position = *end;
+            }
+            return;
+        }
         match event {
             Event::Do(Effect::StraightTraverse { end }) => {
                 self.out.call_to("STRAIGHT_TRAVERSE", end);
@@ -205,11 +219,7 @@ impl Printed<'_> {
             Event::Do(Effect::ArcFeed { end, first_centre, second_centre, turns }) => {
                 let length = self.arc_length(end, [*first_centre, *second_centre], *turns);
                 self.speed_of(length);
-                let ([first, second], axis) = in_plane(self.after.plane, end);
-                let begun = self.out.begin("ARC_FEED(");
-                begun.numbers(&[first, second, *first_centre, *second_centre], ", ").text(", ");
-                begun.integer((*turns).into()).text(", ");
-                begun.numbers(&[axis, end.a, end.b, end.c], ", ").text(")").end();
+                self.out.arc(self.after.plane, end, [*first_centre, *second_centre], *turns);
                 self.position = *end;
             }
             Event::Do(Effect::NurbsFeed { points, end }) => {

@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use super::late::Late;
+
 /// How much is gathered before it is written.
 const PIECE: usize = 1 << 16;
 
@@ -13,6 +15,8 @@ pub(super) struct Output {
     line: u64,
     /// The text between the number and the call: the block's number.
     label: Vec<u8>,
+    /// Calls that wait for the end of a compensated move.
+    late: Late,
     /// The first error of writing; nothing is written after it.
     failed: Option<io::Error>,
 }
@@ -27,7 +31,8 @@ impl Output {
     /// Nothing is written yet.
     pub(super) fn new(sink: Box<dyn Write>) -> Self {
         let buffer = Vec::with_capacity(2 * PIECE);
-        let mut output = Self { sink, buffer, line: 0, label: Vec::new(), failed: None };
+        let mut output =
+            Self { sink, buffer, line: 0, label: Vec::new(), late: Late::default(), failed: None };
         output.label(None);
         output
     }
@@ -42,8 +47,28 @@ impl Output {
         }
     }
 
+    /// What waits.
+    pub(super) fn late(&mut self) -> &mut Late {
+        &mut self.late
+    }
+
+    /// Prints the calls that have waited for a move, up to the next one that still waits. The move itself comes first:
+    /// `print` prints it.
+    pub(super) fn put_out(&mut self, place: u64, print: impl FnOnce(&mut Self)) {
+        let waits = std::mem::take(&mut self.late.waits);
+        self.late.pass(place);
+        print(self);
+        while let Some(call) = self.late.next_call() {
+            self.begin("").bytes(&call).end();
+        }
+        self.late.waits = waits;
+    }
+
     /// Begins a line: its number, the block's number, and the name of the call.
     pub(super) fn begin(&mut self, name: &str) -> &mut Self {
+        if self.late.takes() {
+            return self.text(name);
+        }
         if self.buffer.len() >= PIECE {
             self.write_buffer();
         }
@@ -70,28 +95,34 @@ impl Output {
 
     /// Adds bytes as they are.
     pub(super) fn bytes(&mut self, bytes: &[u8]) -> &mut Self {
-        self.buffer.extend_from_slice(bytes);
+        self.target().extend_from_slice(bytes);
         self
+    }
+
+    /// Where characters go.
+    fn target(&mut self) -> &mut Vec<u8> {
+        if self.late.takes() { self.late.call() } else { &mut self.buffer }
     }
 
     /// Adds an integer.
     pub(super) fn integer(&mut self, number: i64) -> &mut Self {
         // Writing into memory cannot fail.
-        let _done = write!(self.buffer, "{number}");
+        let _done = write!(self.target(), "{number}");
         self
     }
 
     /// Adds a number with four decimals.
     pub(super) fn number(&mut self, value: f64) -> &mut Self {
-        if !fixed(&mut self.buffer, value) {
-            let _done = write!(self.buffer, "{value:.4}");
+        let target = self.target();
+        if !fixed(target, value) {
+            let _done = write!(target, "{value:.4}");
         }
         self
     }
 
     /// Adds a number with six decimals.
     pub(super) fn six(&mut self, value: f64) -> &mut Self {
-        let _done = write!(self.buffer, "{value:.6}");
+        let _done = write!(self.target(), "{value:.6}");
         self
     }
 
@@ -108,6 +139,10 @@ impl Output {
 
     /// Ends a line.
     pub(super) fn end(&mut self) {
+        if self.late.takes() {
+            self.late.end_call();
+            return;
+        }
         self.buffer.push(b'\n');
     }
 

@@ -1,9 +1,11 @@
 //! The sink of the interpreter: gathers what a block says and does, and prints its calls when it is done.
 
-use gaugeblock_interpreter::{BlockEnd, BlockKind, BlockStart, Reply, Sink};
-use gaugeblock_vocabulary::{Effect, Event, FaultKind, Plane, Position, Settings};
+use std::collections::VecDeque;
 
-use super::block::{Fixed, Printed};
+use gaugeblock_interpreter::{BlockEnd, BlockKind, BlockStart, Reply, Sink, Waiting};
+use gaugeblock_vocabulary::{Effect, Event, FaultKind, LengthUnit, Plane, Position, Settings};
+
+use super::block::{Fixed, Places, Printed, Released};
 use super::codes::{CYCLES, MOTIONS};
 use super::modes::Modes;
 use super::output::Output;
@@ -39,6 +41,13 @@ pub(super) struct Printer {
     begun: bool,
     /// What the block did.
     events: Vec<Event>,
+    /// What of it waits, and what has come out.
+    places: Places,
+    /// The length units of effects that wait, with their places; the oldest first.
+    units: VecDeque<(u64, LengthUnit)>,
+    /// The number of the last place, and of the one that is released.
+    place: u64,
+    released: Option<u64>,
 }
 
 impl Printer {
@@ -61,6 +70,10 @@ impl Printer {
             words: Words::default(),
             begun: false,
             events: Vec::new(),
+            places: Places::default(),
+            units: VecDeque::new(),
+            place: 0,
+            released: None,
         };
         let out = &mut printer.out;
         out.units(modes.units);
@@ -109,6 +122,8 @@ impl Printer {
             }
         }
         self.begun = false;
+        self.out.late().lose();
+        self.places = Places::default();
         self.modes.apply(settings);
         self.out.label(None);
     }
@@ -135,6 +150,8 @@ impl Printer {
             after,
             position: self.position,
             events,
+            places: &self.places,
+            released: 0,
             at: 0,
             refused: false,
             machine: &self.fixed,
@@ -200,6 +217,7 @@ impl Printer {
         }
         events.clear();
         self.events = events;
+        self.places = Places::default();
     }
 
     /// A call or a return has led to a call level.
@@ -230,11 +248,49 @@ impl Printer {
 }
 
 impl Sink for Printer {
+    fn hold(&mut self, _line: u32, waiting: Waiting<'_>) -> u64 {
+        let Waiting::Effect(effect) = waiting else {
+            if let Waiting::Settings(changed) = waiting {
+                self.events.push(Event::Set(changed.clone().into()));
+            }
+            return 0;
+        };
+        self.place += 1;
+        if matches!(
+            effect,
+            Effect::StraightTraverse { .. } | Effect::StraightFeed { .. } | Effect::ArcFeed { .. }
+        ) {
+            self.places.held.push((self.events.len(), self.place));
+        }
+        let mut modes = self.modes;
+        for event in &self.events {
+            if let Event::Set(changed) = event {
+                modes.apply(changed);
+            }
+        }
+        self.units.push_back((self.place, modes.units));
+        self.events.push(Event::Do(effect.clone()));
+        self.place
+    }
+
+    fn release(&mut self, place: u64) {
+        self.released = Some(place);
+    }
+
     fn set(&mut self, _line: u32, changed: &Settings) {
+        if self.released.take().is_some() {
+            return;
+        }
         self.events.push(Event::Set(changed.clone().into()));
     }
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
+        if let Some(place) = self.released.take() {
+            let units = self.units.pop_front().map_or(self.modes.units, |(_, units)| units);
+            let (before, effect) = (self.events.len(), effect.clone());
+            self.places.released.push(Released { before, place, effect, units });
+            return Reply::Done;
+        }
         self.events.push(Event::Do(effect.clone()));
         if let Effect::StraightProbe { end, .. } = effect {
             Reply::Contact(Some(*end))

@@ -26,7 +26,10 @@ impl Printed<'_> {
             self.out.lathe(after.lathe);
         }
         match self.words.g_of(&[400, 410, 420, 411, 421]) {
-            Some(400) => self.out.compensation(Compensation::Off),
+            Some(400) => {
+                self.put_out(usize::MAX);
+                self.out.compensation(Compensation::Off);
+            }
             Some(410 | 411) => self.out.compensation(Compensation::Left),
             Some(_) => self.out.compensation(Compensation::Right),
             None => {}
@@ -260,7 +263,7 @@ fn restored(before: Switch, saved: Switch, now: &mut Switch) -> bool {
 }
 
 /// From one length unit to another.
-fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
+pub(super) fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
     match (from, to) {
         (LengthUnit::Inch, LengthUnit::Millimetre) => INCH,
         (LengthUnit::Millimetre, LengthUnit::Inch) => INCH.recip(),
@@ -271,7 +274,7 @@ fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
 }
 
 /// A position in another length unit.
-fn scaled(position: Position, scale: f64) -> Position {
+pub(super) fn scaled(position: Position, scale: f64) -> Position {
     let [x, y, z, a, b, c, u, v, w] = position.to_array();
     let [x, y, z, u, v, w] = [x, y, z, u, v, w].map(|length| length * scale);
     Position::from([x, y, z, a, b, c, u, v, w])

@@ -6,6 +6,7 @@
 //! post-processor program only needs a sink (`post`), and so do custom macros (`macros`).
 
 mod environment;
+mod held;
 mod macros;
 mod operator;
 mod post;

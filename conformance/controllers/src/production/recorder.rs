@@ -6,7 +6,7 @@ use gaugeblock_compare::observe::is_local_name;
 use gaugeblock_interpreter::task::{
     ExternalOperation, Input, MDI_FILE, Machine, OperationState, WaitEvent,
 };
-use gaugeblock_interpreter::{BlockEnd, BlockKind, Interpreter, ProbeMove, Reply, Sink};
+use gaugeblock_interpreter::{BlockEnd, BlockKind, Interpreter, ProbeMove, Reply, Sink, Waiting};
 use gaugeblock_vocabulary::scenario::{Action, Start};
 use gaugeblock_vocabulary::{
     BlockLocation, Effect, End, Event, Indexed, Language, Outcome, Pin, PinChange, Program,
@@ -14,6 +14,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::environment::SimulatedEnvironment;
+use super::held::Held;
 
 /// As many steps as most programs of cases and campaigns have.
 const MANY_STEPS: usize = 64;
@@ -30,6 +31,8 @@ pub(super) struct Recorder<'a> {
     pins: Vec<PinChange>,
     /// What the block that is being executed has done.
     events: Vec<Event>,
+    /// What has to wait.
+    held: Held,
     /// Whether nothing is being executed: what happens now belongs to the last block.
     idle: bool,
     /// Whether MDI lines are the lines of the program.
@@ -66,6 +69,7 @@ impl<'a> Recorder<'a> {
             steps: Vec::with_capacity(MANY_STEPS),
             pins: Vec::new(),
             events: Vec::new(),
+            held: Held::default(),
             idle: false,
             by_hand: scenario.program.start == Start::Mdi,
             block: BlockLocation::new(Program::MAIN, 1),
@@ -181,7 +185,8 @@ impl<'a> Recorder<'a> {
     }
 
     /// The whole outcome. What a block did that was not finished is left out.
-    pub(super) fn outcome(self, end: End, parameters: Indexed<u32, f64>) -> Outcome {
+    pub(super) fn outcome(mut self, end: End, parameters: Indexed<u32, f64>) -> Outcome {
+        self.held.remove_lost(&mut self.steps);
         Outcome {
             language: Language::Rs274,
             start: self.start,
@@ -222,7 +227,29 @@ impl<'a> Recorder<'a> {
 }
 
 impl Sink for Recorder<'_> {
+    fn hold(&mut self, _line: u32, waiting: Waiting<'_>) -> u64 {
+        match waiting {
+            // They are in force for the blocks that follow, whatever becomes of what waits.
+            Waiting::Settings(changed) => {
+                self.happened(Event::Set(changed.clone().into()));
+                Held::SETTINGS
+            }
+            Waiting::Effect(effect) => {
+                let place = self.held.hold(self.steps.len(), self.events.len());
+                self.happened(Event::Do(effect.clone()));
+                place
+            }
+        }
+    }
+
+    fn release(&mut self, place: u64) {
+        self.held.release(place);
+    }
+
     fn set(&mut self, _line: u32, changed: &Settings) {
+        if self.held.is_recorded() {
+            return;
+        }
         self.happened(Event::Set(changed.clone().into()));
     }
 
@@ -230,7 +257,18 @@ impl Sink for Recorder<'_> {
         if let Err(kind) = self.outside.perform(effect) {
             return Reply::Failed(kind);
         }
-        self.happened(Event::Do(effect.clone()));
+        match self.held.take_released() {
+            Some((step, place)) => {
+                let events = match self.steps.get_mut(step) {
+                    Some(step) => &mut step.events,
+                    None => &mut self.events,
+                };
+                if let Some(event) = events.get_mut(place) {
+                    *event = Event::Do(effect.clone());
+                }
+            }
+            None => self.happened(Event::Do(effect.clone())),
+        }
         self.effects = self.effects.saturating_add(1);
         Reply::Done
     }
@@ -326,6 +364,7 @@ impl Machine for Recorder<'_> {
     fn discard_block(&mut self) {
         let mut settings = Settings::default();
         let mut refused = Vec::new();
+        self.held.discard_block(self.steps.len());
         for event in self.events.drain(..) {
             match event {
                 Event::Set(changed) => settings.overlay(&changed),

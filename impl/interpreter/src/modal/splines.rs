@@ -22,8 +22,8 @@ impl Modal {
         code: u16,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        self.check_spline(words)?;
         self.refuse_under_compensation("a spline")?;
+        self.check_spline(words)?;
         if code == 50 {
             self.check_cubic(words)?;
         } else {

@@ -1,11 +1,11 @@
 //! Arcs and helices: centre format, radius format, planes, turns (11.5.5).
 
 use gaugeblock_vocabulary::FaultKind::{
-    AxisWords, BadArc, CompensationActive, MissingWord, ModalConflict, NotAnInteger, UnknownCode,
-    UnusedWord, WordOutOfRange, ZeroFeed, ZeroSpeed,
+    AxisWords, BadArc, CompensationActive, Gouging, MissingWord, ModalConflict, NotAnInteger,
+    UnknownCode, UnusedWord, WordOutOfRange, ZeroFeed, ZeroSpeed,
 };
 
-use super::Expect::{After, Effects, Refused, Unsupported};
+use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine};
 use crate::math;
 
@@ -290,7 +290,8 @@ fn diameter_mode() {
 #[test]
 fn under_compensation() {
     check("f1 g41 d3; g2 x2 i1", After("position = (x2)"));
-    check("f1 g41 d1; g2 x2 i1", Unsupported);
+    check("f1 g41 d1; g2 x2 i1", Refused(Gouging));
+    check("f1 g41 d1; g2 x20 i10", After("position = (x23)"));
     check("f1 g41 d3; g53 g1 x2", Refused(CompensationActive));
 }
 

@@ -34,7 +34,7 @@ use gaugeblock_vocabulary::{
     Effect, Entry, FaultKind, LengthUnit, Machine, Options, Position, Settings, Tool,
 };
 
-use crate::canon::{Reply, Sink};
+use crate::canon::{Reply, Sink, Waiting};
 use crate::parameters::Numbered;
 use crate::words::Words;
 
@@ -55,6 +55,13 @@ impl Sink for Recorder {
         assert!(!changed.is_empty(), "an empty report");
         self.settings.overlay(changed);
         self.reported += 1;
+    }
+
+    fn hold(&mut self, _line: u32, waiting: Waiting<'_>) -> u64 {
+        if let Waiting::Settings(changed) = waiting {
+            self.settings.overlay(changed);
+        }
+        0
     }
 
     fn perform(&mut self, line: u32, effect: &Effect) -> Reply {

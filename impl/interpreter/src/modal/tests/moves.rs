@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind::{
     CompensationActive, MissingWord, ModalConflict, WordOutOfRange, ZeroFeed, ZeroSpeed,
 };
 
-use super::Expect::{After, Effects, Refused, Unsupported};
+use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, inch_machine, machine};
 
 #[test]
@@ -117,7 +117,7 @@ fn compensation() {
     check("g42 d1", After("compensation = right"));
     check("g18 g42.1 d3 l2; g40", After("compensation = off"));
     check("g41 d3; g0 x1", Effects("2 straight_traverse end=(x1)"));
-    check("g41 d1; g0 x1", Unsupported);
+    check("g41 d1; g0 x4", After("position = (x4 y3)"));
     check("g41; g42", Refused(CompensationActive));
     check("g41; g55", Refused(CompensationActive));
     check("g19; g41", Refused(ModalConflict));
