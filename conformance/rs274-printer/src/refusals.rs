@@ -55,13 +55,10 @@ pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
         Some(_) if says(&["Q of M19"]) => Phase::Saved,
         Some(FaultKind::CompensationActive) => under_compensation(&fault.message),
         Some(_) if fault_of_compensation(fault, words) => Phase::Compensation,
-        Some(
-            FaultKind::BadArc
-            | FaultKind::ZeroFeed
-            | FaultKind::Gouging
-            | FaultKind::Probe
-            | FaultKind::ZeroSpeed,
-        ) => Phase::Motion,
+        Some(FaultKind::Gouging) => before_gouging(words),
+        Some(FaultKind::BadArc | FaultKind::ZeroFeed | FaultKind::Probe | FaultKind::ZeroSpeed) => {
+            Phase::Motion
+        }
         Some(FaultKind::MissingWord | FaultKind::WordOutOfRange | FaultKind::AxisWords)
             if arc_or_cycle =>
         {
@@ -109,6 +106,18 @@ fn under_compensation(message: &str) -> Phase {
     ];
     let found = phases.iter().find(|(forbidden, _)| message.starts_with(forbidden));
     found.map_or(Phase::Comment, |(_, phase)| *phase)
+}
+
+/// The phase at which a last move is found not to fit: where what waits is put out, or at the next move.
+fn before_gouging(words: &Words) -> Phase {
+    let moves = b"XYZABCIJKR".iter().any(|letter| words.get(*letter).is_some());
+    if words.g_of(&[400]).is_some() {
+        Phase::Compensation
+    } else if moves {
+        Phase::Motion
+    } else {
+        Phase::Stop
+    }
 }
 
 /// How far a canned cycle comes that is refused.

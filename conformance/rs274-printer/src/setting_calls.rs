@@ -30,8 +30,12 @@ impl Printed<'_> {
                 self.put_out(usize::MAX);
                 self.out.compensation(Compensation::Off);
             }
-            Some(410 | 411) => self.out.compensation(Compensation::Left),
-            Some(_) => self.out.compensation(Compensation::Right),
+            // A negative diameter changes the side.
+            Some(code) => {
+                let negative = self.words.get(b'D').is_some_and(|diameter| diameter < 0.0);
+                let left = matches!(code, 410 | 411) != negative;
+                self.out.compensation(if left { Compensation::Left } else { Compensation::Right });
+            }
             None => {}
         }
     }

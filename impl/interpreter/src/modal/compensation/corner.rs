@@ -4,9 +4,11 @@ use core::f64::consts::{PI, TAU};
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::math;
+
 use super::super::refusal::{Refusal, refuse};
 use super::LastMove;
-use super::plane::{Arc, Curve, Cutter, Segment, Vector};
+use super::plane::{Circle, Curve, Cutter, Segment, Vector};
 
 /// A corner is tangent up to this angle, radians.
 const TANGENT: f64 = 0.05;
@@ -45,23 +47,24 @@ impl Corner {
 
 /// Where the compensated curves of two moves cross at an inner corner.
 pub(super) fn intersection(
-    before: &Segment,
+    before: &LastMove,
     next: &Segment,
     cutter: &Cutter,
 ) -> Result<Vector, Refusal> {
-    let crossing = match (&before.curve, &next.curve) {
-        (Curve::Line { direction }, Curve::Line { direction: second }) => {
-            let sum = direction.plus(*second).quarter(cutter.side);
-            let scale = cutter.radius / (1.0 + direction.dot(*second));
-            Some(next.from.plus(sum.times(scale)))
+    let (direction, second) = (before.segment.end_direction(), next.start_direction());
+    let crossing = match (&before.circle, next.circle(cutter)) {
+        (None, None) => {
+            let scale = cutter.radius / (1.0 + direction.dot(second));
+            Some(next.from.plus(direction.plus(second).quarter(cutter.side).times(scale)))
         }
-        (Curve::Line { direction }, Curve::Arc(arc)) => {
-            line_and_circle(before.offset_end(cutter), *direction, arc, cutter, 1.0)
+        (None, Some(circle)) => {
+            let point = before.segment.offset_end(cutter);
+            line_and_circle(point, direction, &circle, circle.bend)
         }
-        (Curve::Arc(arc), Curve::Line { direction }) => {
-            line_and_circle(next.offset_start(cutter), *direction, arc, cutter, -1.0)
+        (Some(circle), None) => {
+            line_and_circle(next.offset_start(cutter), second, circle, -circle.bend)
         }
-        (Curve::Arc(arc), Curve::Arc(second)) => two_circles(arc, second, cutter),
+        (Some(circle), Some(other)) => two_circles(circle, &other, cutter.side),
     };
     match crossing.filter(|point| point.is_finite()) {
         Some(point) => Ok(point),
@@ -69,35 +72,34 @@ pub(super) fn intersection(
     }
 }
 
-/// Where a line through `point` crosses a compensated arc. Of two crossings it is the later one along the line where
-/// the centre is on the cutter's side and `order` is 1, or neither of both.
+/// Where a line through `point` crosses a circle: the later one of both crossings along the line where `order` is 1,
+/// the earlier one where it is -1.
 fn line_and_circle(
     point: Vector,
     direction: Vector,
-    arc: &Arc,
-    cutter: &Cutter,
+    circle: &Circle,
     order: f64,
 ) -> Option<Vector> {
-    let radius = arc.offset_radius(cutter);
-    let to_centre = arc.centre.minus(point);
+    let to_centre = circle.centre.minus(point);
     let along = to_centre.dot(direction);
     let aside = to_centre.minus(direction.times(along)).length();
-    let square = (radius - aside) * (radius + aside);
-    let half_chord = (square >= 0.0).then(|| crate::math::sqrt(square))?;
-    Some(point.plus(direction.times(along + half_chord * order * arc.bend(cutter))))
+    let square = (circle.radius - aside) * (circle.radius + aside);
+    let half_chord = (square >= 0.0).then(|| math::sqrt(square))?;
+    Some(point.plus(direction.times(along + half_chord * order)))
 }
 
 /// Where two compensated arcs cross: on the left of the way between their centres, or on the right.
-fn two_circles(first: &Arc, second: &Arc, cutter: &Cutter) -> Option<Vector> {
+fn two_circles(first: &Circle, second: &Circle, side: f64) -> Option<Vector> {
     let way = second.centre.minus(first.centre);
     let distance = way.length();
-    let (radius, other) = (first.offset_radius(cutter), second.offset_radius(cutter));
-    let along = (distance + (radius - other) * (radius + other) / distance) / 2.0;
-    let square = (radius - along) * (radius + along);
-    let height = (square >= 0.0).then(|| crate::math::sqrt(square))?;
-    let left = cutter.side * first.bend(cutter) * second.bend(cutter);
+    let (sum, difference) = (first.radius + second.radius, first.radius - second.radius);
+    let along = (distance + difference * sum / distance) / 2.0;
+    let square = (first.radius - along) * (first.radius + along);
+    let height = (square >= 0.0).then(|| math::sqrt(square))?;
     let direction = way.unit();
-    Some(first.centre.plus(direction.times(along)).plus(direction.quarter(left).times(height)))
+    let left = side * first.bend * second.bend;
+    let aside = direction.quarter(left).times(height);
+    Some(first.centre.plus(direction.times(along)).plus(aside))
 }
 
 impl LastMove {

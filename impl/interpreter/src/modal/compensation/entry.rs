@@ -3,15 +3,7 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::super::refusal::{Refusal, refuse};
-use super::plane::{Arc, Cutter, Segment, Vector};
-
-/// The arc of an entry: it has the programmed direction where it ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct EntryArc {
-    pub(super) centre: Vector,
-    /// Whether it bends the other way than the programmed one.
-    pub(super) is_turned_over: bool,
-}
+use super::plane::{Arc, Circle, Cutter, Segment, Vector};
 
 /// Refuses an entry that is too short. The manual accepts a length of R, which is refused here, as by LinuxCNC.
 pub(super) fn check_entry(segment: &Segment, cutter: &Cutter) -> Result<(), Refusal> {
@@ -24,15 +16,19 @@ pub(super) fn check_entry(segment: &Segment, cutter: &Cutter) -> Result<(), Refu
     Ok(())
 }
 
-impl EntryArc {
-    /// The arc from the programmed start of `segment` to the end of its compensated curve.
-    pub(super) fn new(segment: &Segment, arc: &Arc, end: Vector) -> Result<Self, Refusal> {
-        let way = segment.from.minus(end);
-        let height = -way.dot(way) / (2.0 * way.dot(arc.to_end));
-        let centre = end.minus(arc.to_end.times(height));
-        if !centre.is_finite() {
-            return refuse(FaultKind::Gouging, "an entry by an arc that would be straight");
-        }
-        Ok(Self { centre, is_turned_over: height < 0.0 })
+/// The circle of an entry by an arc. It leads from the programmed start of `segment` to the end of its compensated curve,
+/// and has the programmed direction there; where the start is on the other side of that end it has the opposite one.
+pub(super) fn entry_circle(
+    segment: &Segment,
+    arc: &Arc,
+    end: Vector,
+    cutter: &Cutter,
+) -> Result<Circle, Refusal> {
+    let way = segment.from.minus(end);
+    let height = -way.dot(way) / (2.0 * way.dot(arc.to_end));
+    let centre = end.minus(arc.to_end.times(height));
+    if !centre.is_finite() {
+        return refuse(FaultKind::Gouging, "an entry by an arc that would be straight");
     }
+    Ok(Circle { centre, radius: height.abs(), bend: arc.bend(cutter) })
 }

@@ -30,7 +30,7 @@ use super::refusal::Refusal;
 use super::saved_states::Saved;
 
 pub(super) use plane::Cutter;
-use plane::{Segment, Vector};
+use plane::{Circle, Segment, Vector};
 use waiting::Queue;
 pub(super) use waiting::waits_behind_move;
 
@@ -63,6 +63,8 @@ struct PathState {
 struct LastMove {
     plane: Plane,
     segment: Segment,
+    /// The circle on which it ends, if it is an arc. An entry has its own one.
+    circle: Option<Circle>,
     /// Whether it leads to the path.
     is_entry: bool,
     /// Where it starts after the corner before it.
@@ -125,6 +127,7 @@ impl CompensationState {
     pub(super) fn convert(&mut self, by: Conversion) {
         if let Some(last) = &mut self.path_mut().last {
             last.segment.convert(by);
+            last.circle = last.circle.map(|circle| circle.converted(by));
             last.start = last.start.converted(by);
             last.end = last.end.converted(by);
         }

@@ -11,7 +11,7 @@ use super::super::coordinates::Coordinates;
 use super::super::letters::{U, V, W};
 use super::super::refusal::{Refusal, refuse};
 use super::corner::{Corner, intersection};
-use super::entry::{EntryArc, check_entry};
+use super::entry::{check_entry, entry_circle};
 use super::plane::{Curve, Cutter, Segment, Vector};
 use super::{LastMove, normal_of};
 
@@ -124,19 +124,22 @@ impl Modal {
     fn enter_path<K: Sink>(&mut self, to: &Programmed, sink: &mut K) -> Result<(), Refusal> {
         check_entry(&to.segment, &self.cutter)?;
         let end = finite(to.segment.offset_end(&self.cutter))?;
-        let effect = match &to.segment.curve {
-            Curve::Line { .. } => straight(to.motion, self.move_end(to, end)),
+        let (effect, circle) = match &to.segment.curve {
+            Curve::Line { .. } => (straight(to.motion, self.move_end(to, end)), None),
             Curve::Arc(_) if !self.plane_shift().is_zero() => {
                 let why = "an entry by an arc with the orientation of a lathe tool";
                 return Err(Refusal::Unsupported(why.into()));
             }
             Curve::Arc(arc) => {
-                let entry = EntryArc::new(&to.segment, arc, end)?;
-                let turns = if entry.is_turned_over { to.turns.wrapping_neg() } else { to.turns };
-                arc_effect(self.move_end(to, end), entry.centre, turns)
+                let circle = entry_circle(&to.segment, arc, end, &self.cutter)?;
+                (arc_effect(self.move_end(to, end), circle.centre, to.turns), Some(circle))
             }
         };
-        self.wait_with(to, to.segment.from, end, true, effect, sink)
+        let (plane, start) = (self.active.now().plane, to.segment.from);
+        let segment = to.segment;
+        let last = LastMove { plane, segment, circle, is_entry: true, start, end };
+        self.wait_with(to, last, effect, sink);
+        Ok(())
     }
 
     /// A compensated move after another one: the corner between them.
@@ -154,7 +157,7 @@ impl Modal {
                 last.end
             }
             Corner::Inner if waits => {
-                let crossing = intersection(&last.segment, &to.segment, &cutter)?;
+                let crossing = intersection(&last, &to.segment, &cutter)?;
                 last.check_fit(crossing)?;
                 self.put_out(Some(crossing), sink)?;
                 crossing
@@ -179,7 +182,11 @@ impl Modal {
                 arc_effect(self.move_end(to, end), arc.centre.plus(self.plane_shift()), to.turns)
             }
         };
-        self.wait_with(to, start, end, false, effect, sink)
+        let (plane, segment) = (self.active.now().plane, to.segment);
+        let circle = segment.circle(&cutter);
+        let last = LastMove { plane, segment, circle, is_entry: false, start, end };
+        self.wait_with(to, last, effect, sink);
+        Ok(())
     }
 
     /// The joining move round an outer corner. The third axis is where it was, rotary axes are where the next move
@@ -211,24 +218,18 @@ impl Modal {
     fn wait_with<K: Sink>(
         &mut self,
         to: &Programmed,
-        start: Vector,
-        end: Vector,
-        is_entry: bool,
+        last: LastMove,
         effect: Effect,
         sink: &mut K,
-    ) -> Result<(), Refusal> {
-        let plane = self.active.now().plane;
-        let from = if is_entry {
+    ) {
+        let from = if last.is_entry {
             to.before
         } else {
-            to.before.with_in_plane(plane, start.plus(self.plane_shift()))
+            to.before.with_in_plane(last.plane, last.start.plus(self.plane_shift()))
         };
-        let point = self.move_end(to, end);
         self.hold(to.line, from, effect, sink);
-        self.position = point;
-        let segment = to.segment;
-        self.compensation.path_mut().last = Some(LastMove { plane, segment, is_entry, start, end });
-        Ok(())
+        self.position = self.move_end(to, last.end);
+        self.compensation.path_mut().last = Some(last);
     }
 }
 

@@ -44,6 +44,16 @@ pub(super) enum Curve {
     Arc(Arc),
 }
 
+/// The circle of a compensated arc.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circle {
+    pub(super) centre: Vector,
+    /// r.
+    pub(super) radius: f64,
+    /// k: 1 with the centre of the programmed arc on the cutter's side, or else -1.
+    pub(super) bend: f64,
+}
+
 /// An arc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
@@ -163,6 +173,13 @@ impl Cutter {
     }
 }
 
+impl Circle {
+    /// Lengths in another unit.
+    pub(super) fn converted(self, by: Conversion) -> Self {
+        Self { centre: self.centre.converted(by), radius: by.of(self.radius), ..self }
+    }
+}
+
 impl Arc {
     /// k: 1 with the centre on the cutter's side, or else -1.
     pub(super) fn bend(&self, cutter: &Cutter) -> f64 {
@@ -200,6 +217,13 @@ impl Segment {
             Curve::Arc(arc) => Some(arc),
             Curve::Line { .. } => None,
         }
+    }
+
+    /// The circle of its compensated curve, if it is an arc.
+    pub(super) fn circle(&self, cutter: &Cutter) -> Option<Circle> {
+        let arc = self.as_arc()?;
+        let (radius, bend) = (arc.offset_radius(cutter), arc.bend(cutter));
+        Some(Circle { centre: arc.centre, radius, bend })
     }
 
     /// Its direction where it starts.

@@ -174,7 +174,7 @@ fn geometry_that_is_refused() {
     refused("g20 f10;g41.1 d.5;g3 x.4 i.2");
     // An arc that is too small, and one that the corner does not reach.
     refused("g20 f10;g41.1 d.5;g1 x1;g3 x1.5 i.25");
-    refused("g20 f10;g42.1 d1;g1 x1;x2;g3 x1.5 y.5 i-.5");
+    refused("g20 f10;g41.1 d1;g1 x1;x2 y2;g2 x3 y1.4 i.6 j-1");
     // The cutter does not fit.
     refused("g20 f10;g41.1 d.5;g1 x1;y.49;x0");
     refused("g20 f10;g41.1 d.5;g1 x1;y.2;g40");
@@ -224,7 +224,7 @@ fn what_documents_leave_open() {
         "f10;m70;g41.1 d2;g1 x5;m72",
         "f10;call;m73;g41.1 d2;g1 x5;back;g1 x9",
         "f10;g18 g41.1 d2 l3;g2 x5 z5 i5",
-        "f10;g41.1 d2;g1 x5;m0;g3 x9 y9 i1 j4",
+        "f10;g41.1 d2;g1 x5;m0;g3 x9 y4 j4",
         "s5 m3;f10;g41.1 d2;g1 x5;g33 z-1 k1",
     ] {
         check(program, Expect::Unsupported);
