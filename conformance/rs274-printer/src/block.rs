@@ -144,43 +144,28 @@ impl Printed<'_> {
         self.put_out(usize::MAX);
     }
 
-    /// Prints what has come out before an event.
+    /// Prints what has come out before an event, in the unit in force: `rs274` prints it in that one.
     pub(super) fn put_out(&mut self, before: usize) {
         while let Some(released) = self.places.released.get(self.released)
             && released.before <= before
         {
             self.released += 1;
-            let effect = self.after_units(released);
-            match &effect {
-                Effect::StraightTraverse { end } => {
-                    self.out.put_out(released.place, |out| out.call_to("STRAIGHT_TRAVERSE", end))
-                }
-                Effect::StraightFeed { end } => {
-                    self.out.put_out(released.place, |out| out.call_to("STRAIGHT_FEED", end));
-                }
-                Effect::ArcFeed { end, first_centre, second_centre, turns } => {
-                    let (plane, centre) = (self.after.plane, [*first_centre, *second_centre]);
-                    self.out.put_out(released.place, |out| out.arc(plane, end, centre, *turns));
-                }
-                _ => {}
+            let scale = super::setting_calls::scale(released.units, self.after.units);
+            let scaled = |end: Position| super::setting_calls::scaled(end, scale);
+            let place = released.place;
+            if let Effect::StraightTraverse { end } = released.effect {
+                let end = scaled(end);
+                self.out.put_out(place, |out| out.call_to("STRAIGHT_TRAVERSE", &end));
+            } else if let Effect::StraightFeed { end } = released.effect {
+                let end = scaled(end);
+                self.out.put_out(place, |out| out.call_to("STRAIGHT_FEED", &end));
+            } else if let Effect::ArcFeed { end, first_centre, second_centre, turns } =
+                released.effect
+            {
+                let (plane, end) = (self.after.plane, scaled(end));
+                let centre = [first_centre * scale, second_centre * scale];
+                self.out.put_out(place, |out| out.arc(plane, &end, centre, turns));
             }
-        }
-    }
-
-    /// A released effect in the unit in force: `rs274` prints it in that one.
-    fn after_units(&self, released: &Released) -> Effect {
-        let scale = super::setting_calls::scale(released.units, self.after.units);
-        let scaled = |end: Position| super::setting_calls::scaled(end, scale);
-        match released.effect.clone() {
-            Effect::StraightTraverse { end } => Effect::StraightTraverse { end: scaled(end) },
-            Effect::StraightFeed { end } => Effect::StraightFeed { end: scaled(end) },
-            Effect::ArcFeed { end, first_centre, second_centre, turns } => Effect::ArcFeed {
-                end: scaled(end),
-                first_centre: first_centre * scale,
-                second_centre: second_centre * scale,
-                turns,
-            },
-            effect => effect,
         }
     }
 

@@ -43,16 +43,17 @@ impl Late {
 
     /// The move at the head does not wait any more.
     pub(super) fn pass(&mut self, place: u64) {
-        let is_head = |item: &mut Item| matches!(item, Item::Move(number) if *number == place);
-        let _passed = self.items.pop_front_if(is_head);
+        if matches!(self.items.front(), Some(Item::Move(number)) if *number == place) {
+            let _passed = self.items.pop_front();
+        }
     }
 
     /// The next call, where no move is before it.
     pub(super) fn next_call(&mut self) -> Option<Vec<u8>> {
-        match self.items.pop_front_if(|item| matches!(item, Item::Call(_)))? {
-            Item::Call(call) => Some(call),
-            Item::Move(_) => None,
-        }
+        let Some(Item::Call(call)) = self.items.front_mut() else { return None };
+        let call = std::mem::take(call);
+        let _passed = self.items.pop_front();
+        Some(call)
     }
 
     /// What waits is lost.

@@ -141,7 +141,7 @@ impl Cutter {
     /// Whether it is the same cutter, apart from what conversions of units have changed.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         let difference = (self.radius - other.radius).abs();
-        self.side == other.side
+        self.side * other.side > 0.0
             && self.orientation == other.orientation
             && difference <= 1e-9 * self.radius
     }

@@ -214,10 +214,11 @@ pub(in super::super) fn waits_behind_move(effect: &Effect) -> bool {
 
 /// The end of a plain move.
 fn end_of(effect: &mut Effect) -> Option<&mut Position> {
-    match effect {
-        Effect::StraightTraverse { end }
-        | Effect::StraightFeed { end }
-        | Effect::ArcFeed { end, .. } => Some(end),
-        _ => None,
+    if let Effect::StraightTraverse { end }
+    | Effect::StraightFeed { end }
+    | Effect::ArcFeed { end, .. } = effect
+    {
+        return Some(end);
     }
+    None
 }

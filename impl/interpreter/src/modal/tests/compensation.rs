@@ -19,15 +19,11 @@ impl Sink for Path {
     fn set(&mut self, _line: u32, _changed: &Settings) {}
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
-        match effect {
-            Effect::StraightTraverse { end } | Effect::StraightFeed { end } => {
-                self.0.push([end.x, end.y].into());
-            }
-            Effect::ArcFeed { end, first_centre, second_centre, turns } => {
-                let arc = [end.x, end.y, *first_centre, *second_centre, f64::from(*turns)];
-                self.0.push(arc.into());
-            }
-            _ => {}
+        if let Effect::StraightTraverse { end } | Effect::StraightFeed { end } = effect {
+            self.0.push([end.x, end.y].into());
+        } else if let Effect::ArcFeed { end, first_centre, second_centre, turns } = effect {
+            let arc = [end.x, end.y, *first_centre, *second_centre, f64::from(*turns)];
+            self.0.push(arc.into());
         }
         Reply::Done
     }
@@ -174,7 +170,7 @@ fn geometry_that_is_refused() {
     refused("g20 f10;g41.1 d.5;g3 x.4 i.2");
     // An arc that is too small, and one that the corner does not reach.
     refused("g20 f10;g41.1 d.5;g1 x1;g3 x1.5 i.25");
-    refused("g20 f10;g41.1 d1;g1 x1;x2 y2;g2 x3 y1.4 i.6 j-1");
+    refused("g20 f10;g41.1 d1;g1 x1;x3;g3 x1.8 i-.6");
     // The cutter does not fit.
     refused("g20 f10;g41.1 d.5;g1 x1;y.49;x0");
     refused("g20 f10;g41.1 d.5;g1 x1;y.2;g40");
@@ -224,7 +220,7 @@ fn what_documents_leave_open() {
         "f10;m70;g41.1 d2;g1 x5;m72",
         "f10;call;m73;g41.1 d2;g1 x5;back;g1 x9",
         "f10;g18 g41.1 d2 l3;g2 x5 z5 i5",
-        "f10;g41.1 d2;g1 x5;m0;g3 x9 y4 j4",
+        "f10;g41.1 d2;g1 x5;m0;g3 x1 y4 i-4",
         "s5 m3;f10;g41.1 d2;g1 x5;g33 z-1 k1",
     ] {
         check(program, Expect::Unsupported);
