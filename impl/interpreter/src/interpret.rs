@@ -444,14 +444,12 @@ impl Interpreter {
         self.modal.machine_point().position()
     }
 
-    /// From here on blocks are only read and not executed: the steps that follow change modes and parameters, and not
-    /// the machine.
+    /// From here on blocks are only read: they change modes and parameters, and not the machine.
     pub fn begin_read_ahead(&mut self) {
         self.modal.begin_read_ahead();
     }
 
-    /// Ends reading ahead, which [`Self::begin_read_ahead`] or [`Reply::ReadOnly`](crate::Reply::ReadOnly) has begun:
-    /// the point is where it was before, and the tools are those of the machine.
+    /// Ends reading ahead: the point is where it was before, and the tools are those of the machine.
     pub fn end_read_ahead(&mut self) {
         self.modal.end_read_ahead(&mut self.parameters.numbered);
     }

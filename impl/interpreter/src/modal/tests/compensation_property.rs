@@ -134,9 +134,8 @@ proptest! {
         prop_assert_eq!(accepted, also);
         if accepted {
             // The moves out of the plane are straight and end where the move before them does.
-            let mut rest = found.into_iter();
             let mut kept: Vec<Vec<f64>> = Vec::new();
-            while let Some(found) = rest.next() {
+            for found in found {
                 let repeats = kept.last().is_some_and(|last| found.len() == 2 && last[..2] == found[..]);
                 if !repeats {
                     kept.push(found);
