@@ -23,8 +23,8 @@ pub struct GeneratorConfig {
     pub mutated_blocks: u32,
     /// Percentage of programs that consist of one kind of statement.
     pub single_kind_programs: u32,
-    /// Percentage of programs that may use statements which end a run as unsupported.
-    pub unsupported_programs: u32,
+    /// Percentage of programs that may use rare statements.
+    pub rare_programs: u32,
     /// Only statements whose name begins with one of these; all when empty.
     pub only: Vec<String>,
     /// Which machines, environments and operators.
@@ -40,7 +40,7 @@ impl Default for GeneratorConfig {
             mutated_programs: 10,
             mutated_blocks: 5,
             single_kind_programs: 12,
-            unsupported_programs: 4,
+            rare_programs: 8,
             only: Vec::new(),
             setups: Setups::Any,
         }

@@ -100,8 +100,8 @@ impl StatementKind {
         Self::Polar,
     ];
 
-    /// Whether model and production end a run at it as unsupported: only some programs use it.
-    pub fn is_unsupported(self) -> bool {
+    /// Whether few programs use it: most of what can follow it is refused.
+    pub fn is_rare(self) -> bool {
         matches!(self, Self::CompensatedMove)
     }
 

@@ -170,7 +170,7 @@ fn changed(entropy: &mut Entropy<'_>) -> Pair {
     let config = GeneratorConfig {
         setups: Setups::Plain,
         mutated_programs: 5,
-        unsupported_programs: 0,
+        rare_programs: 0,
         ..GeneratorConfig::default()
     };
     let one = super::scenario(entropy, &config);

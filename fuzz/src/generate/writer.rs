@@ -337,8 +337,8 @@ fn chosen_statements(
         let named = |name: &str| config.only.iter().any(|only| name.starts_with(only.as_str()));
         return all().filter(|statement| named(statement.name)).collect();
     }
-    let unsupported = entropy.chance(config.unsupported_programs);
-    let is_allowed = |kind: &StatementKind| unsupported || !kind.is_unsupported();
+    let with_rare = entropy.chance(config.rare_programs);
+    let is_allowed = |kind: &StatementKind| with_rare || !kind.is_rare();
     let is_known =
         |kind: &StatementKind| readable.is_none() || all().any(|statement| statement.kind == *kind);
     let kinds: Vec<StatementKind> =

@@ -23,13 +23,10 @@ fn an_id_and_a_code_are_explained() {
             ["no document of any edition describes", code, "hint: programs of the suite use it"];
         refused(&["explain", code], 2, &used);
     }
-    let output = gaugeblock(&["explain", "G41"]);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let what =
-        "not specified yet: a move under cutter compensation; such a program ends as unsupported";
-    assert!(text.contains(what), "{text}");
-    let output = gaugeblock(&["explain", "G1"]);
-    assert!(!String::from_utf8_lossy(&output.stdout).contains("not specified yet"));
+    for code in ["G1", "G41"] {
+        let output = gaugeblock(&["explain", code]);
+        assert!(!String::from_utf8_lossy(&output.stdout).contains("not specified yet"), "{code}");
+    }
 }
 
 #[test]

@@ -86,7 +86,7 @@ fn help_has_examples() {
 
 #[test]
 fn run_that_compares_too_little_is_no_success() {
-    // Some programs of any sample move under cutter compensation, which is unsupported.
+    // Some programs of any sample end as unsupported.
     let call = ["fuzz", "--programs", "640", "--spliced", "0"];
     assert_eq!(gaugeblock(&call).status.code(), Some(0));
     let output = gaugeblock(&[&call[..], &["--min-compared", "100"]].concat());

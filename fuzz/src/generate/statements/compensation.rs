@@ -1,8 +1,8 @@
-//! Cutter compensation, and the moves under it, which end a run as unsupported.
+//! Cutter compensation, and contours under it.
 
 use super::super::kind::StatementKind;
 use super::super::state::State;
-use super::super::writer::Statement;
+use super::super::writer::{Statement, Writer};
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when("compensation.move", StatementKind::CompensatedMove, 40, State::has_xy, |w| {
@@ -16,6 +16,22 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         w.block("g0 x40 y40");
         w.moves(true);
     }),
+    Statement::when(
+        "compensation.contour",
+        StatementKind::CompensatedMove,
+        120,
+        State::has_xy,
+        |w| {
+            contour(w, &XY);
+        },
+    ),
+    Statement::when(
+        "compensation.lathe",
+        StatementKind::CompensatedMove,
+        40,
+        |state| state.has_xy() && state.axes.contains(&"z"),
+        |w| contour(w, &ZX),
+    ),
     Statement::when(
         "compensation.without-move",
         StatementKind::Compensation,
@@ -50,3 +66,100 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
         },
     ),
 ];
+
+/// A plane: its code, its axes, and the offsets of arcs.
+struct Plane {
+    code: &'static str,
+    axes: [&'static str; 2],
+    offsets: [&'static str; 2],
+}
+
+const XY: Plane = Plane { code: "g17", axes: ["x", "y"], offsets: ["i", "j"] };
+const ZX: Plane = Plane { code: "g18", axes: ["z", "x"], offsets: ["k", "i"] };
+
+/// A contour of lines and arcs on a grid, wide enough for most of its cutters.
+fn contour(w: &mut Writer<'_, '_>, plane: &Plane) {
+    let [first, second] = plane.axes;
+    w.block(format!("{} g90 g91.1 g94 f100 g40 g0 {first}-24 {second}0", plane.code));
+    let code = *w.entropy.pick(&["g41.1", "g42.1"]);
+    let diameter = *w.entropy.pick(&["2", "2", "3.5", "1", "5", "0", "-2"]);
+    let orientation = match w.entropy.below(12) {
+        number @ 0..=9 if plane.code == "g18" && w.entropy.chance(50) => format!(" l{number}"),
+        _ => String::new(),
+    };
+    w.block(format!("{code} d{diameter}{orientation}"));
+    let mut at = [0, 0];
+    let entry = if w.entropy.chance(15) { "g0" } else { "g1" };
+    if w.entropy.chance(12) {
+        // A half circle onto the contour.
+        let code = *w.entropy.pick(&["g2", "g3"]);
+        let [one, other] = plane.offsets;
+        w.block(format!("{code} {first}0 {second}0 {one}12 {other}0"));
+    } else {
+        w.block(format!("{entry} {first}0 {second}0"));
+    }
+    for _ in 0..w.entropy.range(1, 7) {
+        if w.entropy.chance(25) {
+            let word = between(w);
+            w.block(word);
+        }
+        at = if w.entropy.chance(35) { arc(w, plane, at) } else { line(w, plane, at) };
+    }
+    match w.entropy.below(8) {
+        0 => {}
+        1 => w.block(format!("g40 g0 {first}40 {second}40")),
+        2 => {
+            w.block("g40");
+            w.block(format!("g2 {first}40 {second}0 {}20 {}0", plane.offsets[0], plane.offsets[1]));
+        }
+        _ => {
+            w.block("g40");
+            w.block(format!("g0 {first}40 {second}40"));
+        }
+    }
+    w.block("g17 g90 g94 f100");
+    w.state.xy_plane = true;
+    w.moves(true);
+}
+
+/// A line to a point of the grid; few lead back, or nowhere.
+fn line(w: &mut Writer<'_, '_>, plane: &Plane, at: [i32; 2]) -> [i32; 2] {
+    let step = |w: &mut Writer<'_, '_>| *w.entropy.pick(&[-12, -8, -4, 0, 4, 8, 12, 20]);
+    let to = [at[0] + step(w), at[1] + step(w)];
+    let [first, second] = plane.axes;
+    let code = if w.entropy.chance(8) { "g0" } else { "g1" };
+    w.block(format!("{code} {first}{} {second}{}", to[0], to[1]));
+    to
+}
+
+/// A quarter, half or three quarters of a circle, or all of it.
+fn arc(w: &mut Writer<'_, '_>, plane: &Plane, at: [i32; 2]) -> [i32; 2] {
+    let [one, other] =
+        *w.entropy.pick(&[[4, 0], [-4, 0], [0, 4], [0, -8], [8, 0], [3, 4], [-6, 8]]);
+    let centre = [at[0] + one, at[1] + other];
+    let from = [at[0] - centre[0], at[1] - centre[1]];
+    let to = match w.entropy.below(8) {
+        0..=2 => [-from[1], from[0]],
+        3..=5 => [from[1], -from[0]],
+        6 => from,
+        _ => [-from[0], -from[1]],
+    };
+    let to = [centre[0] + to[0], centre[1] + to[1]];
+    let code = *w.entropy.pick(&["g2", "g3"]);
+    let ([first, second], [i, j]) = (plane.axes, plane.offsets);
+    w.block(format!("{code} {first}{} {second}{} {i}{one} {j}{other}", to[0], to[1]));
+    to
+}
+
+/// A block that leads nowhere in the plane, or one that compensation may refuse.
+fn between(w: &mut Writer<'_, '_>) -> &'static str {
+    let waits = ["f50", "s200", "m3 s100", "m5", "m8", "m9", "g4 p0.1", "m19 r0", "(a comment)"];
+    let passes = ["(msg,between)", "t1", "g21", "g91 g90", "g97", "#31=5", "g80"];
+    let rare =
+        ["m0", "m1", "m60", "g20", "g93 f2", "g61", "g92 x0", "m70", "m72", "g54", "g28", "m66 p0"];
+    match w.entropy.below(20) {
+        0..=9 => *w.entropy.pick(&waits),
+        10..=17 => *w.entropy.pick(&passes),
+        _ => *w.entropy.pick(&rare),
+    }
+}
