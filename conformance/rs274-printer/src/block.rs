@@ -89,6 +89,8 @@ pub(super) struct Released {
     pub(super) effect: Effect,
     /// The length unit of the block that programmed it.
     pub(super) units: LengthUnit,
+    /// Its plane.
+    pub(super) plane: Plane,
 }
 
 /// Whether the calls of a phase wait behind a compensated move. A message in a comment does not.
@@ -162,7 +164,7 @@ impl Printed<'_> {
             } else if let Effect::ArcFeed { end, first_centre, second_centre, turns } =
                 released.effect
             {
-                let (plane, end) = (self.after.plane, scaled(end));
+                let (plane, end) = (released.plane, scaled(end));
                 let centre = [first_centre * scale, second_centre * scale];
                 self.out.put_out(place, |out| out.arc(plane, &end, centre, turns));
             }

@@ -43,8 +43,8 @@ pub(super) struct Printer {
     events: Vec<Event>,
     /// What of it waits, and what has come out.
     places: Places,
-    /// The length units of effects that wait, with their places; the oldest first.
-    units: VecDeque<(u64, LengthUnit)>,
+    /// Length unit and plane of the effects that wait; the oldest first.
+    frames: VecDeque<(LengthUnit, Plane)>,
     /// The number of the last place, and of the one that is released.
     place: u64,
     released: Option<u64>,
@@ -71,7 +71,7 @@ impl Printer {
             begun: false,
             events: Vec::new(),
             places: Places::default(),
-            units: VecDeque::new(),
+            frames: VecDeque::new(),
             place: 0,
             released: None,
         };
@@ -123,6 +123,7 @@ impl Printer {
         }
         self.begun = false;
         self.out.late().lose();
+        self.frames.clear();
         self.places = Places::default();
         self.modes.apply(settings);
         self.out.label(None);
@@ -268,7 +269,7 @@ impl Sink for Printer {
                 modes.apply(changed);
             }
         }
-        self.units.push_back((self.place, modes.units));
+        self.frames.push_back((modes.units, modes.plane));
         self.events.push(Event::Do(effect.clone()));
         self.place
     }
@@ -286,9 +287,10 @@ impl Sink for Printer {
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
         if let Some(place) = self.released.take() {
-            let units = self.units.pop_front().map_or(self.modes.units, |(_, units)| units);
+            let now = (self.modes.units, self.modes.plane);
+            let (units, plane) = self.frames.pop_front().unwrap_or(now);
             let (before, effect) = (self.events.len(), effect.clone());
-            self.places.released.push(Released { before, place, effect, units });
+            self.places.released.push(Released { before, place, effect, units, plane });
             return Reply::Done;
         }
         self.events.push(Event::Do(effect.clone()));

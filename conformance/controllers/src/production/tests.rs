@@ -1,7 +1,7 @@
 //! What the adapter itself decides: the outside's answers, pauses, and bounds.
 
 use gaugeblock_vocabulary::scenario::{Budget, InputChange, OrientAnswer, Start, UserProgram};
-use gaugeblock_vocabulary::{Bound, End, FaultKind, Options};
+use gaugeblock_vocabulary::{Bound, End, Event, FaultKind, Options, Step};
 
 use super::*;
 
@@ -44,6 +44,38 @@ fn a_bound_is_met_between_blocks() {
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Effects });
     scenario.budget = Budget { time: 3.0, ..Budget::default() };
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Time });
+}
+
+/// A compensated move, and what waits behind it, are in the blocks that programmed them; what never came out is not.
+#[test]
+fn late_effects_are_at_their_places() {
+    let names = |program: &str| -> Vec<Vec<String>> {
+        let run = outcome(&Scenario::of(program));
+        let names = |step: &Step| {
+            let effects = step.events.iter().filter_map(|event| match event {
+                Event::Do(effect) => Some(effect.name().to_owned()),
+                Event::Set(_) | Event::Unknown(_) => None,
+            });
+            effects.collect()
+        };
+        run.steps.iter().map(names).collect()
+    };
+    let head = "g42.1 d2 f10\ng1 x5\ng4 p1 f20\nt0\nz1\n";
+    let whole = names(&format!("{head}y5\ng40\nm2\n"));
+    let expected: [&[&str]; 8] = [
+        &[],
+        &["straight_feed"],
+        &["dwell"],
+        &["prepare_tool"],
+        &["straight_feed"],
+        &["arc_feed", "straight_feed"],
+        &[],
+        &["change_controller_mode", "program_end"],
+    ];
+    assert_eq!(whole, expected);
+    let lost = names(&format!("{head}g28\nm2\n"));
+    let expected: [&[&str]; 5] = [&[], &[], &[], &["prepare_tool"], &[]];
+    assert_eq!(lost, expected);
 }
 
 /// A sub that is called by hand has many blocks, and an entry is over where the bound is.
