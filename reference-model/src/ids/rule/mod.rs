@@ -3,6 +3,7 @@
 pub mod abort;
 pub mod active_comments;
 pub mod arcs;
+pub mod compensation;
 pub mod control;
 pub mod coolant;
 pub mod cycles;
@@ -47,6 +48,7 @@ pub(crate) const CHAPTERS: &[&[&str]] = &[
     abort::CHAPTER_IDS,
     active_comments::CHAPTER_IDS,
     arcs::CHAPTER_IDS,
+    compensation::CHAPTER_IDS,
     control::CHAPTER_IDS,
     coolant::CHAPTER_IDS,
     cycles::CHAPTER_IDS,
