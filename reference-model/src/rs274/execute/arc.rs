@@ -90,11 +90,11 @@ pub(super) fn perform(
     Ok(())
 }
 
-/// docs/compensation.md, "The end": no arc follows a compensated move, before a straight one.
+/// Rule compensation.exit-arc. No arc follows a compensated move, before a straight one.
 fn check_after_compensation(state: &State) -> Result<(), StepError> {
     if state.contour.straight_is_next && state.contour.path.is_none() {
         let message = "an arc as first move after compensation";
-        return Err(refuse(rule::tool::COMPENSATION, FaultKind::ModalConflict, message));
+        return Err(refuse(rule::compensation::EXIT_ARC, FaultKind::ModalConflict, message));
     }
     Ok(())
 }

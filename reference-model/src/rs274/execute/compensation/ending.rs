@@ -4,18 +4,20 @@ use gaugeblock_vocabulary::Compensation;
 
 use super::surroundings::Surroundings;
 use super::{gouges, slack};
+use crate::ids::rule;
 use crate::rs274::planar::{InPlane, Leg};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::{Contour, State};
 use crate::rs274::task::Record;
 
-/// Puts out what waits: the last move in the plane ends where its own curve does.
+/// Rule compensation.next-move. Puts out what waits: the last move in the plane ends where its own curve does.
 ///
 /// # Errors
 /// The tool does not fit.
 pub(crate) fn put_out(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some(path) = state.contour.path.as_ref().filter(|path| path.waits) else { return Ok(()) };
     check_fit(&path.last, path.last.end, state)?;
+    state.coverage.accepted(rule::compensation::NEXT_MOVE);
     stop_waiting(state, record);
     Ok(())
 }
@@ -28,11 +30,12 @@ pub(super) fn stop_waiting(state: &mut State, record: &mut Record) {
     record.put_out();
 }
 
-/// Refuses a move if the corner before it has left nothing of it. The entry is not checked, nor a
+/// Rule compensation.gouging. A move is refused if the corner before it has left nothing of it. The entry is not checked, nor a
 /// move right after a pause.
 pub(super) fn check_fit(leg: &Leg, end: InPlane, state: &State) -> Result<(), StepError> {
     if leg.has_to_fit && !leg.fits(end, slack(state)) {
-        return Err(gouges("the tool does not fit between the corners of a move"));
+        let message = "the tool does not fit between the corners of a move";
+        return Err(gouges(rule::compensation::GOUGING, message));
     }
     Ok(())
 }

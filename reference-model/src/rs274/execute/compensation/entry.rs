@@ -2,13 +2,14 @@
 
 use super::orientation::shifts;
 use super::{gouges, slack};
+use crate::ids::rule;
 use crate::rs274::planar::{
     Circle, Curve, Cutter, InPlane, Leg, ProgrammedArc, along, away, between, direction, length,
 };
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
-/// The entry along a line: it ends at Q + R n.
+/// Rules compensation.entry, compensation.entry-length. The entry along a line ends at Q + R n.
 ///
 /// # Errors
 /// It is not longer than R in the plane; one out of the plane has no length there.
@@ -19,12 +20,13 @@ pub(super) fn line(
     state: &State,
 ) -> Result<Leg, StepError> {
     if length(between(start, end)) + slack(state) <= cutter.radius {
-        return Err(gouges("the entry is not longer than the radius of the cutter"));
+        let message = "the entry is not longer than the radius of the cutter";
+        return Err(gouges(rule::compensation::ENTRY_LENGTH, message));
     }
     Ok(Leg { has_to_fit: false, ..Leg::line(start, end, cutter) })
 }
 
-/// The entry along an arc: it ends at E = Q - k R u1 in the programmed direction, and starts at P.
+/// Rule compensation.entry-arc. The entry along an arc ends at E = Q - k R u1 in the programmed direction, and starts at P.
 ///
 /// # Errors
 /// Its chord is not longer than R, or the tool does not fit into the arc.
@@ -34,10 +36,12 @@ pub(super) fn arc(arc: ProgrammedArc, cutter: Cutter, state: &State) -> Result<L
         return Err(StepError::Unspecified(why.to_owned()));
     }
     if length(between(arc.start, arc.end)) + slack(state) <= cutter.radius {
-        return Err(gouges("the chord of the entry is not longer than the radius of the cutter"));
+        let message = "the chord of the entry is not longer than the radius of the cutter";
+        return Err(gouges(rule::compensation::ENTRY_ARC, message));
     }
     let Some(leg) = Leg::arc(arc, cutter, slack(state)) else {
-        return Err(gouges("the radius of the entry is not greater than that of the cutter"));
+        let message = "the radius of the entry is not greater than that of the cutter";
+        return Err(gouges(rule::compensation::ENTRY_ARC, message));
     };
     let outward = direction(between(arc.centre, arc.end));
     let back = between(leg.end, arc.start);

@@ -19,13 +19,13 @@ pub(crate) use surroundings::Surroundings;
 
 use gaugeblock_vocabulary::FaultKind;
 
-use crate::ids::rule;
+use crate::ids::Rule;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 /// A compensated move that has no place for the tool.
-fn gouges(message: &str) -> StepError {
-    refuse(rule::tool::COMPENSATION, FaultKind::Gouging, message)
+fn gouges(rule: impl Into<Rule>, message: &str) -> StepError {
+    refuse(rule, FaultKind::Gouging, message)
 }
 
 /// How far, active length unit, a bound is moved where the last bits of a length decide.

@@ -85,16 +85,23 @@ fn possible(state: &mut State) -> Result<(), StepError> {
 ///
 /// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
 /// radius is zero when there is none.
+/// Rules compensation.tool-number, compensation.tool-number-zero, compensation.tool-radius. Which tool that is.
+/// Rule compensation.set-at-run-time. The table is read now: a G10 L1 before counts.
 fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = rule::tool::COMPENSATION_TOOL;
-    let tool = match word(words, 'd') {
+    let (tool, source) = match word(words, 'd') {
         Some(value) => {
             let message = || format!("D{value} is not a tool number");
             let number =
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
-            named(number, rule, state)?
+            let source = if number == 0 {
+                rule::compensation::TOOL_NUMBER_ZERO
+            } else {
+                rule::compensation::TOOL_NUMBER
+            };
+            (named(number, rule, state)?, source)
         }
-        None => state.loaded_tool(),
+        None => (state.loaded_tool(), rule::compensation::TOOL_RADIUS),
     };
     let tool = tool.cloned();
     use_tool(tool.as_ref(), state);
@@ -103,13 +110,16 @@ fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
         return Err(refuse(rule::tool::COMPENSATION, FaultKind::ModalConflict, message));
     }
     state.coverage.accepted(rule);
-    state.coverage.accepted(rule::tool::COMPENSATION);
+    for rule in [source, rule::tool::COMPENSATION, rule::compensation::SET_AT_RUN_TIME] {
+        state.coverage.accepted(rule);
+    }
     Ok(())
 }
 
 /// Takes over a programmed diameter.
 ///
-/// Rule tool.dynamic-compensation. D is the diameter.
+/// Rules tool.dynamic-compensation, compensation.dynamic-diameter. D is the diameter.
+/// Rule compensation.orientation. L is the orientation; without it there is none.
 /// Rule tool.dynamic-compensation-orientation. L is 0 to 9, and only allowed in the ZX plane.
 fn dynamic(words: &Words, state: &mut State) -> Result<(), StepError> {
     let Some(diameter) = word(words, 'd') else {
@@ -134,6 +144,12 @@ fn dynamic(words: &Words, state: &mut State) -> Result<(), StepError> {
     }
     state.modes.compensation_radius = diameter / 2.0;
     state.modes.compensation_orientation = word(words, 'l').and_then(whole).unwrap_or(0);
-    state.coverage.accepted(rule::tool::DYNAMIC_COMPENSATION);
+    for rule in [
+        rule::tool::DYNAMIC_COMPENSATION,
+        rule::compensation::DYNAMIC_DIAMETER,
+        rule::compensation::ORIENTATION,
+    ] {
+        state.coverage.accepted(rule);
+    }
     Ok(())
 }

@@ -36,7 +36,15 @@ pub(crate) fn programmed_point(state: &State) -> Position {
 }
 
 /// A straight move that is not compensated: an arc may follow it.
+///
+/// Rule compensation.exit. It leads from where the tool is to its programmed end.
+/// Rule compensation.zero-radius. So do all moves with a radius of zero.
 pub(crate) fn straight_move(state: &mut State) {
+    if state.modes.compensation != Compensation::Off {
+        state.coverage.accepted(rule::compensation::ZERO_RADIUS);
+    } else if state.contour.straight_is_next {
+        state.coverage.accepted(rule::compensation::EXIT);
+    }
     state.contour.straight_is_next = false;
 }
 
@@ -92,8 +100,10 @@ pub(crate) fn arc(
     let next = if state.contour.path.is_none() {
         entry::arc(arc, cutter, state)?
     } else {
-        Leg::arc(arc, cutter, slack(state))
-            .ok_or_else(|| gouges("the radius of the arc is not greater than that of the cutter"))?
+        Leg::arc(arc, cutter, slack(state)).ok_or_else(|| {
+            let message = "the radius of the arc is not greater than that of the cutter";
+            gouges(rule::compensation::ARC_RADIUS, message)
+        })?
     };
     let programmed = Programmed { motion, end, start, axes, turns };
     follow(next, &programmed, cutter, state, record)
@@ -116,8 +126,13 @@ fn check_specified(end: Position, state: &State) -> Result<(), StepError> {
     Err(StepError::Unspecified(why.to_owned()))
 }
 
-/// A move without displacement in the plane: other axes go to their programmed points.
+/// Rule compensation.third-axis. Without displacement in the plane, other axes go to their programmed points.
+/// Rule compensation.skipped. They do so in a traverse, too.
 fn out_of_plane(motion: Motion, end: Position, axes: Axes, state: &mut State, record: &mut Record) {
+    state.coverage.accepted(rule::compensation::THIRD_AXIS);
+    if motion == Motion::Traverse {
+        state.coverage.accepted(rule::compensation::SKIPPED);
+    }
     let here = axes.in_plane(state.position);
     state.position = axes.with(end, here);
     if let Some(path) = &mut state.contour.path {
@@ -149,12 +164,13 @@ fn follow(
         let why = "a compensated move whose points are beyond all numbers";
         return Err(StepError::Unspecified(why.to_owned()));
     }
-    if let Some(path) = state.contour.path.clone() {
-        turn_corner(&path, &mut next, programmed, cutter, state, record)?;
+    let before = state.contour.path.clone();
+    if let Some(path) = &before {
+        turn_corner(path, &mut next, programmed, cutter, state, record)?;
     }
+    report(programmed, before.is_none(), state);
     let Programmed { motion, end, axes, turns, .. } = *programmed;
     state.modes.motion = motion;
-    state.coverage.accepted(rule::tool::COMPENSATION);
     state.position = state.modes.rounding.of(axes.with(end, next.end), end);
     state.contour = crate::rs274::state::Contour {
         path: Some(CompensatedPath { programmed: end, last: next, waits: true }),
@@ -172,7 +188,43 @@ fn follow(
     Ok(())
 }
 
+/// Reports the rules that a compensated move in the plane follows.
+///
+/// Rules compensation.side, compensation.line, compensation.arc, compensation.arc-radius, compensation.rapid,
+/// compensation.plane. Its curve has the distance R from the programmed one.
+/// Rules compensation.entry, compensation.entry-length, compensation.entry-rapids, compensation.entry-arc. So ends the
+/// first one, and (compensation.holds) so does each that follows.
+/// Rule compensation.programmed-path. The next one leads from the programmed point.
+fn report(programmed: &Programmed, is_entry: bool, state: &mut State) {
+    use rule::compensation as rules;
+    let is_line = programmed.turns == 0;
+    let coverage = &mut state.coverage;
+    for rule in [rule::tool::COMPENSATION, rules::SIDE, rules::PROGRAMMED_PATH] {
+        coverage.accepted(rule);
+    }
+    let of_form =
+        if is_line { [rules::LINE, rules::LINE] } else { [rules::ARC, rules::ARC_RADIUS] };
+    let of_place = match (is_entry, is_line) {
+        (true, true) => [rules::ENTRY, rules::ENTRY_LENGTH],
+        (true, false) => [rules::ENTRY_ARC, rules::ENTRY_ARC],
+        (false, _) => [rules::HOLDS, rules::HOLDS],
+    };
+    for rule in of_form.into_iter().chain(of_place) {
+        coverage.accepted(rule);
+    }
+    if programmed.motion == Motion::Traverse {
+        coverage.accepted(rules::RAPID);
+        coverage.accepted(rules::ENTRY_RAPIDS);
+    }
+    if state.modes.plane == Plane::Zx {
+        coverage.accepted(rules::PLANE);
+    }
+}
+
 /// Ends the move before at its corner with the next one, and begins the next one there.
+///
+/// Rule compensation.next-move. Rules compensation.tangent-corner, compensation.inside-corner,
+/// compensation.outside-corner: which corner it is decides the end.
 fn turn_corner(
     path: &CompensatedPath,
     next: &mut Leg,
@@ -184,6 +236,7 @@ fn turn_corner(
     let last = &path.last;
     match corner(last, next, cutter, state.modes.rounding.margin()) {
         Corner::Tangent => {
+            state.coverage.accepted(rule::compensation::TANGENT_CORNER);
             next.begins = last.end;
             stop_waiting(state, record);
         }
@@ -193,10 +246,12 @@ fn turn_corner(
         }
         Corner::Inner(_) if !path.waits => after_pause(last, next)?,
         Corner::Inner(None) => {
-            return Err(gouges("the compensated curves of a corner do not cross"));
+            let message = "the compensated curves of a corner do not cross";
+            return Err(gouges(rule::compensation::GOUGING, message));
         }
         Corner::Inner(Some(point)) => {
             check_fit(last, point, state)?;
+            state.coverage.accepted(rule::compensation::INSIDE_CORNER);
             let units = state.modes.units;
             record.amend(programmed.axes.of_plane(), shifted(point, state), units);
             next.begins = point;
@@ -206,10 +261,12 @@ fn turn_corner(
             if path.waits && programmed.turns == 0 {
                 check_fit(last, last.end, state)?;
             }
+            state.coverage.accepted(rule::compensation::OUTSIDE_CORNER);
             stop_waiting(state, record);
             join(next, programmed, cutter, state, record);
         }
     }
+    state.coverage.accepted(rule::compensation::NEXT_MOVE);
     Ok(())
 }
 
