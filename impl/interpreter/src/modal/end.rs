@@ -30,7 +30,6 @@ impl Modal {
         let mode = self.controller_mode;
         self.finish_waiting(sink)?;
         if ends {
-            self.end_path(sink)?;
             // What the block has switched on before has been on.
             self.report(line, sink);
             if planted(PlantedFault::EndRestores) {

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::End;
+use gaugeblock_vocabulary::{Compensation, End};
 
 use super::request::{Activity, Answer, By};
 use super::run::ModelRun;
@@ -110,7 +110,16 @@ impl ModelRun<'_> {
     }
 
     /// A move begins only once nothing holds it, and the program is not paused.
+    ///
+    /// # Errors
+    /// An abort. A move under compensation is held: whether it or the one before it waits, the documents leave open.
     fn may_move(&mut self, speed: Speed) -> Result<(), StepError> {
+        if self.state.modes.compensation != Compensation::Off
+            && (self.pause_asked || move_start::is_held(speed, &mut self.state))
+        {
+            let why = "a compensated move that is held, while the one before it waits for it";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
         if self.pause_asked {
             self.stand_paused(Activity::Paused(By::Operator))?;
         }

@@ -41,7 +41,11 @@ impl ModelRun<'_> {
             Some(Line::End) => {
                 self.between()?;
                 self.state.coverage.accepted(rule::program_end::PERCENT);
-                self.record.lose_waiting();
+                if self.record.waits() {
+                    let why =
+                        "where the machine is after a percent sign while a compensated move waits";
+                    return Err(StepError::Unspecified(why.to_owned()));
+                }
                 execute::compensation::end_of_run(&mut self.state);
                 self.over();
                 return Ok(Some(End::PercentEnd));

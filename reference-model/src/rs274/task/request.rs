@@ -55,6 +55,10 @@ impl ModelRun<'_> {
         happening: Happening<'_>,
         activity: Activity,
     ) -> Result<Answer, StepError> {
+        if self.record.waits() {
+            let why = "what the operator does while a compensated move waits for the next one";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
         self.state.environment.is_asked(true);
         let answer = self.answer(happening, activity);
         self.state.environment.is_asked(false);

@@ -45,6 +45,11 @@ impl Record {
         }
     }
 
+    /// Whether a compensated move waits.
+    pub(super) fn waits(&self) -> bool {
+        !self.waiting.is_empty()
+    }
+
     /// Nothing waits any more.
     pub(crate) fn put_out(&mut self) {
         self.waiting.clear();

@@ -111,8 +111,10 @@ impl Modal {
             );
         }
         let plane = self.active.now().plane;
-        self.position = self.position.with_in_plane(plane, before.in_plane(plane));
-        let effect = straight(self.motion, self.position);
+        let point = before.in_plane(plane);
+        self.position = self.position.with_in_plane(plane, point);
+        let end = self.position.with_in_plane(plane, point.plus(self.plane_shift()));
+        let effect = straight(self.motion, end);
         if self.compensation.waits() {
             self.hold(line, before, effect, sink);
             return Ok(());
@@ -228,7 +230,8 @@ impl Modal {
             to.before.with_in_plane(last.plane, last.start.plus(self.plane_shift()))
         };
         self.hold(to.line, from, effect, sink);
-        self.position = self.move_end(to, last.end);
+        // The shift of an orientation is in effects alone.
+        self.position = to.end.with_in_plane(last.plane, last.end);
         self.compensation.path_mut().last = Some(last);
     }
 }

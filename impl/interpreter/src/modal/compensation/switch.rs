@@ -40,7 +40,8 @@ impl Modal {
             let tool = self.named_tool(words.get(b'D'), "D")?;
             let (diameter, orientation) =
                 tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
-            if orientation != 0 && plane != Plane::Zx {
+            // Orientation 9 has its tip at the centre.
+            if (1..=8).contains(&orientation) && plane != Plane::Zx {
                 return refuse(
                     FaultKind::ModalConflict,
                     "compensation by a tool with an orientation outside of ZX",
