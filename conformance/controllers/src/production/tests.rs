@@ -70,7 +70,7 @@ fn late_effects_are_at_their_places() {
         &["straight_feed"],
         &["arc_feed", "straight_feed"],
         &[],
-        &["change_controller_mode", "program_end"],
+        &["controller_mode", "program_end"],
     ];
     assert_eq!(whole, expected);
     let lost = names(&format!("{head}g28\nm2\n"));
