@@ -93,7 +93,7 @@ pub(super) struct Released {
     pub(super) plane: Plane,
 }
 
-/// Whether the calls of a phase wait behind a compensated move. A message in a comment does not.
+/// Whether the calls of a phase wait after a compensated move. A message in a comment does not.
 fn waits(phase: Phase) -> bool {
     matches!(
         phase,

@@ -8,7 +8,7 @@ pub(super) struct Late {
     items: VecDeque<Item>,
     /// The call that is being written.
     call: Vec<u8>,
-    /// Whether calls of the present phase wait behind a move.
+    /// Whether calls of the present phase wait after a move.
     pub(super) waits: bool,
 }
 

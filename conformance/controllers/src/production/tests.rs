@@ -46,7 +46,7 @@ fn a_bound_is_met_between_blocks() {
     assert_eq!(outcome(&scenario).end, End::BudgetExhausted { bound: Bound::Time });
 }
 
-/// A compensated move, and what waits behind it, are in the blocks that programmed them; what never came out is not.
+/// A compensated move, and what waits after it, are in the blocks that programmed them; what never came out is not.
 #[test]
 fn late_effects_are_at_their_places() {
     let names = |program: &str| -> Vec<Vec<String>> {

@@ -14,7 +14,7 @@ use super::codes::{
     ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, LATHE, MOTION, NON_MODAL, PATH, PLANE,
     RETRACT, STOP_RANK, TOOL_LENGTH, UNITS, WORK_OFFSET,
 };
-use super::compensation::waits_behind_move;
+use super::compensation::waits_after_move;
 use super::coordinates::{Conversion, Coordinates};
 use super::mode_select::{checked_feed, unit_of};
 use super::refusal::{Flow, Refusal, refuse};
@@ -296,7 +296,7 @@ impl Modal {
         effect: &Effect,
         sink: &mut K,
     ) -> Result<(), Refusal> {
-        if self.compensation.waits() && waits_behind_move(effect) {
+        if self.compensation.waits() && waits_after_move(effect) {
             self.hold(line, self.position, effect.clone(), sink);
             return Ok(());
         }

@@ -1,4 +1,4 @@
-//! Cutter compensation (11.2.4, 11.5.25 to 11.5.27): the path of a cutter beside the programmed one.
+//! Cutter compensation (11.2.4, 11.5.25 to 11.5.27): the path of a cutter at a distance of R from the programmed one.
 //!
 //! ```text
 //! a move's words ─► Segment (plane) ─► entry, or the corner with the last move ─► what waits ─► Sink
@@ -32,7 +32,7 @@ use super::saved_states::Saved;
 pub(super) use plane::Cutter;
 use plane::{Circle, Segment, Vector};
 use waiting::Queue;
-pub(super) use waiting::waits_behind_move;
+pub(super) use waiting::waits_after_move;
 
 /// State of compensation besides the settings in force.
 #[derive(Clone, Debug)]

@@ -29,7 +29,7 @@ struct Programmed {
 }
 
 impl Modal {
-    /// Makes a straight move or an arc beside its programmed curve.
+    /// Makes a straight move or an arc at a distance of R from its programmed curve.
     pub(in super::super) fn compensated_move<K: Sink>(
         &mut self,
         block: &Block<'_>,

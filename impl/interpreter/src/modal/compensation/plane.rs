@@ -1,4 +1,4 @@
-//! Geometry in the plane of compensation: the programmed curve of a move, and the one that is R beside it.
+//! Geometry in the plane of compensation: the programmed curve of a move, and the one at a distance of R from it.
 
 use crate::math;
 
@@ -168,7 +168,7 @@ impl Cutter {
     }
 
     /// The normal of a direction on the cutter's side, R long.
-    fn beside(&self, direction: Vector) -> Vector {
+    fn offset(&self, direction: Vector) -> Vector {
         direction.quarter(self.side).times(self.radius)
     }
 }
@@ -244,12 +244,12 @@ impl Segment {
 
     /// Where its compensated curve starts.
     pub(super) fn offset_start(&self, cutter: &Cutter) -> Vector {
-        self.from.plus(cutter.beside(self.start_direction()))
+        self.from.plus(cutter.offset(self.start_direction()))
     }
 
     /// Where its compensated curve ends.
     pub(super) fn offset_end(&self, cutter: &Cutter) -> Vector {
-        self.to.plus(cutter.beside(self.end_direction()))
+        self.to.plus(cutter.offset(self.end_direction()))
     }
 
     /// Converts lengths to another unit.

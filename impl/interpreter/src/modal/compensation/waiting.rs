@@ -78,7 +78,7 @@ impl Queue {
 }
 
 impl Modal {
-    /// Reports settings that the sink does not know yet, behind what waits.
+    /// Reports settings that the sink does not know yet, after what waits.
     #[inline]
     pub(in super::super) fn report<K: Sink>(&mut self, line: u32, sink: &mut K) {
         if self.compensation.waits() {
@@ -103,7 +103,7 @@ impl Modal {
         self.compensation.queue.items.push_back(Item { place, line, units, content });
     }
 
-    /// Lets an effect wait behind what waits already, or begins to wait with it: a move in the plane that started at
+    /// Lets an effect wait after what waits already, or begins to wait with it: a move in the plane that started at
     /// `start`.
     pub(in super::super) fn hold<K: Sink>(
         &mut self,
@@ -200,8 +200,8 @@ impl Modal {
     }
 }
 
-/// Whether an effect that is no move waits behind a compensated move. Messages, tools and stops do not.
-pub(in super::super) fn waits_behind_move(effect: &Effect) -> bool {
+/// Whether an effect that is no move waits after a compensated move. Messages, tools and stops do not.
+pub(in super::super) fn waits_after_move(effect: &Effect) -> bool {
     matches!(
         effect,
         Effect::Dwell { .. }
