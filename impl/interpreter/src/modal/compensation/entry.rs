@@ -16,8 +16,8 @@ pub(super) fn check_entry(segment: &Segment, cutter: &Cutter) -> Result<(), Refu
     Ok(())
 }
 
-/// The circle of an entry by an arc. It leads from the programmed start of `segment` to the end of its compensated curve,
-/// and has the programmed direction there; where the start is on the other side of that end it has the opposite one.
+/// The circle of an entry by an arc. It leads from the programmed start of `segment` to the end of its compensated
+/// curve, and has the programmed direction there; where the start is on the other side of that end it has the opposite one.
 pub(super) fn entry_circle(
     segment: &Segment,
     arc: &Arc,

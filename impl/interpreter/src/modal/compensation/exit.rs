@@ -23,8 +23,7 @@ impl Modal {
         self.put_out(None, sink)
     }
 
-    /// A move of G0 to G3 or G33 without compensation: the first one after G40 has ended a compensated path is not an arc
-    /// (11.5.25).
+    /// A move of G0 to G3 or G33 without compensation: the first one after a compensated path is not an arc (11.5.25).
     pub(in super::super) fn leave_path(&mut self) -> Result<(), Refusal> {
         if !self.compensation.path.exit_due || self.active.now().compensation != Compensation::Off {
             return Ok(());

@@ -162,7 +162,8 @@ proptest! {
         let begin = middle(last, first);
         let before = [begin[0] * 2.0 - first[0], begin[1] * 2.0 - first[1]];
         let away = [before[0] * 2.0 - begin[0], before[1] * 2.0 - begin[1]];
-        let mut text = format!("g20 f10;g0 x{} y{};g42.1 d{diameter};g1 x{} y{}", away[0], away[1], before[0], before[1]);
+        let mut text = format!("g20 f10;g0 x{} y{};g42.1 d{diameter};", away[0], away[1]);
+        text += &format!("g1 x{} y{}", before[0], before[1]);
         text += &format!(";x{} y{}", begin[0], begin[1]);
         for number in 0..corners {
             let [x, y] = place(number);
