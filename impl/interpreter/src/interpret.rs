@@ -274,6 +274,7 @@ impl Interpreter {
                     return Ok(Progress::Ended(end));
                 }
                 Err(error) => {
+                    self.modal.lose_waiting();
                     self.ended = Some(Err(error.clone()));
                     return Err(error);
                 }

@@ -58,6 +58,10 @@ impl ModelRun<'_> {
         match self.block(text)? {
             Next::Following => self.control.place.line += 1,
             Next::At(place) => self.control.place = place,
+            Next::End(End::Endless) if self.record.waits() => {
+                let why = "M99 in the main program while a compensated move waits".to_owned();
+                return Err(StepError::Unspecified(why));
+            }
             Next::End(End::Endless) if !self.ahead && self.is_repeated() => {
                 self.read_from_the_beginning();
             }

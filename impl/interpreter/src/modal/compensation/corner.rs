@@ -104,9 +104,9 @@ fn two_circles(first: &Circle, second: &Circle, side: f64) -> Option<Vector> {
 
 impl LastMove {
     /// Refuses the move if the corner before it has left nothing of it, where it ends at `end`. The entry is not
-    /// checked.
+    /// checked, nor a move after a stop before an inner corner.
     pub(super) fn check_fit(&self, end: Vector) -> Result<(), Refusal> {
-        let fits = self.is_entry
+        let fits = !self.has_to_fit
             || match &self.segment.curve {
                 Curve::Line { direction } => {
                     end.minus(self.start).dot(*direction) >= -self.rounding()

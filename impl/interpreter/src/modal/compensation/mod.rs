@@ -67,6 +67,8 @@ struct LastMove {
     circle: Option<Circle>,
     /// Whether it leads to the path.
     is_entry: bool,
+    /// Whether it is refused where the corners leave nothing of it.
+    has_to_fit: bool,
     /// Where it starts after the corner before it.
     start: Vector,
     /// Where its own curve ends.

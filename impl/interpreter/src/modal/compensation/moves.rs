@@ -139,7 +139,8 @@ impl Modal {
         };
         let (plane, start) = (self.active.now().plane, to.segment.from);
         let segment = to.segment;
-        let last = LastMove { plane, segment, circle, is_entry: true, start, end };
+        let last =
+            LastMove { plane, segment, circle, is_entry: true, has_to_fit: false, start, end };
         self.wait_with(to, last, effect, sink);
         Ok(())
     }
@@ -153,7 +154,9 @@ impl Modal {
         let end = finite(to.segment.offset_end(&cutter))?;
         finite(own_start)?;
         let waits = self.compensation.waits();
-        let start = match Corner::between(&last.segment, &to.segment, &cutter) {
+        let corner = Corner::between(&last.segment, &to.segment, &cutter);
+        let has_to_fit = waits || corner != Corner::Inner;
+        let start = match corner {
             Corner::Tangent => {
                 self.put_out(None, sink)?;
                 last.end
@@ -168,7 +171,8 @@ impl Modal {
                 let why = "a stop before an inner corner at an arc under cutter compensation";
                 return Err(Refusal::Unsupported(why.into()));
             }
-            Corner::Inner => own_start,
+            // After a stop the move starts where the tool is.
+            Corner::Inner => last.end,
             Corner::Outer => {
                 if waits && to.segment.as_arc().is_none() {
                     last.check_fit(last.end)?;
@@ -186,7 +190,7 @@ impl Modal {
         };
         let (plane, segment) = (self.active.now().plane, to.segment);
         let circle = segment.circle(&cutter);
-        let last = LastMove { plane, segment, circle, is_entry: false, start, end };
+        let last = LastMove { plane, segment, circle, is_entry: false, has_to_fit, start, end };
         self.wait_with(to, last, effect, sink);
         Ok(())
     }
