@@ -27,6 +27,9 @@ impl Modal {
             60 => self.choices.pallet_table,
             code => code == 2,
         };
+        if code == 1 && self.choices.no_optional_stop {
+            return Ok(false);
+        }
         let mode = self.controller_mode;
         self.finish_waiting(sink)?;
         if ends {
@@ -43,9 +46,6 @@ impl Modal {
             self.perform(line, &Effect::PalletShuttle {}, sink)?;
         }
         if !ends {
-            if code == 1 && self.choices.no_optional_stop {
-                return Ok(false);
-            }
             let optional = code == 1 && !planted(PlantedFault::NotOptional)
                 || code == 60 && planted(PlantedFault::PalletStopOptional);
             self.perform(line, &Effect::Stop { optional }, sink)?;

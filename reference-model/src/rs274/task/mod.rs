@@ -33,8 +33,8 @@ use std::sync::Arc;
 
 use gaugeblock_vocabulary::scenario::Start;
 use gaugeblock_vocabulary::{
-    BlockLocation, Bound, ControllerMode, End, Fault, Indexed, Language, Options, Outcome,
-    Position, Program, Scenario, Settings, Shared,
+    BlockLocation, Bound, ControllerMode, End, Fault, FaultKind, Indexed, Language, Options,
+    Outcome, Position, Program, Scenario, Settings, Shared,
 };
 
 pub(crate) use pins::update_pins;
@@ -361,6 +361,13 @@ impl ModelRun<'_> {
     fn end_after(&mut self, error: StepError) -> End {
         let block = self.control.files.block(self.control.place);
         match error {
+            StepError::Refused(Refusal { kind: FaultKind::Orient, .. })
+            | StepError::WaitsForEver
+                if self.record.waits() =>
+            {
+                let why = "when a spindle is oriented while a compensated move waits".to_owned();
+                End::Unspecified { block, why }
+            }
             StepError::Refused(Refusal { rule, kind, message, span }) => {
                 self.state.coverage.refused(rule);
                 if ![MAIN, self.entries.file].contains(&self.control.place.file) {

@@ -1,5 +1,5 @@
-//! What waits until the end of a compensated move is known: the move itself, moves out of the plane, settings, dwells,
-//! orientations and outputs, in program order.
+//! What waits until the end of a compensated move is known: the move itself, moves out of the plane, settings, dwells
+//! and orientations, in program order.
 
 use alloc::boxed::Box;
 use alloc::collections::VecDeque;
@@ -200,15 +200,11 @@ impl Modal {
     }
 }
 
-/// Whether an effect that is no move waits after a compensated move. Messages, tools and stops do not.
+/// Whether an effect that is no move waits after a compensated move. Messages, outputs, tools and stops do not.
 pub(in super::super) fn waits_after_move(effect: &Effect) -> bool {
     matches!(
         effect,
-        Effect::Dwell { .. }
-            | Effect::OrientSpindle { .. }
-            | Effect::WaitOrient { .. }
-            | Effect::SetDigitalOutput { .. }
-            | Effect::SetAnalogOutput { .. }
+        Effect::Dwell { .. } | Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }
     )
 }
 
