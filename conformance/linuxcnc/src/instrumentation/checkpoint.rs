@@ -138,6 +138,7 @@ mod tests {
             parameters: vec!["31".to_owned(), "<x>".to_owned()],
             marks: None,
             parallel_axes: false,
+            compensates: false,
         }
     }
 

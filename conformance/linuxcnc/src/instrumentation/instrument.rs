@@ -67,6 +67,9 @@ pub(crate) struct Plan {
     pub(crate) marks: Option<Marks>,
     /// Whether the positions of U, V and W are printed. The stand-alone interpreter has none of these axes.
     pub(crate) parallel_axes: bool,
+    /// Whether cutter compensation may be switched on. Calls then wait, and each checkpoint has a comment that waits
+    /// with them.
+    pub(crate) compensates: bool,
 }
 
 /// Messages that pass through the controller's queue in order with the commands: after each block, and before some.
@@ -97,7 +100,13 @@ impl Plan {
         } else {
             numbers.iter().map(u32::to_string).chain(names).collect()
         };
-        Self { marker: unused_marker(source), parameters, marks: None, parallel_axes: false }
+        Self {
+            marker: unused_marker(source),
+            parameters,
+            marks: None,
+            parallel_axes: false,
+            compensates: source.may_compensate(),
+        }
     }
 
     /// The text of a file with checkpoints and tags, and with an error before each line of `ends`. The error stops the
@@ -119,6 +128,10 @@ impl Plan {
                 text.push_str(&format!("(MSG,{gate})\n{GATE} ({})\n(MSG,{mark})\n", self.marker));
             }
             if let Some(block) = ends.block(line) {
+                if self.compensates {
+                    text.push_str(&self.release());
+                    text.push('\n');
+                }
                 let _never = writeln!(text, "#<{}>=1\n{}", self.reached(block), self.stop());
             }
             text.push_str(line);
@@ -163,6 +176,7 @@ impl Plan {
             format!("(PRINT,{} ", self.marker),
             format!("(MSG,{}", self.marker),
             format!("{GATE} ({}", self.marker),
+            format!("({}", self.marker),
         ];
         let mut own = 0;
         let number = |line: &str| {
@@ -195,6 +209,21 @@ impl Plan {
         format!("(ABORT,{})", self.marker)
     }
 
+    /// The block before an end that puts out what waits, as the end would. An error would lose it.
+    pub(crate) fn release(&self) -> String {
+        format!("M1 ({})", self.release_comment())
+    }
+
+    /// The comment of that block.
+    pub(crate) fn release_comment(&self) -> String {
+        format!("{}release", self.marker)
+    }
+
+    /// The comment of each checkpoint, which waits with the calls before it.
+    pub(crate) fn waiting_comment(&self) -> String {
+        format!("{}+", self.marker)
+    }
+
     /// The text that is printed when manual input begins.
     pub(crate) fn mdi_sign(&self) -> String {
         format!("{}by hand", self.marker)
@@ -208,6 +237,9 @@ impl Plan {
     /// The checkpoint lines after a line.
     pub(crate) fn checkpoint(&self, file: usize, line: u32) -> String {
         let mut text = String::new();
+        if self.compensates {
+            let _never = writeln!(text, "({})", self.waiting_comment());
+        }
         let references =
             |names: &[&str]| names.iter().map(|name| format!(" #<{name}>")).collect::<String>();
         let mut part = 0;

@@ -94,7 +94,9 @@ fn refused_line(
     plan: &Plan,
     next: Option<(usize, u32)>,
 ) -> Option<(usize, u32)> {
-    let is_next = |next: &(usize, u32)| source.line(next.0, next.1).trim() == echo.trim();
+    let releases = echo.trim() == plan.release();
+    let is_next =
+        |next: &(usize, u32)| releases || source.line(next.0, next.1).trim() == echo.trim();
     plan.tagged(echo).or_else(|| next.filter(is_next)).or_else(|| source.only_line(echo))
 }
 

@@ -180,6 +180,17 @@ impl Source {
         })
     }
 
+    /// Whether a block may switch cutter compensation on: one has its code, or a code that is computed.
+    pub(crate) fn may_compensate(&self) -> bool {
+        let compensates = |rest: &str| {
+            let number = rest.trim_start_matches(['+', '0']);
+            ["41", "42"].iter().any(|code| number.starts_with(code))
+        };
+        let has_code =
+            |line: &str| without_names(&code(line)).split('g').skip(1).any(compensates);
+        self.all().any(|(_, _, line)| has_code(line)) || self.computes_word('g')
+    }
+
     /// Whether a HAL item is named, or the switch in the INI file for naming them, spelled in any way.
     pub(crate) fn names_hal(&self) -> bool {
         let names = |line: &str| ["_hal[", "hal_pin_vars"].iter().any(|name| line.contains(name));

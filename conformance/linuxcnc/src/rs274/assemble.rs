@@ -7,6 +7,7 @@ use gaugeblock_vocabulary::{Bound, End, Indexed, Language, Outcome, Position, Sc
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
+use super::waiting::{self, Ordered};
 use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::instrument::Plan;
 use crate::instrumentation::source::{Form, Source};
@@ -62,8 +63,16 @@ pub(super) fn outcome(
         steps: Steps::new(source, plan, scenario),
         end: None,
     };
-    for line in captured.lines {
-        assembly.line(line, captured)?;
+    let lines = if plan.compensates {
+        waiting::in_program_order(captured.lines)
+    } else {
+        captured.lines.iter().map(Ordered::Line).collect()
+    };
+    for line in lines {
+        match line {
+            Ordered::Line(line) => assembly.line(line, captured)?,
+            Ordered::Rescaled => assembly.unsupported(RESCALED.to_owned()),
+        }
         if assembly.end.is_some() {
             break;
         }
@@ -105,10 +114,15 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 const HIDDEN_SPLINE: &str =
     "where a spline ends that has a tool change or the program end in its block";
 
+/// Why a block is not judged after which the length unit changes while its move waits: the call has the other unit, and
+/// four decimals of an inch are too few for millimetres.
+const RESCALED: &str = "a move that waits for the next one while the length unit changes";
+
 impl Assembly<'_> {
     fn line(&mut self, line: &Line, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {
         match line {
             Line::Text(text) => self.canon.print(text),
+            Line::Passed => {}
             Line::Checkpoint(checkpoint) => self.checkpoint(checkpoint)?,
             Line::Call(call) => match self.canon.call(call)? {
                 Mark::None => {}

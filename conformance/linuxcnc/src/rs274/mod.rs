@@ -23,6 +23,7 @@ mod session;
 mod streams;
 mod supports;
 mod version;
+mod waiting;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -45,6 +45,8 @@ pub(super) enum Line {
     Checkpoint(Box<Checkpoint>),
     /// Text that the program printed.
     Text(String),
+    /// The comment of a checkpoint: all that waited before it is out.
+    Passed,
 }
 
 /// Reads the whole output. If it was cut off, the last line is ignored.
@@ -55,6 +57,8 @@ pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line
     let mut lines = Vec::new();
     let mut reader = Reader::new(plan);
     let mut count = 0;
+    let (passed, release) = (plan.waiting_comment(), plan.release_comment());
+    let mut released = false;
     let whole =
         if cut_off { stdout.rsplit_once('\n').map_or("", |(whole, _)| whole) } else { stdout };
     // A carriage return belongs to what is printed.
@@ -65,7 +69,14 @@ pub(super) fn lines(stdout: &str, plan: &Plan, cut_off: bool) -> Result<Vec<Line
             );
         } else if let Some(call) = call(line, count + 1) {
             count += 1;
-            lines.push(Line::Call(call));
+            let comment = Some(call.text()).filter(|_| call.name == "COMMENT");
+            if comment == Some(passed.as_str()) {
+                lines.push(Line::Passed);
+            } else if comment == Some(release.as_str()) {
+                released = true;
+            } else if call.name != "OPTIONAL_PROGRAM_STOP" || !std::mem::take(&mut released) {
+                lines.push(Line::Call(call));
+            }
         } else {
             lines.push(Line::Text(line.to_owned()));
         }
@@ -92,7 +103,7 @@ pub(super) fn calls_and_texts(lines: &[Line]) -> Vec<String> {
         Line::Call(call) if call.name == "ON_RESET" => None,
         Line::Call(call) => Some(format!("{}({})", call.name, call.arguments)),
         Line::Text(text) => Some(text.clone()),
-        Line::Checkpoint(_) => None,
+        Line::Checkpoint(_) | Line::Passed => None,
     };
     lines.iter().filter_map(text).collect()
 }
@@ -100,12 +111,13 @@ pub(super) fn calls_and_texts(lines: &[Line]) -> Vec<String> {
 /// Copies arguments and texts of a plain run into the same calls of an instrumented one, since `#<_line>` counts
 /// checkpoint lines, too.
 pub(super) fn adopt(observed: &mut [Line], unobserved: &[Line]) {
-    let mine = observed.iter_mut().filter(|line| !matches!(line, Line::Checkpoint(_)));
+    let is_own = |line: &&mut Line| !matches!(line, Line::Checkpoint(_) | Line::Passed);
+    let mine = observed.iter_mut().filter(is_own);
     for (mine, other) in mine.zip(unobserved) {
         let same = match (&*mine, other) {
             (Line::Call(mine), Line::Call(other)) => mine.name == other.name,
             (Line::Text(_), Line::Text(_)) => true,
-            (Line::Call(_) | Line::Text(_) | Line::Checkpoint(_), _) => false,
+            (Line::Call(_) | Line::Text(_) | Line::Checkpoint(_) | Line::Passed, _) => false,
         };
         if same {
             mine.clone_from(other);
@@ -123,6 +135,7 @@ mod tests {
             parameters: Vec::new(),
             marks: None,
             parallel_axes: false,
+            compensates: true,
         }
     }
 

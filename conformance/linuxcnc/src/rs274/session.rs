@@ -282,7 +282,7 @@ fn observed(
 fn last_checkpoint(lines: &[Line]) -> Option<&Checkpoint> {
     lines.iter().rev().find_map(|line| match line {
         Line::Checkpoint(checkpoint) => Some(checkpoint.as_ref()),
-        Line::Call(_) | Line::Text(_) => None,
+        Line::Call(_) | Line::Text(_) | Line::Passed => None,
     })
 }
 

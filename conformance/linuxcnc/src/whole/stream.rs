@@ -309,6 +309,7 @@ mod tests {
             parameters: Vec::new(),
             marks: None,
             parallel_axes: false,
+            compensates: false,
         };
         let lines = [
             "emcTaskPlanCommand((print,hello)) called. (line_number=1)",
