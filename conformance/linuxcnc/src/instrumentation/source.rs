@@ -186,8 +186,7 @@ impl Source {
             let number = rest.trim_start_matches(['+', '0']);
             ["41", "42"].iter().any(|code| number.starts_with(code))
         };
-        let has_code =
-            |line: &str| without_names(&code(line)).split('g').skip(1).any(compensates);
+        let has_code = |line: &str| without_names(&code(line)).split('g').skip(1).any(compensates);
         self.all().any(|(_, _, line)| has_code(line)) || self.computes_word('g')
     }
 

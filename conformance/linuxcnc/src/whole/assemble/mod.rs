@@ -7,6 +7,7 @@
 mod ending;
 mod entering;
 mod entries;
+mod waiting;
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -19,6 +20,7 @@ use gaugeblock_vocabulary::{
 use serde_json::Value;
 
 use entering::Entering;
+use waiting::Waiting;
 
 use super::canon::Canon;
 use super::stream::{Issued, Item};
@@ -39,6 +41,7 @@ pub(super) struct Assembly<'a> {
     plan: &'a Plan,
     canon: Canon,
     steps: Steps<'a>,
+    waiting: Waiting,
     trace: Trace,
     start: Settings,
     /// What was printed since the last checkpoint.
@@ -99,6 +102,7 @@ impl<'a> Assembly<'a> {
             plan,
             canon: Canon::new(&scenario.machine),
             steps: Steps::new(source, plan, scenario),
+            waiting: Waiting::default(),
             trace: Trace::new(source, plan),
             start: Settings::default(),
             printed: Vec::new(),
@@ -146,6 +150,7 @@ impl<'a> Assembly<'a> {
             pins: assembly.pins,
             samples: Vec::new(),
         };
+        assembly.waiting.cut_off(&mut outcome);
         let is_exhausted = matches!(outcome.end, End::BudgetExhausted { .. });
         if steps::limit(&mut outcome, scenario.budget).is_none() && is_exhausted {
             return Err(HarnessError::Unreadable {
@@ -282,6 +287,7 @@ impl<'a> Assembly<'a> {
                 }
                 self.canon.finish(&checkpoint)?;
                 self.start = self.canon.now.clone();
+                self.waiting.begin(&checkpoint);
                 self.steps.begin(&checkpoint)?;
                 continue;
             }
@@ -302,6 +308,9 @@ impl<'a> Assembly<'a> {
                 self.steps.resume_at(&checkpoint);
                 continue;
             }
+            let (file, line) = self.steps.next().unwrap_or((0, 1));
+            let block = || self.source.block(file, line);
+            self.waiting.block(&checkpoint, &events, self.steps.taken.len(), block);
             self.steps.record_block(&checkpoint, events, self.canon.tool)?;
         }
         Ok(())
