@@ -151,15 +151,23 @@ fn arc(w: &mut Writer<'_, '_>, plane: &Plane, at: [i32; 2]) -> [i32; 2] {
     to
 }
 
+/// Blocks that wait with the move before them.
+const WAITS: &[&str] =
+    &["f50", "s200", "m3 s100", "m5", "m8", "m9", "g4 p0.1", "m19 r0", "(a comment)"];
+
+/// Blocks that do not.
+const PASSES: &[&str] = &["(msg,between)", "t1", "g21", "g91 g90", "g97", "#31=5", "g80"];
+
+/// Blocks that put out what waits, or are refused.
+const RARE: &[&str] =
+    &["m0", "m1", "m60", "g20", "g93 f2", "g61", "g92 x0", "m70", "m72", "g54", "g28", "m66 p0"];
+
 /// A block that leads nowhere in the plane, or one that compensation may refuse.
 fn between(w: &mut Writer<'_, '_>) -> &'static str {
-    let waits = ["f50", "s200", "m3 s100", "m5", "m8", "m9", "g4 p0.1", "m19 r0", "(a comment)"];
-    let passes = ["(msg,between)", "t1", "g21", "g91 g90", "g97", "#31=5", "g80"];
-    let rare =
-        ["m0", "m1", "m60", "g20", "g93 f2", "g61", "g92 x0", "m70", "m72", "g54", "g28", "m66 p0"];
-    match w.entropy.below(20) {
-        0..=9 => *w.entropy.pick(&waits),
-        10..=17 => *w.entropy.pick(&passes),
-        _ => *w.entropy.pick(&rare),
-    }
+    let words = match w.entropy.below(20) {
+        0..=9 => WAITS,
+        10..=17 => PASSES,
+        _ => RARE,
+    };
+    w.entropy.pick::<&str>(words)
 }
