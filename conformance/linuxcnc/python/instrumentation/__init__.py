@@ -11,6 +11,7 @@ Read them in this order:
     machine   the files of the machine, and rs274 as a process
     session   the runs that one outcome takes
     printed   what was printed: calls, checkpoints, text
+    waiting   calls that wait under cutter compensation, back in program order
     settings  active settings; lengths, in the active unit
     state     a checkpoint in the fields of the vocabulary
     canon     calls as settings and effects

@@ -158,7 +158,7 @@ def refused_place(kind, said, echo, source, plan, following):
     # The echo is the last line that a call sought through, or the definition that it found, or what a restore tried.
     if kind in ("unknown_sub", "mixed_styles") or said.startswith("M7x:"):
         return following
-    is_next = source.line(following).strip() == echo.strip()
+    is_next = echo.strip() in (source.line(following).strip(), plan.release)
     return plan.tagged(echo) or (following if is_next else source.only_line(echo))
 
 

@@ -7,12 +7,14 @@ from .faults import fault, message
 from .printed import Call, Checkpoint
 from .steps import Steps
 from .text import Form
+from .waiting import Rescaled, in_program_order
 
 
 def outcome(scenario, source, observed):
     """The outcome of a run; one that ends with `unsupported` is no outcome, but the reason why there is none."""
     making = Making(scenario, source, observed)
-    for line in observed.lines:
+    lines = in_program_order(observed.lines) if observed.plan.compensates else observed.lines
+    for line in lines:
         making.read(line)
         if making.end:
             break
@@ -43,6 +45,8 @@ class Making:
                 self.end = None if self.observed.refused else {"end": "percent_end"}
             case Call():
                 self.canon.call(line)
+            case Rescaled():
+                self.unsupported(Rescaled.__doc__)
             case str():
                 self.canon.message("print", line)
 

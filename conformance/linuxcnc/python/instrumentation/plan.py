@@ -37,6 +37,11 @@ class Plan:
         self.groups = groups(self.parameters)
         self.stop = f"(ABORT,{self.marker})"
         self.by_hand_sign = f"{self.marker}by hand"
+        # Under cutter compensation calls wait. A comment of each checkpoint waits with them; before an end, M1 puts all out.
+        self.compensates = source.may_compensate()
+        self.waiting_comment = f"{self.marker}+"
+        self.release_comment = f"{self.marker}release"
+        self.release = f"M1 ({self.release_comment})"
 
     def instrumented(self, file, lines, ends):
         """The text of a file with checkpoints and tags, and with an error before each line of `ends`: the program stops there, its state alive."""
@@ -46,6 +51,7 @@ class Plan:
         for number, line in enumerate(lines, 1):
             end = ends.place(line)
             if end is not None:
+                text += f"{self.release}\n" if self.compensates else ""
                 text += f"#<{self.reached(end)}>=1\n{self.stop}\n"
             text += line + self.tag(file, number, line) + "\n"
             # Nothing but blanks may stand before the first percent sign.
@@ -57,8 +63,9 @@ class Plan:
         """The checkpoint lines that stand after a line."""
         shown = [*(("%d", [f"<{name}>" for name in names]) for names in MODES), ("%.9f", [f"<{name}>" for name in NUMBERS])]
         shown += [("%.9f", group) for group in self.groups]
-        return "".join(f"(PRINT,{self.marker} {file} {line} {part} {how}" + "".join(f" #{name}" for name in names) + ")\n"
-                       for part, (how, names) in enumerate(shown))
+        comment = f"({self.waiting_comment})\n" if self.compensates else ""
+        return comment + "".join(f"(PRINT,{self.marker} {file} {line} {part} {how}" + "".join(f" #{name}" for name in names) + ")\n"
+                                 for part, (how, names) in enumerate(shown))
 
     def by_hand(self, ends):
         """What is entered by hand once the program has stopped: a sign, the end before which it stopped, and a checkpoint.

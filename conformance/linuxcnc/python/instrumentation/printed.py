@@ -1,5 +1,6 @@
 """What rs274 printed: canonical calls, checkpoints, and what (PRINT,…) prints."""
 import dataclasses
+import enum
 import re
 import typing
 
@@ -36,9 +37,15 @@ class Checkpoint:
     parameters: dict[str, float]
 
 
+class Passed(enum.Enum):
+    """The comment of a checkpoint: all that waited before it is out."""
+
+    PASSED = "passed"
+
+
 def read(text, plan):
     """The lines of an output: calls, checkpoints (each of several lines), and text. One without its end is left out."""
-    lines, parts, due = [], [], 1
+    lines, parts, due, released = [], [], 1, False
     for line in text.split("\n")[:-1]:
         call = CALL.fullmatch(line)
         if line.startswith(plan.marker):
@@ -49,7 +56,15 @@ def read(text, plan):
                 lines.append(checkpoint((int(file), int(number)), parts, plan))
         elif call and int(call[1]) == due:
             due += 1
-            lines.append(Call(call[2], call[3]))
+            call = Call(call[2], call[3])
+            if call == ("COMMENT", f'"{plan.waiting_comment}"'):
+                lines.append(Passed.PASSED)
+            elif call == ("COMMENT", f'"{plan.release_comment}"'):
+                released = True
+            elif released and call.name == "OPTIONAL_PROGRAM_STOP":
+                released = False
+            else:
+                lines.append(call)
         else:
             lines.append(line)
     return lines
@@ -66,14 +81,14 @@ def checkpoint(place, parts, plan):
 
 def doings(lines):
     """What the program did, checkpoints aside: for comparing a run under observation with one without."""
-    return [line for line in lines if not isinstance(line, Checkpoint) and line != ("ON_RESET", "")]
+    return [line for line in lines if not isinstance(line, Checkpoint | Passed) and line != ("ON_RESET", "")]
 
 
 def adopt(observed, unobserved):
     """Takes over the numbers and texts of a run without checkpoints where the same was done: `#<_line>` counts checkpoint lines too."""
     others = iter(unobserved)
     for place, mine in enumerate(observed):
-        if isinstance(mine, Checkpoint):
+        if isinstance(mine, Checkpoint | Passed):
             continue
         match mine, next(others, None):
             case (Call(name=name), Call(name=same) as other) if name == same:

@@ -60,6 +60,11 @@ class Source:
         """Whether it asks for line numbers, which checkpoints change."""
         return any("#<_line>" in compact(line) for _, _, line in self.all())
 
+    def may_compensate(self):
+        """Whether a block may switch cutter compensation on: one has its code, or a code that is computed."""
+        has_code = any(re.search("g[+0]*4[12]", without_names(code(line))) for _, _, line in self.all())
+        return has_code or self.computes_word("g")
+
     def names_hal(self):
         return any(name in compact(line) for _, _, line in self.all() for name in ("_hal[", "hal_pin_vars"))
 
