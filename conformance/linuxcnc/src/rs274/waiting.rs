@@ -96,3 +96,88 @@ fn is_lathe(call: &Call) -> bool {
 fn changes_unit(line: &Ordered<'_>) -> bool {
     matches!(line, Ordered::Line(Line::Call(call)) if call.name == "USE_LENGTH_UNITS")
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use gaugeblock_vocabulary::{Program, Scenario};
+
+    use super::super::output;
+    use super::*;
+    use crate::instrumentation::instrument::Plan;
+    use crate::instrumentation::source::Source;
+
+    /// The calls in program order, with a bar for each checkpoint.
+    fn ordered(printed: &[&str]) -> String {
+        let program: Program = Scenario::of("g41.1 d1\n").program;
+        let mut plan = Plan::new(&Source::new(&program), &BTreeSet::new());
+        plan.parameters.clear();
+        let mut stdout = String::new();
+        let mut count = 0;
+        for line in printed {
+            let call = match *line {
+                "|" => {
+                    let zeros = " 0".repeat(12);
+                    let parts = [&zeros[..22], &zeros[..], &zeros[..16]];
+                    for (part, values) in parts.iter().enumerate() {
+                        stdout.push_str(&format!("{} 0 0 {part}{values}\n", plan.marker));
+                    }
+                    continue;
+                }
+                "+" => format!("COMMENT(\"{}\")", plan.waiting_comment()),
+                call => call.to_owned(),
+            };
+            count += 1;
+            stdout.push_str(&format!("{count:5} N..... {call}\n"));
+        }
+        let lines = output::lines(&stdout, &plan, false).unwrap();
+        let shown = in_program_order(&lines).into_iter().map(|line| match line {
+            Ordered::Line(Line::Call(call)) => format!("{}({})", call.name, call.arguments),
+            Ordered::Line(Line::Checkpoint(_)) => "|".to_owned(),
+            Ordered::Line(Line::Text(_) | Line::Passed) => String::new(),
+            Ordered::Rescaled => "rescaled".to_owned(),
+        });
+        shown.collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn late_calls_belong_to_their_blocks() {
+        // G1 X1; T2 F3; Y-1 with a joining move; M2.
+        let printed = [
+            "+",
+            "|",
+            "|",
+            "SELECT_TOOL(2)",
+            "|",
+            "STRAIGHT_FEED(1)",
+            "+",
+            "SET_FEED_RATE(3)",
+            "+",
+            "ARC_FEED(2)",
+            "|",
+            "STRAIGHT_FEED(4)",
+            "+",
+            "DWELL(1)",
+        ];
+        assert_eq!(
+            ordered(&printed),
+            "| STRAIGHT_FEED(1) | SET_FEED_RATE(3) SELECT_TOOL(2) | ARC_FEED(2) STRAIGHT_FEED(4) | DWELL(1)"
+        );
+    }
+
+    #[test]
+    fn late_move_in_another_unit_is_recognised() {
+        let printed = [
+            "+",
+            "|",
+            "|",
+            "USE_LENGTH_UNITS(CANON_UNITS_MM)",
+            "|",
+            "STRAIGHT_FEED(25.4)",
+            "+",
+            "+",
+        ];
+        assert_eq!(ordered(&printed), "| rescaled | USE_LENGTH_UNITS(CANON_UNITS_MM) |");
+    }
+}
