@@ -13,7 +13,7 @@ pub struct Book<'a> {
     pub ledgers: &'a [Ledger],
     /// Reports of controllers; the page of a rule lists which of them keep it.
     pub comparison: Option<&'a Comparison>,
-    /// Pages of the guide, such as [`GUIDE`].
+    /// Pages of the guide, such as those of [`GUIDE`](crate::GUIDE).
     pub guide: &'a [Guide],
     /// Beginning of the addresses at which files of the repository can be read.
     pub repository: Option<&'a str>,
