@@ -155,7 +155,15 @@ impl Modal {
     }
 
     /// The cutter of a restored state. What moves follow a restore of another compensation, the documents leave open.
+    #[inline]
     pub(super) fn restore_cutter(&mut self, saved: &Saved) {
+        // Without compensation no move reads the cutter.
+        if !(self.compensation.is_idle && saved.modes.compensation == Compensation::Off) {
+            self.restore_other_cutter(saved);
+        }
+    }
+
+    fn restore_other_cutter(&mut self, saved: &Saved) {
         let (now, restored) = (self.active.now(), &saved.modes);
         let is_same = now.compensation == restored.compensation
             && now.work_offset == restored.work_offset
