@@ -1,9 +1,9 @@
 //! Restores the program order of calls under cutter compensation.
 //!
-//! A move in the plane waits until the next one is known, and other calls wait after it. A checkpoint's message does not
-//! wait, its comment does: what is printed after the message of a checkpoint and before its comment has waited, and
-//! belongs before both. A call that does not wait belongs where it is printed, and so does a joining move: it is printed
-//! when nothing waits any more.
+//! A move in the plane waits until the next one is known, and other calls wait after it. A checkpoint's message does
+//! not wait, its comment does: what is printed after the message of a checkpoint and before its comment has waited,
+//! and belongs before both. A call that does not wait belongs where it is printed. So does a joining move: it is
+//! printed when nothing waits any more.
 
 use super::output::{Call, Line};
 
