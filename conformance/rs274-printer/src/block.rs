@@ -152,8 +152,8 @@ impl Printed<'_> {
             && released.before <= before
         {
             self.released += 1;
-            let scale = super::setting_calls::scale(released.units, self.after.units);
-            let scaled = |end: Position| super::setting_calls::scaled(end, scale);
+            let scale = super::scale::scale(released.units, self.after.units);
+            let scaled = |end: Position| super::scale::scaled(end, scale);
             let place = released.place;
             if let Effect::StraightTraverse { end } = released.effect {
                 let end = scaled(end);

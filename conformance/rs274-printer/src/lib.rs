@@ -36,6 +36,7 @@ mod parameters;
 mod plane;
 mod printer;
 mod refusals;
+mod scale;
 mod setting_calls;
 mod source;
 mod text;

@@ -1,13 +1,13 @@
 //! Modes and offsets of a block, and what M72 and the end of a sub with M73 bring back.
 
 use gaugeblock_vocabulary::{
-    Compensation, FeedMode, LengthUnit, PathControlMode, Position, SpindleLimit, SpindleMode,
-    Switch,
+    Compensation, FeedMode, LengthUnit, PathControlMode, SpindleLimit, SpindleMode, Switch,
 };
 
 use super::block::Printed;
-use super::codes::{INCH, WORK_OFFSETS, system_of};
+use super::codes::{WORK_OFFSETS, system_of};
 use super::modes::{Modes, Spindle};
+use super::scale::{scale, scaled};
 
 impl Printed<'_> {
     /// Settings after the block, except those that the end of a program resets after they were set.
@@ -264,24 +264,6 @@ fn restored(before: Switch, saved: Switch, now: &mut Switch) -> bool {
         *now = before;
     }
     before != saved && saved == Switch::On
-}
-
-/// From one length unit to another.
-pub(super) fn scale(from: LengthUnit, to: LengthUnit) -> f64 {
-    match (from, to) {
-        (LengthUnit::Inch, LengthUnit::Millimetre) => INCH,
-        (LengthUnit::Millimetre, LengthUnit::Inch) => INCH.recip(),
-        (LengthUnit::Inch, LengthUnit::Inch) | (LengthUnit::Millimetre, LengthUnit::Millimetre) => {
-            1.0
-        }
-    }
-}
-
-/// A position in another length unit.
-pub(super) fn scaled(position: Position, scale: f64) -> Position {
-    let [x, y, z, a, b, c, u, v, w] = position.to_array();
-    let [x, y, z, u, v, w] = [x, y, z, u, v, w].map(|length| length * scale);
-    Position::from([x, y, z, a, b, c, u, v, w])
 }
 
 /// Whether two numbers differ by more than a conversion loses.

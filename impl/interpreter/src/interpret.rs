@@ -285,7 +285,6 @@ impl Interpreter {
 
     /// Ends the program as an operator's abort does: call levels and what was saved in them are gone, what the main
     /// program has saved as the options say, settings are reset.
-    ///
     /// After it the interpreter is before another program's first block, as after [`Self::begin`].
     pub fn abort<K: Sink>(&mut self, sink: &mut K) {
         self.modal.abort(sink, self.parameters.line);

@@ -11,7 +11,8 @@ use crate::parameters::{Numbered, is_stored};
 
 use super::Modal;
 use super::choices::{Choices, InitialMotion};
-use super::compensation::{CompensationState, Cutter};
+use super::compensation::path::CompensationState;
+use super::compensation::plane::Cutter;
 use super::coordinates::{Conversion, Coordinates};
 use super::cycles::MotionSeries;
 use super::modes::{ActiveSettings, Modes, SPINDLES};

@@ -9,7 +9,8 @@ use gaugeblock_vocabulary::{ControllerMode, LengthUnit, Motion, Rs274State, Sett
 use crate::parameters::Numbered;
 
 use super::choices::Choices;
-use super::compensation::{CompensationState, Cutter};
+use super::compensation::path::CompensationState;
+use super::compensation::plane::Cutter;
 use super::coordinates::{Conversion, Coordinates};
 use super::cycles::{MotionSeries, PendingBlock};
 use super::modes::ActiveSettings;

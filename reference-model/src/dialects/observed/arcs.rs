@@ -8,7 +8,8 @@ use crate::dialects::quirk;
 use crate::ids::{choice, rule};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::arc::{ArcRules, Axes, InPlane, names_axis, rounding_tolerance};
+use crate::rs274::execute::arc::{ArcRules, InPlane, names_axis, rounding_tolerance};
+use crate::rs274::execute::plane_axes::Axes;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 

@@ -4,10 +4,11 @@
 //! plane and a number of turns.
 
 use gaugeblock_vocabulary::{
-    Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Plane, Position,
+    Axis, Distance, Effect, FaultKind, Lathe, LengthUnit, Motion, Position,
 };
 
 use super::compensation::{self, programmed_point};
+use super::plane_axes::{Axes, axes};
 use super::target::{end_point, letter};
 use super::{whole, word};
 use crate::ids::{choice, rule};
@@ -18,40 +19,6 @@ pub(crate) use crate::rs274::planar::InPlane;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-
-/// The axes of an arc.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Axes {
-    first: Axis,
-    second: Axis,
-    /// The axis at right angles to the plane; a helix moves along it.
-    normal: Axis,
-}
-
-impl Axes {
-    /// The coordinates of a position in the plane.
-    pub(crate) fn in_plane(self, position: Position) -> InPlane {
-        (position.get(self.first), position.get(self.second))
-    }
-
-    /// Both axes of the plane.
-    pub(crate) fn of_plane(self) -> [Axis; 2] {
-        [self.first, self.second]
-    }
-
-    /// A position with other coordinates in the plane.
-    pub(crate) fn with(self, mut position: Position, (first, second): InPlane) -> Position {
-        *position.get_mut(self.first) = first;
-        *position.get_mut(self.second) = second;
-        position
-    }
-
-    /// A position with the coordinate that another one has along the normal axis.
-    pub(crate) fn with_normal_of(self, mut position: Position, other: Position) -> Position {
-        *position.get_mut(self.normal) = other.get(self.normal);
-        position
-    }
-}
 
 /// Moves along an arc.
 ///
@@ -97,22 +64,6 @@ fn check_after_compensation(state: &State) -> Result<(), StepError> {
         return Err(refuse(rule::compensation::EXIT_ARC, FaultKind::ModalConflict, message));
     }
     Ok(())
-}
-
-/// Rule arcs.plane. An arc lies in the selected plane: XY, ZX or YZ.
-/// Rule arcs.secondary-planes. The planes of U, V and W have no arcs.
-pub(crate) fn axes(state: &mut State) -> Result<Axes, StepError> {
-    use Axis::{X, Y, Z};
-    let (first, second, normal) = match state.modes.plane {
-        Plane::Xy => (X, Y, Z),
-        Plane::Zx => (Z, X, Y),
-        Plane::Yz => (Y, Z, X),
-        Plane::Uv | Plane::Wu | Plane::Vw => {
-            let message = "an arc in a plane of U, V or W";
-            return Err(refuse(rule::arcs::SECONDARY_PLANES, FaultKind::ModalConflict, message));
-        }
-    };
-    Ok(Axes { first, second, normal })
 }
 
 /// The number of turns, 1 for up to a full circle.

@@ -17,6 +17,7 @@ pub mod orient;
 pub mod outputs;
 pub mod overrides;
 pub mod path;
+pub(crate) mod plane_axes;
 pub(crate) mod positions;
 pub mod probe;
 pub mod program_end;

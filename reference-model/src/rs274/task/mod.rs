@@ -12,10 +12,12 @@
 //! | [`abort`] | the state after an abort |
 //! | [`pins`] | the values of the machine's pins |
 //! | [`record`] | what is observed |
+//! | [`effects`] | kinds of effects: moves, and what waits with a compensated move |
 //! | [`waiting`] | effects that wait until the next compensated move is known |
 //! | [`watch`] | moves and waits of a phase, looked at one by one |
 
 mod abort;
+mod effects;
 mod idle;
 mod moves;
 mod operator;

@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::{
     Step,
 };
 
-use super::waiting::{Waiting, may_wait};
+use super::effects::{Waiting, is_move, may_wait};
 use super::watch::{Begins, Mark, Watch, Why};
 use crate::rs274::environment::stub::BlockMotion;
 use crate::rs274::execute::move_start::{self, Speed};
@@ -412,17 +412,4 @@ fn speed_of(effect: &Effect, in_step: bool) -> Option<Speed> {
     } else {
         Some(Speed::Feed)
     }
-}
-
-/// Whether an effect leads the controlled point somewhere.
-pub(super) fn is_move(effect: &Effect) -> bool {
-    matches!(
-        effect,
-        Effect::StraightTraverse { .. }
-            | Effect::StraightFeed { .. }
-            | Effect::ArcFeed { .. }
-            | Effect::NurbsFeed { .. }
-            | Effect::RigidTap { .. }
-            | Effect::StraightProbe { .. }
-    )
 }

@@ -6,29 +6,8 @@
 use gaugeblock_vocabulary::{Axis, Effect, Event, LengthUnit, Position};
 
 use super::Record;
+use super::effects::Waiting;
 use crate::rs274::modes::converted;
-
-/// The place of an effect that waits.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Waiting {
-    /// The place of its block.
-    pub(super) step: usize,
-    /// Its place among the events of the block.
-    pub(super) event: usize,
-    /// The length unit of its block.
-    pub(super) units: LengthUnit,
-}
-
-/// Whether an effect waits if a compensated move before it does.
-///
-/// docs/compensation.md, "What waits": moves, G4 and M19; messages and T do not. The others are settings, which stay.
-pub(super) fn may_wait(effect: &Effect) -> bool {
-    super::record::is_move(effect)
-        || matches!(
-            effect,
-            Effect::Dwell { .. } | Effect::OrientSpindle { .. } | Effect::WaitOrient { .. }
-        )
-}
 
 impl Record {
     /// The moves that wait end at another point of the plane, in `units`.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Effect, Event, Position};
 
-use super::waiting::Waiting;
+use super::effects::Waiting;
 use crate::rs274::environment::EnvironmentState;
 use crate::rs274::execute::move_start::{Speed, is_held};
 use crate::rs274::modes::Modes;

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::math;
 
 use super::super::refusal::{Refusal, refuse};
-use super::LastMove;
+use super::path::LastMove;
 use super::plane::{Circle, Curve, Cutter, Segment, Vector};
 
 /// A corner is tangent up to this angle, radians.

@@ -10,13 +10,15 @@
 //! * A move in the plane waits until the next one is known, and what follows it waits too ([`waiting`]).
 //! * [`Modal::position`](super::Modal) is the compensated end of the last move, as if no inner corner followed. The
 //!   programmed point is the end of the last segment.
-//! * Without compensation a move pays one test: [`CompensationState::is_idle`].
+//! * Without compensation a move pays one test: [`path::CompensationState::is_idle`].
 
 mod corner;
 mod entry;
 mod exit;
 mod moves;
-mod plane;
+pub(super) mod path;
+pub(super) mod plane;
+mod queue;
 mod switch;
 mod waiting;
 
@@ -25,117 +27,15 @@ use alloc::format;
 use gaugeblock_vocabulary::{Axis, Compensation, Plane};
 
 use super::Modal;
-use super::coordinates::{Conversion, Coordinates};
+use super::coordinates::Coordinates;
 use super::refusal::Refusal;
 use super::saved_states::Saved;
 
+use path::PathState;
 pub(super) use plane::Cutter;
-use plane::{Circle, Segment, Vector};
-use waiting::Queue;
+use plane::Vector;
+use queue::Queue;
 pub(super) use waiting::waits_after_move;
-
-/// State of compensation besides the settings in force.
-#[derive(Clone, Debug)]
-pub(super) struct CompensationState {
-    /// Whether compensation is off and no exit is due: a plain move needs nothing of this module.
-    is_idle: bool,
-    /// What a refused block restores.
-    path: PathState,
-    /// `path` before the block, once it has changed.
-    before: Option<PathState>,
-    /// What waits for the next move in the plane.
-    queue: Queue,
-}
-
-/// The part of the state that moves change.
-#[derive(Clone, Copy, Debug, Default)]
-struct PathState {
-    /// The last compensated move.
-    last: Option<LastMove>,
-    /// G40 has ended a compensated path, and the straight move that leads away from it has not come yet.
-    exit_due: bool,
-    /// Why no compensated move can follow, where a restore has changed the compensation.
-    undefined: Option<&'static str>,
-}
-
-/// The last compensated move in the plane. Lengths are in the active unit; points are those of an unshifted cutter.
-#[derive(Clone, Copy, Debug)]
-struct LastMove {
-    plane: Plane,
-    segment: Segment,
-    /// The circle on which it ends, if it is an arc. An entry has its own one.
-    circle: Option<Circle>,
-    /// Whether it leads to the path.
-    is_entry: bool,
-    /// Whether it is refused where the corners leave nothing of it.
-    has_to_fit: bool,
-    /// Where it starts after the corner before it.
-    start: Vector,
-    /// Where its own curve ends.
-    end: Vector,
-}
-
-impl CompensationState {
-    /// Compensation is off.
-    pub(super) fn new(limit: u32) -> Self {
-        Self { is_idle: true, path: PathState::default(), before: None, queue: Queue::new(limit) }
-    }
-
-    /// Whether a plain move needs nothing of compensation.
-    #[inline]
-    pub(super) fn is_idle(&self) -> bool {
-        self.is_idle
-    }
-
-    /// Whether a move waits, and what follows it has to wait too.
-    #[inline]
-    pub(super) fn waits(&self) -> bool {
-        !self.queue.is_empty()
-    }
-
-    /// Whether a compensated move was made since compensation was switched on.
-    pub(super) fn has_path(&self) -> bool {
-        self.path.last.is_some()
-    }
-
-    /// Begins a block that can be rolled back.
-    #[inline]
-    pub(super) fn begin_notes(&mut self) {
-        self.before = None;
-    }
-
-    /// The part that moves change, for a change that a refusal rolls back.
-    fn path_mut(&mut self) -> &mut PathState {
-        if self.before.is_none() {
-            self.before = Some(self.path);
-        }
-        &mut self.path
-    }
-
-    /// The block is refused: its moves are forgotten, and what waited is lost.
-    pub(super) fn roll_back(&mut self) {
-        if let Some(before) = self.before.take() {
-            self.path = before;
-        }
-        self.queue.clear();
-    }
-
-    /// What waits is lost.
-    pub(super) fn lose_waiting(&mut self) {
-        self.queue.clear();
-    }
-
-    /// Converts lengths to another unit. What waits keeps the unit of its block.
-    pub(super) fn convert(&mut self, by: Conversion) {
-        if let Some(last) = &mut self.path_mut().last {
-            last.segment.convert(by);
-            last.circle = last.circle.map(|circle| circle.converted(by));
-            last.start = last.start.converted(by);
-            last.end = last.end.converted(by);
-        }
-        self.queue.convert(by);
-    }
-}
 
 impl Modal {
     /// Notes whether plain moves need compensation; after each change of the setting or of the path.

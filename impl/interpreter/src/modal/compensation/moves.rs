@@ -12,8 +12,9 @@ use super::super::letters::{U, V, W};
 use super::super::refusal::{Refusal, refuse};
 use super::corner::{Corner, intersection};
 use super::entry::{check_entry, entry_circle};
+use super::normal_of;
+use super::path::LastMove;
 use super::plane::{Curve, Cutter, Segment, Vector};
-use super::{LastMove, normal_of};
 
 /// A move of a block before compensation.
 struct Programmed {

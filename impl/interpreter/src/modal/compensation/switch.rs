@@ -9,7 +9,8 @@ use crate::words::Words;
 use super::super::Modal;
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::integer_in;
-use super::{Cutter, PathState};
+use super::Cutter;
+use super::path::PathState;
 
 impl Modal {
     /// G40 to G42.1.

@@ -2,7 +2,6 @@
 //! and orientations, in program order.
 
 use alloc::boxed::Box;
-use alloc::collections::VecDeque;
 
 use gaugeblock_vocabulary::{Effect, LengthUnit, Position, Settings};
 
@@ -12,35 +11,7 @@ use super::super::Modal;
 use super::super::coordinates::{Conversion, Coordinates};
 use super::super::refusal::{Refusal, refuse};
 use super::Vector;
-
-/// What waits, the oldest first. The first item is a move in the plane.
-#[derive(Clone, Debug)]
-pub(super) struct Queue {
-    items: VecDeque<Item>,
-    /// The controlled point before the first item, active length unit.
-    start: Coordinates,
-    /// Most items.
-    limit: u32,
-}
-
-/// Something that waits.
-#[derive(Clone, Debug)]
-struct Item {
-    /// Its place in the order of the sink.
-    place: u64,
-    line: u32,
-    /// The length unit of its block.
-    units: LengthUnit,
-    content: Content,
-}
-
-#[derive(Clone, Debug)]
-enum Content {
-    /// F alone, which many blocks have.
-    Feed(f64),
-    Settings(Box<Settings>),
-    Effect(Effect),
-}
+use super::queue::{Content, Item};
 
 /// Takes settings over that are reported while they have to wait.
 #[derive(Default)]
@@ -53,27 +24,6 @@ impl Sink for Collector {
 
     fn perform(&mut self, _line: u32, _effect: &Effect) -> Reply {
         Reply::Done
-    }
-}
-
-impl Queue {
-    /// Nothing waits.
-    pub(super) fn new(limit: u32) -> Self {
-        Self { items: VecDeque::new(), start: Coordinates::default(), limit }
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.items.is_empty()
-    }
-
-    /// What waits is lost.
-    pub(super) fn clear(&mut self) {
-        self.items.clear();
-    }
-
-    /// The point before what waits in another unit.
-    pub(super) fn convert(&mut self, by: Conversion) {
-        self.start = self.start.converted(by);
     }
 }
 

@@ -6,7 +6,7 @@ use super::ending::{check_fit, stop_waiting};
 use super::orientation::shifted;
 use super::{entry, gouges, slack};
 use crate::ids::rule;
-use crate::rs274::execute::arc::{Axes, axes};
+use crate::rs274::execute::plane_axes::{Axes, axes};
 use crate::rs274::planar::{Corner, Curve, Cutter, InPlane, Leg, ProgrammedArc, corner};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::{CompensatedPath, State};
