@@ -204,7 +204,7 @@ fn check_ends_with_a_status_for_scripts() {
         ("refused", "m72\nm2\n", 1, ["--> refused.ngc:1", "error: "]),
         ("open", "g0 x1\n", 1, ["--> open.ngc:1", "the file ends without M2 or M30"]),
         ("pauses", "g0 x1\nm60\nm2\n", 1, ["note: pauses.ngc:2: the program pauses", "hint: add"]),
-        ("compensated", "g41\ng1 f1 x1\nm2\n", 3, ["--> compensated.ngc:2", "not supported"]),
+        ("turning", "g71\nm2\n", 3, ["--> turning.ngc:1", "not supported"]),
     ] {
         write(&here, &format!("{name}.ngc"), program);
         says(&here, &format!("run {name}.ngc --check"), status, &parts);
