@@ -88,7 +88,8 @@ fn rendered(guide: &Guide, book: &Book<'_>) -> String {
     });
     let mut html = String::new();
     html::push_html(&mut html, events);
-    html
+    // What scrolls can be reached with the keyboard.
+    html.replace("<pre>", "<pre tabindex=\"0\">").replace("<table>", "<table tabindex=\"0\">")
 }
 
 /// Gives each heading the name of its words.
