@@ -30,7 +30,7 @@ const FIXED: [(&str, &str); 2] = [
 /// A site in the making.
 pub(super) struct Site {
     environment: Environment<'static>,
-    /// The digest of the suite, of which each page prints the beginning.
+    /// The beginning of the digest of the suite, which each page prints.
     suite: String,
     pages: Vec<Page>,
 }
@@ -89,7 +89,7 @@ impl Site {
     }
 }
 
-/// Writes a value of a page. Of texts only what HTML requires is escaped: a slash, of which addresses are full, stays.
+/// Writes a value of a page. Texts are escaped as far as HTML requires; the slashes of addresses stay.
 fn escaped(out: &mut Output<'_>, state: &mut State<'_, '_>, value: &Value) -> Result<(), Error> {
     let Some(text) = value.as_str().filter(|_| !value.is_safe()) else {
         return escape_formatter(out, state, value);

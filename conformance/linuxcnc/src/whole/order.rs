@@ -31,7 +31,7 @@ pub(super) fn plan(scenario: &Scenario, source: &Source, more: &BTreeSet<u32>) -
         plan.parameters.push(INPUT_READ.to_owned());
     }
     let is_parallel = |axis: &Axis| matches!(axis, Axis::U | Axis::V | Axis::W);
-    // A comment is no command, so that none is seen that waits.
+    // A comment is not a command: the driver does not see those that wait.
     plan.compensates = false;
     plan.parallel_axes = scenario.machine.axes.iter().any(is_parallel);
     plan.marks = Some(Marks { before: scenario.operator.iter().filter_map(place).collect() });

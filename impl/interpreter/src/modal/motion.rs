@@ -140,7 +140,7 @@ impl Modal {
         self.active.now().compensation != Compensation::Off && self.cutter.has_radius()
     }
 
-    /// Ends the run at a move of which the documents do not say how it is compensated.
+    /// Ends the run at a move whose compensation the documents leave open.
     pub(super) fn check_uncompensated_move(&self) -> Result<(), Refusal> {
         if self.compensates() {
             return Err(Refusal::Unsupported("such a move under cutter compensation".into()));

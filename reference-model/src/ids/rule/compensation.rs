@@ -24,7 +24,7 @@ rules! {
     EXIT = "compensation.exit",
     /// An arc as the next move after G40 is refused.
     EXIT_ARC = "compensation.exit-arc",
-    /// A move of which inside corners leave nothing is refused: the tool would gouge the part.
+    /// A move is refused if inside corners leave nothing of it: the tool would gouge the part.
     GOUGING = "compensation.gouging",
     /// Compensation holds from move to move, through other codes, until G40 or the program end turns it off.
     HOLDS = "compensation.holds",

@@ -150,7 +150,7 @@ impl Modal {
     }
 }
 
-/// Whether an effect that is no move waits after a compensated move. Messages, outputs, tools and stops do not.
+/// Whether an effect other than a move waits after a compensated move. Messages, outputs, tools and stops do not.
 pub(in super::super) fn waits_after_move(effect: &Effect) -> bool {
     matches!(
         effect,
