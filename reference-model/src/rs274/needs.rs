@@ -4,6 +4,7 @@
 //! the model, and nothing is executed. So what is not known before a block is reached is not known here either: the
 //! code of a computed G word, and the motion mode in a subroutine.
 
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use gaugeblock_vocabulary::scenario::Action;
@@ -14,9 +15,8 @@ use super::execute::message::{is_active, is_message};
 use super::modes::{Code, ModalGroup, Rounding, g_code, g_text, m_code};
 use super::state::State;
 use super::syntax::{Block, Comment, Expression, parse};
-use super::task::start;
+use super::task::{RunCache, start};
 use super::text::{Glyph, Line, Source, condense};
-use crate::Choices;
 use crate::math::near_integer;
 
 /// What the program of a scenario needs of the language, whether or not its blocks are reached.
@@ -64,14 +64,19 @@ pub struct CodeUse {
     pub letters: BTreeSet<char>,
 }
 
+thread_local! {
+    /// How the documents are read under the options of the program before, which are most often those of the next one.
+    static CHOICES: RefCell<RunCache> = RefCell::default();
+}
+
 /// What the program of a scenario needs of the language. Programs in other languages than RS-274 need nothing.
 pub fn language_needs(scenario: &Scenario) -> LanguageNeeds {
     if scenario.program.language != Language::Rs274 {
         return LanguageNeeds::default();
     }
     // Options that the model does not know end a run before its first block, and have no part in how text is read.
-    let choices = Choices::new(&scenario.options).unwrap_or_default();
-    let state = start(scenario, choices.into(), Rounding::AsComputed);
+    let choices = CHOICES.with_borrow_mut(|cache| cache.choices(&scenario.options));
+    let state = start(scenario, choices.unwrap_or_default(), Rounding::AsComputed);
     let block_delete = scenario.program.block_delete;
     let mut reader = Reader { state, needs: LanguageNeeds::default(), motion: None };
     reader.text(&scenario.program.main, block_delete);

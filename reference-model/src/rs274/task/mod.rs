@@ -75,7 +75,7 @@ impl RunCache {
     }
 
     /// How the documents are read under some options, which are most often those of the run before.
-    fn choices(&mut self, options: &Options) -> Result<Shared<Choices>, String> {
+    pub(super) fn choices(&mut self, options: &Options) -> Result<Shared<Choices>, String> {
         if let Some((known, choices)) = &self.choices
             && known == options
         {
