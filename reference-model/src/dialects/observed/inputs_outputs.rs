@@ -1,7 +1,8 @@
 //! Quirks of inputs and outputs.
 
-use gaugeblock_vocabulary::{OutputTiming, WaitMode};
+use gaugeblock_vocabulary::{Axis, OutputTiming, Position, WaitMode};
 
+use super::task::machine_point_in_mm;
 use super::{HasQuirk, Observed, Quirk};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -16,6 +17,10 @@ use crate::rs274::state::State;
 
 /// The largest number of an input that M66 accepts by quirk linuxcnc.input-number.
 const INPUT_NUMBER_MAX: i32 = 63;
+
+/// A move that is shorter along every axis leads nowhere by quirk linuxcnc.move-in-place, millimetres or degrees. 1e-8
+/// was observed to be one, 2e-7 was not.
+const IN_PLACE_MM: f64 = 1e-7;
 
 impl InputRules for Observed {
     /// Quirk linuxcnc.wait-mode-times-out. With L above 4, M66 always ends with its time-out, whatever the input does.
@@ -76,6 +81,18 @@ impl OutputRules for Observed {
             return Ok(-1.0);
         }
         Documented.value_of_no_word(code, state)
+    }
+
+    /// Quirk linuxcnc.move-in-place. A move that leads nowhere is dropped, so that nothing holds it or begins with it.
+    fn is_motion_to(&self, end: Position, state: &State) -> bool {
+        let (from, to) = (state.memory.axes, machine_point_in_mm(&state.modes, end));
+        let is_there = |axis: &Axis| (from.get(*axis) - to.get(*axis)).abs() < IN_PLACE_MM;
+        !state.has_quirk(quirk::linuxcnc::MOVE_IN_PLACE) || !Axis::ALL.iter().all(is_there)
+    }
+
+    /// Quirk linuxcnc.move-in-place. The dialect remembers where the axes are.
+    fn axes_are_at(&self, point: Position, state: &mut State) {
+        state.memory.axes = machine_point_in_mm(&state.modes, point);
     }
 
     /// Quirk linuxcnc.output-while-held. What waits for a motion switches when that is queued, although it is held.

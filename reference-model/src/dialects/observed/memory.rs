@@ -31,6 +31,8 @@ pub(crate) struct Memory {
     pub(super) follows_surface_speed: BTreeSet<usize>,
     /// Quirk linuxcnc.tool-change-move: whether the machine is on its way to where the tool is changed.
     pub(super) moves_to_change: bool,
+    /// Quirk linuxcnc.move-in-place: where the last move has led the axes, machine position, millimetres.
+    pub(super) axes: Position,
     /// Quirk linuxcnc.point-read-back: where the machine is, in its own coordinates and in millimetres, while the
     /// interpreter takes it to be elsewhere.
     pub(super) machine_point: Option<Position>,

@@ -1,6 +1,6 @@
 //! M62 to M65, M67, M68.
 
-use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin};
+use gaugeblock_vocabulary::{Effect, FaultKind, OutputTiming, Pin, Position};
 
 use super::{whole, word};
 use crate::ids::{Rule, choice, rule};
@@ -92,6 +92,15 @@ pub(crate) trait OutputRules {
         let message = format!("M{code} needs Q, the value of the output");
         Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message))
     }
+
+    /// Rule outputs.at-next-motion. A motion command is one wherever it leads: program coordinates, active length unit.
+    fn is_motion_to(&self, _end: Position, _state: &State) -> bool {
+        true
+    }
+
+    /// The axes are at a point in program coordinates, active length unit. It makes no difference to what begins with
+    /// a motion.
+    fn axes_are_at(&self, _point: Position, _state: &mut State) {}
 
     /// Rule outputs.at-next-motion. A motion that is held has not begun: what waits for it goes on waiting.
     fn motion_is_held(&self, _state: &mut State) {}

@@ -149,5 +149,6 @@ impl ModelRun<'_> {
         self.state.environment = after.environment;
         self.state.panel = after.panel;
         self.state.coverage = after.coverage;
+        self.state.dialect().axes_are_at(after.position, &mut self.state);
     }
 }

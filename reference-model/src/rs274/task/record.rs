@@ -99,13 +99,15 @@ impl Record {
 
     /// An effect, under the settings now in force. A move begins with it, unless it is held.
     pub fn effect(&mut self, state: &mut State, effect: Effect) {
-        let speed = speed_of(&effect, self.in_step);
+        let speed =
+            speed_of(&effect, self.in_step).filter(|_| move_start::is_motion(&effect, state));
         if self.has_stopped() || speed.is_some_and(|speed| self.waits_to_move(speed, state)) {
             return self.does_not_happen();
         }
         if speed.is_some() {
             move_start::motion_begins(state);
         }
+        move_start::moves_axes(&effect, state);
         self.happened(state, effect);
         if let Some(watch) = self.watch.as_mut().filter(|_| speed.is_some()) {
             watch.moved(state);
