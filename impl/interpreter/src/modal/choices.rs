@@ -177,6 +177,8 @@ choices! {
     nurbs_feed_at_opening: "splines.nurbs-feed", "at-closing", "at-opening";
     /// G76 needs a spindle that turns.
     thread_needs_spindle: "threading.cycle-spindle", "any", "turning";
+    /// M6 stops spindle 0 only.
+    change_stops_first: "tool.change-spindles", "all", "first";
     /// M6 is refused under cutter compensation.
     change_uncompensated: "tool.change-under-compensation", "accepted", "refused";
     /// M6 without a T since the last change is allowed.

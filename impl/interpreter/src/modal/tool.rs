@@ -10,6 +10,7 @@ use crate::words::Words;
 use super::Modal;
 use super::check::Block;
 use super::coordinates::Coordinates;
+use super::modes::FIRST;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
 use super::state::NO_TOOL;
@@ -87,8 +88,9 @@ impl Modal {
         };
         let same = tool == self.tool && planted(PlantedFault::SameToolTurns);
         if !self.tool_change.with_spindle_on && !planted(PlantedFault::SpindleTurnsOn) && !same {
-            let all = self.all_spindles();
-            self.for_spindles(all, |spindle| spindle.turn = SpindleTurn::Stopped);
+            let first = self.choices.change_stops_first;
+            let which = if first { FIRST } else { self.all_spindles() };
+            self.for_spindles(which, |spindle| spindle.turn = SpindleTurn::Stopped);
         }
         if planted(PlantedFault::ChangeStopsFlood) {
             self.active.put(|modes| &mut modes.flood, Switch::Off);

@@ -33,9 +33,9 @@ pub(super) const TASK: u16 = 120;
 pub(super) const TEXT: u16 = 121;
 pub(super) const THREADING: u16 = 128;
 pub(super) const TOOL: u16 = 131;
-pub(super) const TRAJECTORY: u16 = 142;
-pub(super) const UNITS_PLANES: u16 = 144;
-pub(super) const USER_CODES: u16 = 148;
+pub(super) const TRAJECTORY: u16 = 143;
+pub(super) const UNITS_PLANES: u16 = 145;
+pub(super) const USER_CODES: u16 = 149;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 151;
+pub(crate) const COUNT: u16 = 152;

@@ -3,6 +3,15 @@
 choices! {
     super::first::TOOL;
 
+    /// Which spindles M6 stops on a machine with several: the documents speak of the spindle, as if there
+    /// were one.
+    ChangeSpindles = "tool.change-spindles" {
+        /// every spindle
+        All = "all",
+        /// spindle 0
+        First = "first",
+    }
+
     /// Whether a tool may be changed while cutter compensation is on. The chapter names no such error;
     /// another place of the last manual does.
     ChangeUnderCompensation = "tool.change-under-compensation" {

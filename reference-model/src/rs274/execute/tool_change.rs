@@ -60,14 +60,16 @@ fn tool_to_load(state: &mut State) -> Result<i32, StepError> {
     Ok(selected.unwrap_or(others).max(0))
 }
 
-/// Every spindle stops, unless the machine changes tools while they turn; only then does it move to where tools are
-/// changed.
+/// The spindles stop, unless the machine changes tools while they turn; only then does it move to where tools are
+/// changed. On a machine with several spindles it is a choice which of them stop.
 pub fn before_moving(state: &mut State) {
     if state.machine.tool_change.with_spindle_on {
         state.coverage.accepted(rule::tool::CHANGE_SPINDLE_ON);
         return;
     }
-    for place in state.all_spindles() {
+    let every = state.choices.is(choice::tool::ChangeSpindles::All);
+    let stopped = if every { state.all_spindles() } else { vec![0] };
+    for place in stopped {
         state.dialect().set_turn(SpindleTurn::Stopped, place, state);
     }
     state.coverage.accepted(rule::tool::CHANGE_STOPS_SPINDLE);

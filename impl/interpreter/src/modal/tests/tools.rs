@@ -44,6 +44,13 @@ fn preparing_and_changing() {
         Refused(CompensationActive),
     );
     check("t1 g41 d2; m6", After("tool = 1"));
+    check("m3; t1 m6", After("spindle[0] = stopped, spindle[1] = stopped"));
+    check_on(
+        &machine(),
+        &[("tool.change-spindles", "first")],
+        "m3; t1 m6",
+        After("spindle[0] = stopped, spindle[1] = clockwise"),
+    );
 }
 
 #[test]
