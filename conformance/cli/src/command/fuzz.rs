@@ -147,6 +147,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
             .then(|| undeclared(suite, edition, &declared))
             .map_or_else(Vec::new, |all| Random::all(all, &options)),
         environment: edition.environment.clone(),
+        language: edition.has.clone(),
         ..Plan::new(iut.as_ref(), against.as_ref(), options)
     };
     plan.leave_out_unreadable();

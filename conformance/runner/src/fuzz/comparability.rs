@@ -51,10 +51,8 @@ impl Plan<'_> {
         scenario: &Scenario,
         outcome: &Outcome,
     ) -> Option<String> {
-        for side in [self.iut, self.against] {
-            if let Err(why) = side.supports(scenario) {
-                return Some(format!("{}: {why}", side.capabilities().name));
-            }
+        if let Some((name, why)) = self.reason_not_run(scenario) {
+            return Some(format!("{name}: {why}"));
         }
         outcome.end.undetermined().map(|undetermined| match undetermined {
             Undetermined::Unsupported(what) => format!("reference: {what}"),

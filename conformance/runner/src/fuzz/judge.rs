@@ -74,12 +74,10 @@ impl Plan<'_> {
         statistics: &mut Statistics,
     ) -> Result<CoveredOutcome, FuzzResult> {
         statistics.programs += 1;
-        for side in [self.iut, self.against] {
-            if let Err(why) = side.supports(scenario) {
-                let why = format!("{}: {}", controller_name(side), without_place(&why));
-                count(&mut statistics.unsupported, &why);
-                return Err(FuzzResult::Unsupported);
-            }
+        if let Some((name, why)) = self.reason_not_run(scenario) {
+            let why = format!("{name}: {}", without_place(&why));
+            count(&mut statistics.unsupported, &why);
+            return Err(FuzzResult::Unsupported);
         }
         self.iut.prefetch(scenario);
         let (expected, coverage) = run_side(self.against, scenario, None);

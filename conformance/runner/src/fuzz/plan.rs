@@ -3,12 +3,15 @@
 use std::collections::BTreeSet;
 
 use gaugeblock_adapter::Adapter;
+use gaugeblock_adapter::protocol::DeclaredLanguage;
 use gaugeblock_fuzz::generate::readable::Readable;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig, unreadable};
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Scenario};
+
+use crate::language::check_program;
 
 /// Consecutive programs that share their options. New options for each would add 6 % to the time of a program.
 pub const ALIKE: u64 = 8;
@@ -39,6 +42,8 @@ pub struct Plan<'a> {
     pub random: Vec<Random<'a>>,
     /// The environment of scenarios that have none.
     pub environment: Option<String>,
+    /// The language of the edition, if its documents have a part of RS-274 only.
+    pub language: Option<DeclaredLanguage>,
     /// Names of unreadable statements. If set, each written statement is also checked against the controllers.
     pub readable: Option<BTreeSet<&'static str>>,
 }
@@ -73,13 +78,14 @@ impl<'a> Plan<'a> {
             options,
             random: Vec::new(),
             environment: None,
+            language: None,
             readable: None,
         }
     }
 }
 
 impl Plan<'_> {
-    /// Omits unreadable statements if the controllers support fewer than half of the sampled programs.
+    /// Omits unreadable statements if fewer than half of the sampled programs are in the language and supported.
     pub fn leave_out_unreadable(&mut self) {
         let numbers = 0..SAMPLE;
         let unsupported = numbers.filter(|number| !self.is_run(&self.generated(0, *number)));
@@ -97,9 +103,22 @@ impl Plan<'_> {
         generate::scenario_within(&mut entropy, &self.config, readable)
     }
 
-    /// Whether both sides run a scenario.
+    /// Whether a scenario is in the language of the edition, and both sides run it.
     pub(super) fn is_run(&self, scenario: &Scenario) -> bool {
-        [self.iut, self.against].iter().all(|side| side.supports(scenario).is_ok())
+        self.reason_not_run(scenario).is_none()
+    }
+
+    /// Why a scenario is not run: whose language or features it exceeds, and by what.
+    pub(super) fn reason_not_run(&self, scenario: &Scenario) -> Option<(&str, String)> {
+        let language = self.language.as_ref();
+        let beyond = language.and_then(|language| check_program(language, scenario).err());
+        let sides = || {
+            [self.iut, self.against].into_iter().find_map(|side| {
+                let why = side.supports(scenario).err()?;
+                Some((side.capabilities().name.as_str(), why))
+            })
+        };
+        beyond.map(|why| ("edition", why)).or_else(sides)
     }
 
     /// The scenario of a number.

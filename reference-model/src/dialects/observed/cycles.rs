@@ -1,12 +1,14 @@
 //! Quirks of canned cycles.
 
-use gaugeblock_vocabulary::{Axis, Effect, FaultKind, PathControlMode, Plane, Position};
+use gaugeblock_vocabulary::{
+    Axis, Distance, Effect, FaultKind, FeedMode, PathControlMode, Plane, Position,
+};
 
 use super::path::tolerances_as_numbers;
 use super::task::machine_point_in_mm;
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
-use crate::ids::rule;
+use crate::ids::{Rule, rule};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, traverse_along};
@@ -89,6 +91,39 @@ impl CycleRules for Observed {
         let height = state.position.get_mut(normal);
         if *height <= cycle.retract {
             *height = cycle.clear;
+        }
+    }
+
+    /// Quirk nist.cycle-under-compensation. A cycle is accepted while the cutter is compensated.
+    /// Quirk nist.inverse-time-cycle. A cycle is accepted under inverse time.
+    fn accepts_cycle(&self, against: Rule, state: &State) -> bool {
+        let quirks = [
+            (rule::cycles::UNDER_COMPENSATION, quirk::nist::CYCLE_UNDER_COMPENSATION),
+            (rule::cycles::INVERSE_TIME, quirk::nist::INVERSE_TIME_CYCLE),
+        ];
+        quirks.iter().any(|(rule, quirk)| *rule == against && state.has_quirk(*quirk))
+    }
+
+    /// Quirk nist.inverse-time-cycle. It needs no F, and feeds at the rate of before.
+    fn check_cycle_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        let is_inverse_time = state.modes.feed_mode == FeedMode::InverseTime;
+        if is_inverse_time && state.has_quirk(quirk::nist::INVERSE_TIME_CYCLE) {
+            return Ok(());
+        }
+        Documented.check_cycle_feed(words, state)
+    }
+
+    /// Quirk nist.cycle-repeats-last-word. In incremental distance mode an axis without a word has the number of its
+    /// last word in any block.
+    fn increment_in_plane(&self, axis: Axis, word: Option<f64>, state: &State) -> Option<f64> {
+        let place = [Axis::X, Axis::Y, Axis::Z].iter().position(|known| *known == axis);
+        let is_incremental = state.modes.distance == Distance::Incremental;
+        let repeats = word.is_none()
+            && is_incremental
+            && state.has_quirk(quirk::nist::CYCLE_REPEATS_LAST_WORD);
+        match place {
+            Some(place) if repeats => Some(state.memory.last_words[place]),
+            _ => Documented.increment_in_plane(axis, word, state),
         }
     }
 

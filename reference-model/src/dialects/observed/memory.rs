@@ -16,6 +16,8 @@ pub(crate) struct Memory {
     pub(super) chosen_spindle: usize,
     /// Quirk rs274.tap-dwell-kept: P of the last canned cycle that had one, seconds.
     pub(super) cycle_dwell: f64,
+    /// Quirk nist.cycle-repeats-last-word: the numbers of the last X, Y and Z word of a block.
+    pub(super) last_words: [f64; 3],
     /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
     pub(super) plane_before: Option<Plane>,
     /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion; `None` before the first motion, and

@@ -1,4 +1,5 @@
-//! What was observed of controllers: LinuxCNC, its stand-alone interpreter `rs274` and the whole controller, and Grbl.
+//! What was observed of controllers: LinuxCNC, its stand-alone interpreter `rs274` and the whole controller, Grbl, and
+//! NIST's interpreter.
 //!
 //! Each section states what was observed, not what is right; the page of the same id in `suite/quirks` has the program
 //! that makes the difference observable.

@@ -7,6 +7,12 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::modes::ModesRules;
 
 impl ModesRules for Observed {
+    /// Quirk nist.offset-at-start. It applies whatever #5210 is.
+    fn offset_applies_at_start(&self, flag: f64, choices: &Choices) -> bool {
+        choices.has_quirk(quirk::nist::OFFSET_AT_START)
+            || Documented.offset_applies_at_start(flag, choices)
+    }
+
     /// Quirk linuxcnc.initial-tolerance. Before the first G64 paths are blended within a thousandth of an inch.
     fn initial_blend_tolerance(&self, choices: &Choices) -> f64 {
         if choices.has_quirk(quirk::linuxcnc::INITIAL_TOLERANCE) {

@@ -15,6 +15,12 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl OffsetRules for Observed {
+    /// Quirk nist.systems-under-compensation. A system is selected while the cutter is compensated.
+    fn selects_under_compensation(&self, state: &State) -> bool {
+        state.has_quirk(quirk::nist::SYSTEMS_UNDER_COMPENSATION)
+            || Documented.selects_under_compensation(state)
+    }
+
     /// Quirk rs274.same-system-kept. Selecting the active coordinate system does not read its parameters again.
     fn select_system(&self, system: u32, state: &mut State) {
         let same = system == state.modes.work_offset;

@@ -5,15 +5,20 @@ use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
+use crate::rs274::execute::word;
 use crate::rs274::order::{OrderRules, Phase, Phases, fault_after};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl OrderRules for Observed {
     /// Quirk rs274.polar-plane. The plane that is active before the block is recorded for `check_polar`.
+    /// Quirk nist.cycle-repeats-last-word. The words of X, Y and Z are recorded.
     /// Quirk linuxcnc.modes-of-last-motion. The moves to where the tool is changed have the modes before their block.
     fn phases(&self, words: &Words, state: &mut State) -> Phases {
         state.memory.plane_before = Some(state.modes.plane);
+        for (last, letter) in state.memory.last_words.iter_mut().zip(['x', 'y', 'z']) {
+            *last = word(words, letter).unwrap_or(*last);
+        }
         let change = state.machine.tool_change;
         let moves = words.m.contains(&6) && (change.at_g30 || change.quill_up);
         if moves && state.has_quirk(quirk::linuxcnc::MODES_OF_LAST_MOTION) {

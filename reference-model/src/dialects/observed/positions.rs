@@ -1,6 +1,6 @@
 //! Quirks of positions of the machine.
 
-use gaugeblock_vocabulary::{Axis, Position};
+use gaugeblock_vocabulary::{Axis, Effect, Position};
 
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
@@ -34,6 +34,19 @@ impl MachinePositionRules for Observed {
             traverse(state.modes.machine_point(state.position), state, record);
         }
         Documented.go_straight(first, state, record);
+    }
+
+    /// Quirk nist.home-without-rotary. The rotary axes do not move, although the interpreter takes them to be there.
+    fn go_to_stored(&self, machine: Position, state: &mut State, record: &mut Record) {
+        if !state.has_quirk(quirk::nist::HOME_WITHOUT_ROTARY) {
+            return Documented.go_to_stored(machine, state, record);
+        }
+        let Position { a, b, c, .. } = state.position;
+        state.position = state.modes.program_point(machine);
+        record.effect(
+            state,
+            Effect::StraightTraverse { end: Position { a, b, c, ..state.position } },
+        );
     }
 
     /// Quirk rs274.tool-offset-unit. Stored and measured points are off by the same distance in the other direction.

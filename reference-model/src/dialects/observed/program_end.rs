@@ -1,6 +1,6 @@
 //! Quirks of the program end.
 
-use gaugeblock_vocabulary::{SpindleLimit, SpindleMode, Switch};
+use gaugeblock_vocabulary::{Position, SpindleLimit, SpindleMode, Switch};
 
 use super::spindle::send_speed;
 use super::task::{machine_point_in_mm, read_point_back};
@@ -15,7 +15,9 @@ use crate::rs274::task::{Record, update_pins};
 impl ProgramEndRules for Observed {
     /// Quirk rs274.spindle-mode-at-end. The program end selects G97 for all spindles.
     /// Quirk rs274.feed-zero-at-end. The program end sets the feed rate to zero.
+    /// Quirk nist.offset-kept-at-end. The local offset of Y and Z is still in force, although no coordinates have it.
     fn reset_at_end(&self, state: &mut State) {
+        let Position { y, z, .. } = state.modes.g92_offset;
         let leaves_surface_speed = state.has_quirk(quirk::rs274::SPINDLE_MODE_AT_END);
         if leaves_surface_speed {
             send_speeds_at_end(state);
@@ -26,6 +28,9 @@ impl ProgramEndRules for Observed {
                 spindle.mode = SpindleMode::Rpm;
                 spindle.limit = SpindleLimit::None;
             }
+        }
+        if state.has_quirk(quirk::nist::OFFSET_KEPT_AT_END) {
+            state.modes.g92_offset = Position { y, z, ..state.modes.g92_offset };
         }
         if state.has_quirk(quirk::rs274::FEED_ZERO_AT_END) {
             state.modes.feed_rate = 0.0;

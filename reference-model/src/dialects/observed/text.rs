@@ -13,7 +13,11 @@ use crate::rs274::text::{Line, Source, TextRules, within};
 
 impl TextRules for Observed {
     /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
+    /// Quirk nist.shorter-lines. A line has at most 253 bytes without its line end.
     fn check_line_length(&self, line: &str, choices: &Choices) -> Result<(), StepError> {
+        if choices.has_quirk(quirk::nist::SHORTER_LINES) {
+            return within(253, line.len());
+        }
         if choices.has_quirk(quirk::rs274::SHORTER_LINES) {
             return within(252, line.len());
         }
@@ -55,6 +59,14 @@ impl SyntaxRules for Observed {
             return number >= 10_000_001.0 && number <= f64::from(u32::MAX);
         }
         Documented.is_above_greatest_line_number(number, choices)
+    }
+
+    /// Quirk nist.five-digits. It is if its number is above 99999, however many digits it has.
+    fn has_too_many_digits(&self, digits: &str, choices: &Choices) -> bool {
+        if choices.has_quirk(quirk::nist::FIVE_DIGITS) {
+            return digits.parse::<f64>().is_ok_and(|number| number > 99_999.0);
+        }
+        Documented.has_too_many_digits(digits, choices)
     }
 
     /// Quirk rs274.comment-before-o-word. A comment at the beginning of a block is followed by neither an O-word nor

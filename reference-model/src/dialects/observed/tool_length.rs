@@ -1,6 +1,6 @@
 //! Quirks of tool length compensation.
 
-use gaugeblock_vocabulary::{FaultKind, Position};
+use gaugeblock_vocabulary::{FaultKind, Position, Switch};
 
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
@@ -40,8 +40,13 @@ impl ToolLengthRules for Observed {
     }
 
     /// Quirk rs274.tool-offset-unit. Records the length unit in which the offset was programmed.
+    /// Quirk nist.zero-length-off. G43 with an offset of zero is reported as G49.
     fn apply_tool_offset(&self, offset: Option<Position>, state: &mut State) {
         Documented.apply_tool_offset(offset, state);
+        let is_zero = state.modes.tool_offset == Position::default();
+        if is_zero && state.has_quirk(quirk::nist::ZERO_LENGTH_OFF) {
+            state.modes.tool_length = Switch::Off;
+        }
         let modes = &mut state.modes;
         modes.memory.get_mut().tool_offset_unit = modes.units;
     }

@@ -3,10 +3,11 @@
 mod first;
 pub mod grbl;
 pub mod linuxcnc;
+pub mod nist;
 pub mod rs274;
 
 pub(crate) use first::COUNT;
 
 /// The ids of each chapter, in the order of their numbers.
 pub(crate) const CHAPTERS: &[&[&str]] =
-    &[grbl::CHAPTER_IDS, linuxcnc::CHAPTER_IDS, rs274::CHAPTER_IDS];
+    &[grbl::CHAPTER_IDS, linuxcnc::CHAPTER_IDS, nist::CHAPTER_IDS, rs274::CHAPTER_IDS];

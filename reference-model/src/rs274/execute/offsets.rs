@@ -20,6 +20,12 @@ const SELECTED_SYSTEM: u32 = 5220;
 
 /// The rules of coordinate systems that a controller may follow differently.
 pub(crate) trait OffsetRules {
+    /// Rule offsets.select-under-compensation. Whether a system is selected while the cutter is compensated: that is
+    /// refused.
+    fn selects_under_compensation(&self, _state: &State) -> bool {
+        false
+    }
+
     /// Rule offsets.select. A code selects its system, be it in force already.
     fn select_system(&self, system: u32, state: &mut State) {
         use_system(system, state);
@@ -63,7 +69,8 @@ pub fn select(words: &Words, state: &mut State) -> Result<(), StepError> {
         _ => None,
     });
     let Some(system) = system else { return Ok(()) };
-    if state.modes.compensation != Compensation::Off {
+    let is_compensated = state.modes.compensation != Compensation::Off;
+    if is_compensated && !state.dialect().selects_under_compensation(state) {
         let message = "a coordinate system is selected while cutter compensation is on";
         let rule = rule::offsets::SELECT_UNDER_COMPENSATION;
         return Err(refuse(rule, FaultKind::CompensationActive, message));

@@ -33,7 +33,12 @@ pub(crate) trait MachinePositionRules {
         for axis in Axis::ALL.iter().filter(|axis| !state.machine.axes.contains(axis)) {
             *there.get_mut(*axis) = here.get(*axis);
         }
-        traverse(there, state, record);
+        state.dialect().go_to_stored(there, state, record);
+    }
+
+    /// Rule positions.go. The last move of G28 and G30, to a machine position in the active length unit.
+    fn go_to_stored(&self, machine: Position, state: &mut State, record: &mut Record) {
+        traverse(machine, state, record);
     }
 
     /// The position of the machine that G28.1 and G30.1 store, G10 measures and parameters have: where it is.
@@ -164,7 +169,8 @@ fn by_way_of(
     if state.modes.rotation != 0.0 {
         state.coverage.accepted(rule::positions::ROTATED_AXES);
     }
-    traverse(if of_machine { end } else { state.modes.machine_point(end) }, state, record);
+    let machine = if of_machine { end } else { state.modes.machine_point(end) };
+    state.dialect().go_to_stored(machine, state, record);
     Ok(())
 }
 

@@ -46,8 +46,19 @@ impl Modes {
 
     /// Rule offsets.local-parameters. #5211 to #5219 are the local offset unless #5210 is 0.
     pub(crate) fn load_local_offset(&mut self, stored: impl Fn(u32) -> f64, unit: LengthUnit) {
-        self.local_applies = stored(5210).abs() > 0.0;
-        let offset = if self.local_applies {
+        let applies = stored(5210).abs() > 0.0;
+        self.use_stored_offset(applies, stored, unit);
+    }
+
+    /// Takes over the local offset that the parameters hold, or none.
+    pub(super) fn use_stored_offset(
+        &mut self,
+        applies: bool,
+        stored: impl Fn(u32) -> f64,
+        unit: LengthUnit,
+    ) {
+        self.local_applies = applies;
+        let offset = if applies {
             nine(|place| stored(5211 + place))
         } else {
             Position::default()

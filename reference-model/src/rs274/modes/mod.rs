@@ -128,6 +128,11 @@ impl Spindle {
 
 /// What a controller may do otherwise with the modes.
 pub(crate) trait ModesRules {
+    /// Rule offsets.local-parameters. Whether the stored local offset applies at the start: unless #5210 is 0.
+    fn offset_applies_at_start(&self, flag: f64, _choices: &Choices) -> bool {
+        flag.abs() > 0.0
+    }
+
     /// Rule modal-groups.initial-modes. The blend tolerance before the first block, in millimetres: there is none.
     fn initial_blend_tolerance(&self, _choices: &Choices) -> f64 {
         0.0
@@ -194,7 +199,8 @@ impl Modes {
             memory: ModalMemory::default(),
         };
         modes.load_work_offset(stored, machine.length_unit);
-        modes.load_local_offset(stored, machine.length_unit);
+        let applies = choices.dialect().offset_applies_at_start(stored(5210), choices);
+        modes.use_stored_offset(applies, stored, machine.length_unit);
         modes
     }
 }

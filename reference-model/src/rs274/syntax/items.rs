@@ -40,6 +40,11 @@ pub(crate) trait SyntaxRules {
         number > GREATEST_LINE_NUMBER
     }
 
+    /// Choice text.greatest-line-number. Whether a line number has more than five digits.
+    fn has_too_many_digits(&self, digits: &str, _choices: &Choices) -> bool {
+        digits.len() > 5
+    }
+
     /// Rule active-comments.last-comment. Of several comments on a line only the last can be active.
     /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
     fn active_comment(&self, mut comments: Vec<Comment>, _choices: &Choices) -> Option<Comment> {
@@ -148,7 +153,9 @@ impl Parser<'_> {
     /// Rule text.greatest-line-number. By a choice a line number has five digits at most, and no second number.
     fn check_digits(&mut self, digits: &str) -> Result<(), StepError> {
         let is_five_digits = self.choices.is(choice::text::GreatestLineNumber::FiveDigits);
-        if is_five_digits && (digits.len() > 5 || self.peek() == Some('.')) {
+        let dialect = self.choices.dialect();
+        let is_too_long = || dialect.has_too_many_digits(digits, self.choices);
+        if is_five_digits && (is_too_long() || self.peek() == Some('.')) {
             return Err(self.refuse(
                 rule::text::GREATEST_LINE_NUMBER,
                 FaultKind::WordOutOfRange,

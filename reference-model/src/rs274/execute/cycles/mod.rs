@@ -13,7 +13,7 @@ mod tapping;
 use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
 
 use super::target::{moved, polar};
-use super::word;
+use super::{feed, word};
 use crate::ids::{Rule, rule};
 use crate::math::near_integer;
 use crate::rs274::evaluate::Words;
@@ -71,7 +71,7 @@ pub(super) fn perform(
     let repeats = repeats(words, state)?;
     let (series, cycle) = heights::find(motion, kind, words, state)?;
     let mut places = places(words, state, &cycle, repeats)?;
-    super::feed::check_feed_rate(words, state)?;
+    state.dialect().check_cycle_feed(words, state)?;
     strokes::check_spindle(&cycle, state)?;
     state.modes.motion = motion;
     state.series = Some(series);
@@ -136,6 +136,21 @@ pub(crate) trait CycleRules {
         if state.position.get(normal) < cycle.retract {
             traverse_along(normal, cycle.retract, state, record);
         }
+    }
+
+    /// Whether a cycle is accepted against a rule that refuses it: it is not.
+    fn accepts_cycle(&self, _against: Rule, _state: &State) -> bool {
+        false
+    }
+
+    /// A cycle feeds as other feed moves do: see `feed`.
+    fn check_cycle_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        feed::check_feed_rate(words, state)
+    }
+
+    /// Rule cycles.incremental. The number that a block has for an axis of the plane: that of its word.
+    fn increment_in_plane(&self, _axis: Axis, word: Option<f64>, _state: &State) -> Option<f64> {
+        word
     }
 
     /// Rule cycles.repeat. Executes a cycle at each of its places.
@@ -203,7 +218,8 @@ fn places(
     let value =
         |axis: Axis| values.iter().find(|(named, _)| *named == axis).map(|(_, value)| *value);
     let start = [from.get(first), from.get(second)];
-    let words = [value(first), value(second)];
+    let named = |axis: Axis| state.dialect().increment_in_plane(axis, value(axis), state);
+    let words = [named(first), named(second)];
     state.coverage.accepted(if incremental {
         rule::cycles::INCREMENTAL
     } else {
