@@ -58,11 +58,7 @@ impl Modes {
         unit: LengthUnit,
     ) {
         self.local_applies = applies;
-        let offset = if applies {
-            nine(|place| stored(5211 + place))
-        } else {
-            Position::default()
-        };
+        let offset = if applies { nine(|place| stored(5211 + place)) } else { Position::default() };
         self.g92_offset = converted(offset, unit, self.units);
     }
 }
