@@ -350,3 +350,15 @@ fn programs_are_drawn_from_the_language_that_a_controller_declares() {
         assert!((0..200).any(has), "{code}");
     }
 }
+
+#[test]
+fn programs_are_drawn_from_the_language_of_the_edition() {
+    let language = r#"{"axes":"XYZABC","parameters":["numbered"],"o_words":false}"#;
+    let language: DeclaredLanguage = serde_json::from_str(language).expect("a language");
+    let (production, reference) = (Production::default(), Reference::default());
+    let mut plan = Plan { language: Some(language.clone()), ..plan(&production, &reference) };
+    plan.leave_out_unreadable();
+    let is_beyond = |number: &u64| check_program(&language, &plan.scenario(*number)).is_err();
+    let beyond = (0..200).filter(is_beyond).count();
+    assert!(beyond < 30, "{beyond} of 200 need more than the language has");
+}
