@@ -73,6 +73,8 @@ choices! {
     arc_needs_axis_word: "arcs.without-axis-words", "full-circle", "refused";
     /// An arc may go round the point where it begins.
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
+    /// In front of a G0 an arc leads round an outer corner, too.
+    arc_before_traverse: "compensation.corner-before-traverse", "straight", "arc";
     /// One block may have M7 and M8.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
     /// G85 feeds out to the clear level.

@@ -59,6 +59,9 @@ impl Modal {
             self.check_open_curve(code)?;
         }
         if !matches!(code, 0 | 10 | 20 | 30 | 800) {
+            if !self.compensation.is_idle() {
+                self.leave_path_by_other_move(code);
+            }
             return self.dispatch_motion(block, code, numbered, sink);
         }
         if self.choices.without_axis_words == WithoutAxisWords::Refused {
@@ -73,7 +76,7 @@ impl Modal {
         self.check_straight_or_arc()?;
         if !self.compensation.is_idle() {
             self.check_machine_move(block.g(NON_MODAL) == Some(530))?;
-            self.leave_path()?;
+            self.leave_path(block)?;
             if self.compensates() {
                 return self.compensated_move(block, sink);
             }

@@ -41,6 +41,7 @@ impl Modal {
             offsets::set_row(numbered, first, stored);
             return Ok(());
         }
+        self.leave_path_by_other_move(code);
         let mut letters = block.words.axes();
         if letters == 0 {
             letters = self.axes;

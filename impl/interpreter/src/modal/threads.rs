@@ -22,7 +22,6 @@ impl Modal {
     ) -> Result<(), Refusal> {
         let (line, end) = (block.words.line, self.begin_synchronised(block, mode_of(330), sink)?);
         self.feed_to(line, end, sink)?;
-        self.leave_path()?;
         self.perform(line, &Effect::StopSpindleSynchronisation {}, sink)
     }
 

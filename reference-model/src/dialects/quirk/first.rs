@@ -2,8 +2,7 @@
 
 pub(super) const GRBL: u16 = 0;
 pub(super) const LINUXCNC: u16 = 7;
-pub(super) const NIST: u16 = 31;
-pub(super) const RS274: u16 = 43;
+pub(super) const RS274: u16 = 31;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 198;
+pub(crate) const COUNT: u16 = 189;

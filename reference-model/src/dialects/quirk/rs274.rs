@@ -36,6 +36,13 @@ quirks! {
     /// After a comment at the beginning of a block neither an O-word nor M98 is allowed: no end is found
     /// there, and a block that is reached is refused.
     COMMENT_BEFORE_O_WORD = "rs274.comment-before-o-word",
+    /// An entry, or the chord of an arc as entry, that is exactly as long as the tool's radius is refused.
+    COMPENSATION_ENTRY_EQUAL = "rs274.compensation-entry-equal",
+    /// After G40, an arc is refused only if a move was compensated, and then until a straight move: G0, G1,
+    /// G33 or G33.1. A cycle, a probe, a spline and a stored position are none.
+    COMPENSATION_EXIT_ARC = "rs274.compensation-exit-arc",
+    /// The line after G40 may have any length.
+    COMPENSATION_EXIT_LENGTH = "rs274.compensation-exit-length",
     /// L, an integer of zero or more, is allowed with G41 and G42. It does nothing.
     COMPENSATION_L_WORD = "rs274.compensation-l-word",
     /// A continue in a do loop is remembered until a loop ends that tests first or counts: a repeat that ends

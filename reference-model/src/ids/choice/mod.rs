@@ -3,6 +3,7 @@
 pub mod abort;
 pub mod active_comments;
 pub mod arcs;
+pub mod compensation;
 pub mod control;
 pub mod coolant;
 pub mod cycles;
@@ -46,6 +47,7 @@ pub(crate) const CHAPTERS: &[&[Page]] = &[
     abort::CHAPTER_PAGES,
     active_comments::CHAPTER_PAGES,
     arcs::CHAPTER_PAGES,
+    compensation::CHAPTER_PAGES,
     control::CHAPTER_PAGES,
     coolant::CHAPTER_PAGES,
     cycles::CHAPTER_PAGES,

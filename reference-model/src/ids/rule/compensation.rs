@@ -24,6 +24,8 @@ rules! {
     EXIT = "compensation.exit",
     /// An arc as the next move after G40 is refused.
     EXIT_ARC = "compensation.exit-arc",
+    /// The line after G40 is refused if it is shorter than the tool's diameter.
+    EXIT_LENGTH = "compensation.exit-length",
     /// A move is refused if inside corners leave nothing of it: the tool would gouge the part.
     GOUGING = "compensation.gouging",
     /// Compensation holds from move to move, through other codes, until G40 or the program end turns it off.

@@ -57,9 +57,9 @@ pub(super) fn perform(
     Ok(())
 }
 
-/// Rule compensation.exit-arc. No arc follows a compensated move, before a straight one.
+/// Rule compensation.exit-arc. The next move after compensation is not an arc, not even a compensated one.
 fn check_after_compensation(state: &State) -> Result<(), StepError> {
-    if state.contour.straight_is_next && state.contour.path.is_none() {
+    if state.contour.exit.is_some() {
         let message = "an arc as first move after compensation";
         return Err(refuse(rule::compensation::EXIT_ARC, FaultKind::ModalConflict, message));
     }

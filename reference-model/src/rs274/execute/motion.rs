@@ -48,6 +48,11 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     if state.curve.open.is_some() && !is_spline(motion) {
         return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
     }
+    let leads_away =
+        !matches!(motion, Motion::None | Motion::Traverse | Motion::Feed) && !is_arc(motion);
+    if leads_away {
+        state.dialect().lead_away_by_other_move(state);
+    }
     if cycles::is_cycle(motion) {
         state.curve = Curve::default();
         return cycles::perform(motion, words, state, record);
@@ -67,7 +72,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         splines::perform(motion, in_data_block, words, state, record)
     } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
         state.dialect().move_synchronised(motion, words, state, record)?;
-        compensation::straight_move(state);
+        state.contour.exit = None;
         Ok(())
     } else if motion == Motion::Thread76 {
         threading::thread(words, state, record)
@@ -247,6 +252,7 @@ fn move_to(
         end_point(words, state)?
     };
     let start = compensation::programmed_point(state);
+    compensation::lead_away(end, state)?;
     state.dialect().straight_move_leads(motion, start, end, state);
     accepted(motion, end, words, state);
     if compensation::applies(state) {
@@ -258,7 +264,6 @@ fn move_to(
 
 /// Moves straight to a point.
 fn move_straight(motion: Motion, end: Position, state: &mut State, record: &mut Record) {
-    compensation::straight_move(state);
     state.modes.motion = motion;
     state.position = end;
     let effect = if motion == Motion::Feed {

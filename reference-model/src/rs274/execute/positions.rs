@@ -80,6 +80,9 @@ pub(super) fn perform(
         let why = "where a stored position is in a rotated system of a machine without X or Y";
         return Err(StepError::Unspecified(why.to_owned()));
     }
+    if moves(words) {
+        state.dialect().lead_away_by_other_move(state);
+    }
     if !moves(words) {
         if has_axis_words(words) {
             state.coverage.accepted(rule::positions::STORE_WITH_MOTION);

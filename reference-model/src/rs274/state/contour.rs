@@ -10,9 +10,19 @@ use crate::rs274::planar::Leg;
 pub struct Contour {
     /// The compensated moves since G41 or G42; none before the entry, and none after G40.
     pub(crate) path: Option<CompensatedPath>,
-    /// Whether a move was compensated since the last straight one that was not: then none is an arc before a straight
-    /// one.
-    pub(crate) straight_is_next: bool,
+    /// The end of compensation that no move has led away from yet.
+    pub(crate) exit: Option<Exit>,
+}
+
+/// What G40 leaves for the move that leads away from a compensated path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exit {
+    /// The diameter of the tool, active length unit; positive.
+    pub(crate) diameter: f64,
+    /// Along X, Y and Z from the programmed point to where the tool is, active length unit.
+    pub(crate) tool: [f64; 3],
+    /// The rotation of the coordinates at the G40, degrees.
+    pub(crate) rotation: f64,
 }
 
 /// Compensated moves from the entry on.
@@ -37,6 +47,11 @@ impl Contour {
         if let Some(path) = &mut self.path {
             path.programmed = rounding.of(converted(path.programmed, from, to), path.programmed);
             path.last = path.last.scaled(unit_size(from) / unit_size(to));
+        }
+        if let Some(exit) = &mut self.exit {
+            let factor = unit_size(from) / unit_size(to);
+            exit.diameter *= factor;
+            exit.tool = exit.tool.map(|distance| distance * factor);
         }
     }
 }

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 
 use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared, Tool};
 
-pub(crate) use contour::CompensatedPath;
 pub use contour::Contour;
+pub(crate) use contour::{CompensatedPath, Exit};
 pub use curve::{Curve, Nurbs};
 pub use frame::{Call, Frame, Open, Structure, Style};
 pub use pins::PinSnapshot;

@@ -3,17 +3,31 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::super::refusal::{Refusal, refuse};
+use super::path::LastMove;
 use super::plane::{Arc, Circle, Cutter, Segment, Vector};
 
-/// Refuses an entry that is too short. The manual accepts a length of R, which is refused here, as by LinuxCNC.
-pub(super) fn check_entry(segment: &Segment, cutter: &Cutter) -> Result<(), Refusal> {
-    let short = segment.to.minus(segment.from).length() <= cutter.radius;
+/// Refuses an entry that is too short. One of the length R is long enough, except for `rs274`.
+pub(super) fn check_entry(
+    segment: &Segment,
+    cutter: &Cutter,
+    emulates_rs274: bool,
+) -> Result<(), Refusal> {
+    let length = segment.to.minus(segment.from).length();
+    let short = length < cutter.radius || emulates_rs274 && length <= cutter.radius;
     let small =
         segment.as_arc().is_some_and(|arc| arc.bend(cutter) > 0.0 && arc.radius <= cutter.radius);
     if short || small {
-        return refuse(FaultKind::Gouging, "an entry that is not longer than the cutter's radius");
+        return refuse(FaultKind::Gouging, "an entry that is too short for the cutter's radius");
     }
     Ok(())
+}
+
+impl LastMove {
+    /// Whether it is an entry whose circle leads it to its end against the programmed direction.
+    pub(super) fn is_turned_over(&self) -> bool {
+        let (Some(circle), Some(arc)) = (&self.circle, self.segment.as_arc()) else { return false };
+        self.is_entry && self.end.minus(circle.centre).dot(arc.to_end) < 0.0
+    }
 }
 
 /// The circle of an entry by an arc. It leads from the programmed start of `segment` to the end of its compensated

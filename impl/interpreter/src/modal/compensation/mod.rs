@@ -42,7 +42,7 @@ impl Modal {
     pub(super) fn note_compensation(&mut self) {
         let is_off = self.active.now().compensation == Compensation::Off;
         let path = &self.compensation.path;
-        self.compensation.is_idle = is_off && !path.exit_due && path.last.is_none();
+        self.compensation.is_idle = is_off && path.exit.is_none() && path.last.is_none();
     }
 
     /// Forgets the path and what waits: a program begins, or the run was aborted. The point is where the machine is.

@@ -1,6 +1,6 @@
 //! Moves under compensation.
 
-use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, Motion, Plane};
+use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, FeedMode, Motion, Plane};
 
 use crate::canon::Sink;
 use crate::words::Words;
@@ -108,7 +108,7 @@ impl Modal {
         if !self.compensation.has_path() {
             return refuse(
                 FaultKind::Gouging,
-                "an entry that is not longer than the cutter's radius",
+                "an entry that is too short for the cutter's radius",
             );
         }
         let plane = self.active.now().plane;
@@ -125,7 +125,7 @@ impl Modal {
 
     /// The first compensated move.
     fn enter_path<K: Sink>(&mut self, to: &Programmed, sink: &mut K) -> Result<(), Refusal> {
-        check_entry(&to.segment, &self.cutter)?;
+        check_entry(&to.segment, &self.cutter, self.emulates_rs274)?;
         let end = finite(to.segment.offset_end(&self.cutter))?;
         let (effect, circle) = match &to.segment.curve {
             Curve::Line { .. } => (straight(to.motion, self.move_end(to, end)), None),
@@ -161,6 +161,10 @@ impl Modal {
             Corner::Tangent => {
                 self.put_out(None, sink)?;
                 last.end
+            }
+            Corner::Inner if last.is_turned_over() => {
+                let why = "an inner corner after an entry by an arc that is turned over";
+                return Err(Refusal::Unsupported(why.into()));
             }
             Corner::Inner if waits => {
                 let crossing = intersection(&last, &to.segment, &cutter)?;
@@ -206,9 +210,15 @@ impl Modal {
             .end
             .with_axis(normal, to.before.coordinate_of(normal))
             .with_in_plane(plane, end.plus(shift));
-        let effect = if to.motion == Motion::Traverse {
+        let in_rapid = to.motion == Motion::Traverse;
+        let effect = if in_rapid && !self.choices.arc_before_traverse {
             Effect::StraightTraverse { end: point.position() }
         } else {
+            let now = self.active.now();
+            if in_rapid && (now.feed_rate <= 0.0 || now.feed_mode == FeedMode::InverseTime) {
+                let why = "an arc round a corner in front of G0 that has no feed rate";
+                return Err(Refusal::Unsupported(why.into()));
+            }
             let turns = if self.cutter.side > 0.0 { -1 } else { 1 };
             arc_effect(point, to.segment.from.plus(shift), turns)
         };

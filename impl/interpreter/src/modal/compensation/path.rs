@@ -2,14 +2,14 @@
 
 use gaugeblock_vocabulary::Plane;
 
-use super::super::coordinates::Conversion;
+use super::super::coordinates::{Conversion, Coordinates};
 use super::plane::{Circle, Segment, Vector};
 use super::queue::Queue;
 
 /// State of compensation besides the settings in force.
 #[derive(Clone, Debug)]
 pub(in super::super) struct CompensationState {
-    /// Whether compensation is off and no exit is due: a plain move needs nothing of this module.
+    /// Whether compensation is off and the exit was made: a plain move needs nothing of this module.
     pub(super) is_idle: bool,
     /// What a refused block restores.
     pub(super) path: PathState,
@@ -24,10 +24,21 @@ pub(in super::super) struct CompensationState {
 pub(super) struct PathState {
     /// The last compensated move.
     pub(super) last: Option<LastMove>,
-    /// G40 has ended a compensated path, and the straight move that leads away from it has not come yet.
-    pub(super) exit_due: bool,
+    /// G40 has ended compensation, and the move that leads away has not come yet.
+    pub(super) exit: Option<Exit>,
     /// Why no compensated move can follow, where a restore has changed the compensation.
     pub(super) undefined: Option<&'static str>,
+}
+
+/// What the move that leads away from a compensated path has to be longer than.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exit {
+    /// The diameter of the cutter, active length unit.
+    pub(super) diameter: f64,
+    /// From the programmed point to the cutter.
+    pub(super) gap: Coordinates,
+    /// The rotation in which the gap was measured, degrees.
+    pub(super) rotation: f64,
 }
 
 /// The last compensated move in the plane. Lengths are in the active unit; points are those of an unshifted cutter.
@@ -104,6 +115,10 @@ impl CompensationState {
             last.circle = last.circle.map(|circle| circle.converted(by));
             last.start = last.start.converted(by);
             last.end = last.end.converted(by);
+        }
+        if let Some(exit) = &mut self.path_mut().exit {
+            exit.diameter = by.of(exit.diameter);
+            exit.gap = exit.gap.converted(by);
         }
         self.queue.convert(by);
     }

@@ -21,12 +21,7 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         if code == 400 {
-            let exit_due = self.compensation.path.exit_due || self.compensation.has_path();
-            self.end_path(sink)?;
-            *self.compensation.path_mut() = PathState { exit_due, ..PathState::default() };
-            self.active.put(|modes| &mut modes.compensation, Compensation::Off);
-            self.note_compensation();
-            return Ok(());
+            return self.switch_off(sink);
         }
         self.refuse_under_compensation("cutter compensation")?;
         let plane = self.active.now().plane;
@@ -56,7 +51,9 @@ impl Modal {
             411 => Compensation::DynamicLeft,
             _ => Compensation::DynamicRight,
         };
-        *self.compensation.path_mut() = PathState::default();
+        // The first move after an earlier G40 has still to come.
+        let exit = self.compensation.path.exit;
+        *self.compensation.path_mut() = PathState { exit, ..PathState::default() };
         self.active.put(|modes| &mut modes.compensation, compensation);
         self.note_compensation();
         Ok(())

@@ -1,13 +1,15 @@
 //! What puts a waiting move out, and the end of a compensated path.
 
-use gaugeblock_vocabulary::Compensation;
+use gaugeblock_vocabulary::{Compensation, Position};
 
+use super::orientation::shifted;
 use super::surroundings::Surroundings;
 use super::{gouges, slack};
 use crate::ids::rule;
+use crate::rs274::execute::plane_axes::axes;
 use crate::rs274::planar::{InPlane, Leg};
 use crate::rs274::refusal::StepError;
-use crate::rs274::state::{Contour, State};
+use crate::rs274::state::{Contour, Exit, State};
 use crate::rs274::task::Record;
 
 /// Rule compensation.next-move. Puts out what waits: the last move in the plane ends where its own curve does.
@@ -46,11 +48,36 @@ pub(super) fn check_fit(leg: &Leg, end: InPlane, state: &State) -> Result<(), St
 /// The tool does not fit.
 pub(super) fn switch_off(state: &mut State, record: &mut Record) -> Result<(), StepError> {
     put_out(state, record)?;
-    if let Some(path) = state.contour.path.take() {
+    let tool = tool_point(state);
+    let path = state.contour.path.take();
+    if let Some(path) = &path {
         state.position = path.programmed;
-        state.contour.straight_is_next = true;
+    }
+    if state.modes.compensation != Compensation::Off
+        && state.dialect().has_exit(path.is_some(), state)
+    {
+        let (Position { x, y, z, .. }, here) = (tool, state.position);
+        let diameter = 2.0 * state.modes.compensation_radius.abs();
+        let new = Exit {
+            diameter,
+            tool: [x - here.x, y - here.y, z - here.z],
+            rotation: state.modes.rotation,
+        };
+        // After another end of compensation the tool has not moved yet.
+        let exit = state.contour.exit.unwrap_or(new);
+        state.contour.exit = Some(Exit { diameter: exit.diameter.max(diameter), ..exit });
     }
     Ok(())
+}
+
+/// Where the machine has led the tool: the end of the last move, with the shift of its orientation along a path.
+fn tool_point(state: &mut State) -> Position {
+    if state.contour.path.is_none() {
+        return state.position;
+    }
+    axes(state).map_or(state.position, |axes| {
+        axes.with(state.position, shifted(axes.in_plane(state.position), state))
+    })
 }
 
 /// The program has ended: the tool is where its last move has led it.

@@ -12,15 +12,17 @@ use crate::rs274::state::State;
 /// Rules compensation.entry, compensation.entry-length. The entry along a line ends at Q + R n.
 ///
 /// # Errors
-/// It is not longer than R in the plane; one out of the plane has no length there.
+/// It is shorter than R in the plane; one out of the plane has no length there.
 pub(super) fn line(
     start: InPlane,
     end: InPlane,
     cutter: Cutter,
     state: &State,
 ) -> Result<Leg, StepError> {
-    if length(between(start, end)) + slack(state) <= cutter.radius {
-        let message = "the entry is not longer than the radius of the cutter";
+    let displacement = length(between(start, end));
+    if start == end || !state.dialect().is_entry(displacement + slack(state), cutter.radius, state)
+    {
+        let message = "the entry is shorter than the radius of the cutter";
         return Err(gouges(rule::compensation::ENTRY_LENGTH, message));
     }
     Ok(Leg { has_to_fit: false, ..Leg::line(start, end, cutter) })
@@ -29,14 +31,15 @@ pub(super) fn line(
 /// Rule compensation.entry-arc. The entry along an arc ends at E = Q - k R u1 in the programmed direction, and starts at P.
 ///
 /// # Errors
-/// Its chord is not longer than R, or the tool does not fit into the arc.
+/// Its chord is shorter than R, or the tool does not fit into the arc.
 pub(super) fn arc(arc: ProgrammedArc, cutter: Cutter, state: &State) -> Result<Leg, StepError> {
     if shifts(state.modes.compensation_orientation) {
         let why = "an arc as entry with a tool that has an orientation";
         return Err(StepError::Unspecified(why.to_owned()));
     }
-    if length(between(arc.start, arc.end)) + slack(state) <= cutter.radius {
-        let message = "the chord of the entry is not longer than the radius of the cutter";
+    let chord = length(between(arc.start, arc.end));
+    if !state.dialect().is_entry(chord + slack(state), cutter.radius, state) {
+        let message = "the chord of the entry is shorter than the radius of the cutter";
         return Err(gouges(rule::compensation::ENTRY_ARC, message));
     }
     let Some(leg) = Leg::arc(arc, cutter, slack(state)) else {

@@ -5,16 +5,18 @@
 
 mod ending;
 mod entry;
+mod exit;
 pub(crate) mod mode;
 mod moves;
 mod orientation;
 mod surroundings;
 
 pub(crate) use ending::{end_of_run, put_out, restored};
+pub(crate) use exit::lead_away;
 pub(crate) use mode::CompensationRules;
 pub use mode::perform;
 pub(crate) use moves::programmed_point;
-pub(super) use moves::{applies, arc, line, straight_move};
+pub(super) use moves::{applies, arc, line};
 pub(crate) use surroundings::Surroundings;
 
 use gaugeblock_vocabulary::FaultKind;

@@ -1,8 +1,9 @@
 //! G40, G41, G42, G41.1, G42.1.
 
-use gaugeblock_vocabulary::{Compensation, FaultKind, Plane, Tool};
+use gaugeblock_vocabulary::{Compensation, FaultKind, Plane, Position, Tool};
 
 use super::ending::switch_off;
+use super::exit;
 use super::orientation::shifts;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
@@ -10,11 +11,37 @@ use crate::rs274::execute::tool::named;
 use crate::rs274::execute::{whole, word};
 use crate::rs274::modes::unit_size;
 use crate::rs274::refusal::{StepError, refuse};
-use crate::rs274::state::State;
+use crate::rs274::state::{Exit, State};
 use crate::rs274::task::Record;
 
 /// The rules of cutter compensation that a controller may follow differently.
 pub(crate) trait CompensationRules {
+    /// Rule compensation.entry-length. Whether an entry of this length is long enough for a radius: one that is as long is.
+    fn is_entry(&self, length: f64, radius: f64, _state: &State) -> bool {
+        length >= radius
+    }
+
+    /// Rules compensation.exit-length, compensation.exit-arc. Whether the end of compensation makes the next move the
+    /// one that leads away, also where no move was compensated.
+    fn has_exit(&self, _along_path: bool, _state: &State) -> bool {
+        true
+    }
+
+    /// Rule compensation.exit-length. The line that leads away is longer than the diameter of the tool.
+    fn check_exit_line(
+        &self,
+        exit: &Exit,
+        end: Position,
+        state: &mut State,
+    ) -> Result<(), StepError> {
+        exit::check_line(exit, end, state)
+    }
+
+    /// Rule compensation.exit-arc. A move that is neither a line nor an arc is the next one, too.
+    fn lead_away_by_other_move(&self, state: &mut State) {
+        state.contour.exit = None;
+    }
+
     /// Rule tool.dynamic-compensation-orientation. Whether a number is one of a tool's orientations: 0 to 9.
     fn is_orientation(&self, number: i32, _state: &State) -> bool {
         (0..=9).contains(&number)

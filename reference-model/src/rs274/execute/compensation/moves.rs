@@ -1,10 +1,13 @@
 //! Moves while the cutter is compensated.
 
-use gaugeblock_vocabulary::{Compensation, ControllerMode, Effect, Motion, Plane, Position};
+use gaugeblock_vocabulary::{
+    Compensation, ControllerMode, Effect, FeedMode, Motion, Plane, Position,
+};
 
 use super::ending::{check_fit, stop_waiting};
 use super::orientation::shifted;
 use super::{entry, gouges, slack};
+use crate::ids::choice::compensation::CornerBeforeTraverse;
 use crate::ids::rule;
 use crate::rs274::execute::plane_axes::{Axes, axes};
 use crate::rs274::planar::{Corner, Curve, Cutter, InPlane, Leg, ProgrammedArc, corner};
@@ -33,19 +36,6 @@ pub(crate) fn applies(state: &State) -> bool {
 /// The point from which words count: the programmed one while the cutter is compensated, or the controlled one.
 pub(crate) fn programmed_point(state: &State) -> Position {
     state.contour.path.as_ref().map_or(state.position, |path| path.programmed)
-}
-
-/// A straight move that is not compensated: an arc may follow it.
-///
-/// Rule compensation.exit. It leads from where the tool is to its programmed end.
-/// Rule compensation.zero-radius. So do all moves with a radius of zero.
-pub(crate) fn straight_move(state: &mut State) {
-    if state.modes.compensation != Compensation::Off {
-        state.coverage.accepted(rule::compensation::ZERO_RADIUS);
-    } else if state.contour.straight_is_next {
-        state.coverage.accepted(rule::compensation::EXIT);
-    }
-    state.contour.straight_is_next = false;
 }
 
 /// The side and the radius of the tool. A negative diameter changes the side.
@@ -174,7 +164,7 @@ fn follow(
     state.position = state.modes.rounding.of(axes.with(end, next.end), end);
     state.contour = crate::rs274::state::Contour {
         path: Some(CompensatedPath { programmed: end, last: next, waits: true }),
-        straight_is_next: true,
+        exit: None,
     };
     let end = axes.with(state.position, shifted(axes.in_plane(state.position), state));
     let effect = match next.curve {
@@ -263,7 +253,7 @@ fn turn_corner(
             }
             state.coverage.accepted(rule::compensation::OUTSIDE_CORNER);
             stop_waiting(state, record);
-            join(next, programmed, cutter, state, record);
+            join(next, programmed, cutter, state, record)?;
         }
     }
     state.coverage.accepted(rule::compensation::NEXT_MOVE);
@@ -289,20 +279,31 @@ fn after_pause(last: &Leg, next: &mut Leg) -> Result<(), StepError> {
     }
 }
 
-/// The joining move of an outer corner: an arc about the programmed corner; in front of a G0 a straight traverse. The
-/// axis at right angles to the plane stays, and rotary axes go where the new block leads them.
+/// The joining move of an outer corner: an arc about the programmed corner. Choice
+/// compensation.corner-before-traverse: in front of a G0 it may be a straight traverse. The axis at right angles to the
+/// plane stays, and rotary axes go where the new block leads them.
+///
+/// # Errors
+/// An arc in front of a G0 needs a feed rate, of which nothing is said.
 fn join(
     next: &Leg,
     programmed: &Programmed,
     cutter: Cutter,
     state: &mut State,
     record: &mut Record,
-) {
+) -> Result<(), StepError> {
     let axes = programmed.axes;
+    let in_rapid = programmed.motion == Motion::Traverse;
+    let is_straight = in_rapid && state.choices.is(CornerBeforeTraverse::Straight);
+    let has_rate = state.modes.feed_rate > 0.0 && state.modes.feed_mode != FeedMode::InverseTime;
+    if in_rapid && !is_straight && !has_rate {
+        let why = "an arc at a corner in front of a traverse, without a feed rate";
+        return Err(StepError::Unspecified(why.to_owned()));
+    }
     let there = axes.with_normal_of(axes.with(programmed.end, next.start), state.position);
     state.position = there;
     let end = axes.with(there, shifted(next.start, state));
-    let effect = if programmed.motion == Motion::Traverse {
+    let effect = if is_straight {
         Effect::StraightTraverse { end }
     } else {
         let (first_centre, second_centre) = shifted(programmed.start, state);
@@ -310,4 +311,5 @@ fn join(
         Effect::ArcFeed { end, first_centre, second_centre, turns }
     };
     record.effect(state, effect);
+    Ok(())
 }

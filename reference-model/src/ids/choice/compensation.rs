@@ -1,0 +1,14 @@
+//! Each choice of `compensation`; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
+
+choices! {
+    super::first::COMPENSATION;
+
+    /// What joins both paths at an outside corner in front of a G0. The manual has arcs at the corners of a
+    /// picture, and no word on traverses.
+    CornerBeforeTraverse = "compensation.corner-before-traverse" {
+        /// a straight traverse
+        Straight = "straight",
+        /// an arc about the corner, as in front of other moves
+        Arc = "arc",
+    }
+}
