@@ -88,8 +88,6 @@ impl Modal {
             "U, V or W under cutter compensation"
         } else if other || !matches!(plane, Plane::Xy | Plane::Zx) {
             "another plane under cutter compensation"
-        } else if self.random_tool_changer {
-            "moves under cutter compensation with a random tool changer"
         } else if self.controller_mode == ControllerMode::Mdi {
             "moves under cutter compensation that are entered by hand"
         } else {

@@ -112,7 +112,8 @@ fn possible(state: &mut State) -> Result<(), StepError> {
 ///
 /// Rule tool.compensation-tool. D is a tool of the tool table, or 0: the tool in the spindle, as without D, whose
 /// radius is zero when there is none.
-/// Rules compensation.tool-number, compensation.tool-number-zero, compensation.tool-radius. Which tool that is.
+/// Rules compensation.tool-number, compensation.tool-number-zero, compensation.tool-number-zero-random,
+/// compensation.tool-radius. Which tool that is.
 /// Rule compensation.set-at-run-time. The table is read now: a G10 L1 before counts.
 fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = rule::tool::COMPENSATION_TOOL;
@@ -121,12 +122,12 @@ fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
             let message = || format!("D{value} is not a tool number");
             let number =
                 whole(value).ok_or_else(|| refuse(rule, FaultKind::NotAnInteger, message()))?;
-            let source = if number == 0 {
-                rule::compensation::TOOL_NUMBER_ZERO
-            } else {
-                rule::compensation::TOOL_NUMBER
+            let source = match (number, state.machine.random_tool_changer) {
+                (0, true) => rule::compensation::TOOL_NUMBER_ZERO_RANDOM,
+                (0, false) => rule::compensation::TOOL_NUMBER_ZERO,
+                _ => rule::compensation::TOOL_NUMBER,
             };
-            (named(number, rule, state)?, source)
+            (named(number, if number == 0 { source } else { rule }, state)?, source)
         }
         None => (state.loaded_tool(), rule::compensation::TOOL_RADIUS),
     };

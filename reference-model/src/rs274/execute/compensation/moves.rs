@@ -104,8 +104,6 @@ fn check_specified(end: Position, state: &State) -> Result<(), StepError> {
     let from = programmed_point(state);
     let why = if state.modes.controller_mode == ControllerMode::Mdi {
         "a compensated move, entered by hand"
-    } else if state.machine.random_tool_changer {
-        "a compensated move on a machine whose tools change places"
     } else if (end.u, end.v, end.w) != (from.u, from.v, from.w) {
         "a compensated move along U, V or W"
     } else if !matches!(state.modes.plane, Plane::Xy | Plane::Zx) {
