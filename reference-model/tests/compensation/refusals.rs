@@ -1,6 +1,8 @@
 //! What is refused, and what is left open.
 
-use super::{completed, ending, leads, moves, outcome, outcome_under};
+use gaugeblock_vocabulary::End;
+
+use super::{Move, completed, ending, leads, moves, outcome, outcome_under};
 
 /// Whether a program ends so at a line; its first block is line 2.
 #[track_caller]
@@ -10,12 +12,19 @@ fn ends(blocks: &str, end: (&str, u32)) {
 }
 
 #[test]
-fn an_entry_is_longer_than_the_radius() {
-    for entry in ["g1 x.25", "g1 x.1", "g1 z1", "g0 a3", "g1 x0", "g2 x.2 i.1", "g2 i1"] {
+fn an_entry_is_as_long_as_the_radius() {
+    for entry in ["g1 x.1", "g1 z1", "g0 a3", "g1 x0", "g2 x.2 i.1", "g2 i1"] {
         ends(&format!("g41.1 d.5; {entry}"), ("gouging", 3));
     }
     ends("g42.1 d.5; g2 x.2 y.2 i.2", ("gouging", 3));
-    completed("g41.1 d.5; g1 x.2501");
+    for entry in ["g1 x.25", "g1 x.2501", "g2 x.25 i.125"] {
+        completed(&format!("g41.1 d.5; {entry}"));
+    }
+    let observed = [("rs274.compensation-entry-equal", "observed")];
+    for entry in ["g1 x.25", "g2 x.25 i.125"] {
+        let outcome = outcome_under(&observed, &format!("g41.1 d.5; {entry}; m2"));
+        assert_eq!(ending(&outcome), ("gouging", 3), "{entry}");
+    }
 }
 
 #[test]
@@ -149,9 +158,47 @@ fn a_local_offset_neither_goes_nor_comes_back_along_a_path() {
 fn no_arc_follows_compensation() {
     ends("g41.1 d.5; g1 x1; y1; g40; g2 x3 i1", ("modal_conflict", 6));
     ends("g41.1 d.5; g1 x1; y1; g40; g41.1 d.5; g2 x3 y1 i1", ("modal_conflict", 7));
-    ends("g41.1 d.5; g1 x1; y1; g40; g28; g2 x2 y0 i1", ("modal_conflict", 7));
+    ends("g41.1 d.5; g40; g2 x2 i1", ("modal_conflict", 4));
+    ends("g41.1 d.5; g40; g40; g2 x2 i1", ("modal_conflict", 5));
     completed("g41.1 d.5; g1 x1; y1; g40; m3 s100; g33 z-1 k.1; g2 x3 y1 i1");
-    completed("g41.1 d.5; g40; g2 x2 i1");
+    completed("g41.1 d.5; g1 x1; y1; g40; g28; g2 x2 y0 i1");
+    completed("g40; g2 x2 i1");
+    let observed = [("rs274.compensation-exit-arc", "observed")];
+    let observed = |blocks: &str| outcome_under(&observed, &format!("{blocks}; m2"));
+    assert_eq!(observed("g41.1 d.5; g40; g2 x2 i1").end, End::ProgramEnd);
+    let after_position = observed("g41.1 d.5; g1 x1; y1; g40; g28; g2 x2 y0 i1");
+    assert_eq!(ending(&after_position), ("modal_conflict", 7));
+}
+
+#[test]
+fn the_line_after_compensation_is_longer_than_the_diameter() {
+    let path = "g41.1 d.5; g1 x1; y1; g40";
+    for line in ["g0 x1.2", "g1 x.9", "g0 z.3", "g1 x1", "g91 g1 y.2", "g41.1 d.1; g1 x1.2"] {
+        let blocks = format!("{path}; {line}");
+        let last = 5 + u32::from(line.contains(';'));
+        ends(&blocks, ("gouging", last + 1));
+        let observed = [("rs274.compensation-exit-length", "observed")];
+        assert_eq!(outcome_under(&observed, &format!("{blocks}; m2")).end, End::ProgramEnd);
+    }
+    for line in ["g0 x1.6", "g1 z.6", "g1 x.2", "g4 p1; g0 x3", "g21; g0 x40", "g92 x5; g0 x6"] {
+        completed(&format!("{path}; {line}"));
+    }
+    // Longer from one of both points, as long, by other axes, turned.
+    for line in ["g0 x.45", "g0 a90", "g0 x1.2 u1"] {
+        ends(&format!("{path}; {line}"), ("unspecified", 6));
+    }
+    ends("g41.1 d.5; g40; g0 x.5", ("unspecified", 4));
+    ends(&format!("{path}; g10 l2 p1 r30; g0 x5"), ("unspecified", 7));
+}
+
+#[test]
+fn an_arc_in_front_of_a_traverse_needs_a_feed_rate() {
+    let arc = [("compensation.corner-before-traverse", "arc")];
+    let blocks = "g42.1 d.5; g0 x1; y1; m2";
+    let joined = moves(&outcome_under(&arc, blocks));
+    leads(&joined[1..2], &[Move::Arc([1.25, 0.0], [1.0, 0.0], 1)]);
+    let outcome = outcome_under(&arc, &format!("g93; {blocks}"));
+    assert_eq!(ending(&outcome), ("unspecified", 5));
 }
 
 #[test]

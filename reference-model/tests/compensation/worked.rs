@@ -1,7 +1,7 @@
 //! The worked programs, and points that were observed.
 
 use super::Move::{Arc, Line, Rapid};
-use super::{Move, completed, feed_ends, leads, moves, moves_in};
+use super::{Move, completed, feed_ends, leads, moves, moves_in, outcome_under};
 use gaugeblock_vocabulary::{Position, State};
 
 /// Whether a program makes these moves.
@@ -130,7 +130,7 @@ fn a_negative_diameter_changes_the_side() {
 
 #[test]
 fn without_a_radius_moves_are_as_without_compensation() {
-    let blocks = "g1 x1; z1; y1; g2 x2 i.5; g40; g2 x3 i.5";
+    let blocks = "g1 x1; z1; y1; g2 x2 i.5; g40; g1 y2; g2 x3 i.5";
     leads(&moves(&completed(&format!("g41.1 d0; {blocks}"))), &moves(&completed(blocks)));
     leads(&moves(&completed(&format!("g42; {blocks}"))), &moves(&completed(blocks)));
 }
@@ -227,8 +227,10 @@ fn the_position_is_the_end_without_an_inner_corner() {
 
 #[test]
 fn after_g40_even_a_move_without_a_way_leads_to_the_programmed_point() {
-    makes(
-        "g41.1 d.5; g1 x1; y1; g40; y1; g2 x3 i1",
+    let observed = [("rs274.compensation-exit-length", "observed")];
+    let outcome = outcome_under(&observed, "g41.1 d.5; g1 x1; y1; g40; y1; g2 x3 i1; m2");
+    leads(
+        &moves(&outcome),
         &[Line([0.75, 0.25]), Line([0.75, 1.0]), Line([1.0, 1.0]), Arc([3.0, 1.0], [2.0, 1.0], -1)],
     );
 }

@@ -127,8 +127,10 @@ fn other_moves() {
     assert_eq!(ends, [-0.5, -0.25, 0.75]);
     // A move out of the plane takes the end that the corner gives.
     check_path("g41.1 d.5;g1 x1;z1;y1", &[&[0.75, 0.25], &[0.75, 0.25], &[0.75, 1.0]]);
-    // A cutter without a radius moves nothing, and G40 needs no straight move then.
-    check_path("g41.1 d0;g1 x1;g40;g3 x3 i1", &[&[1.0, 0.0], &[3.0, 0.0, 2.0, 0.0, 1.0]]);
+    // A cutter without a radius moves nothing.
+    check_path("g41.1 d0;g1 x1;g40;y0.1", &[&[1.0, 0.0], &[1.0, 0.1]]);
+    // An entry of R is long enough, and so is one along an arc.
+    check_path("g41.1 d.5;g1 x.25;x3", &[&[0.25, 0.25], &[3.0, 0.25]]);
     // The programmed point is current again after G40.
     check_path(
         "g41.1 d.5;g1 x1;g40;z1;g3 x3 i1",
@@ -177,6 +179,12 @@ fn geometry_that_is_refused() {
     refused("g20 f10;g41.1 d.5;g1 x1;y.2;m2");
     // The exit is not an arc; a dwell does not change that.
     refused("g20 f10;g41.1 d.5;g1 x1;g40;g4 p1;g2 x2 i.5");
+    refused("g20 f10;g41.1 d.5;g40;g2 x2 i.5");
+    refused("g20 f10;g41.1 d.5;g1 x1;g40;g41.1 d.5;g3 x3 i1");
+    // A line of the exit is longer than the diameter, also up, and from the programmed point.
+    refused("g20 f10;g41.1 d.5;g1 x1;g40;g0 x1.2");
+    refused("g20 f10;g41.1 d.5;g1 x1;g40;z.3");
+    refused("g20 f10;g41.1 d.5;g1 x1;g40;g41.1 d.1;x1.2");
 }
 
 #[test]
