@@ -42,16 +42,19 @@ impl<'a> Operator<'a> {
         Self { events, executions }
     }
 
-    /// An execution of a block begins: the events that name it get their time.
-    pub(super) fn begins(&mut self, block: &BlockLocation, now: f64) {
-        let Some(execution) = self.executions.get_mut(block) else { return };
+    /// An execution of a block begins: the events that name it get their time. Whether there are any.
+    pub(super) fn begins(&mut self, block: &BlockLocation, now: f64) -> bool {
+        let Some(execution) = self.executions.get_mut(block) else { return false };
         *execution += 1;
+        let mut is_named = false;
         for waiting in &mut self.events {
             let when = &waiting.event.when;
             if when.block == *block && when.execution == *execution && waiting.due.is_none() {
                 waiting.due = Some(now + when.offset);
+                is_named = true;
             }
         }
+        is_named
     }
 
     /// Takes the next event that happens up to a time; of several at one time the one that is listed first.

@@ -20,7 +20,11 @@ impl ModelRun<'_> {
         if !self.operator.is_done() || self.pause_asked || self.ahead {
             let now = self.state.environment.time();
             let (events, pauses) = (self.operator.events_left(), self.pause_asked);
-            self.operator.begins(block, now);
+            // A dwell before the block may have to wait, so that the time of its begin is open.
+            if self.operator.begins(block, now) && self.record.waits() {
+                let why = "when a block begins while a compensated move waits for the next one";
+                return Err(StepError::Unspecified(why.to_owned()));
+            }
             self.between()?;
             if pauses || self.operator.events_left() < events {
                 self.before_block = Some(Box::new(self.without_coverage()));

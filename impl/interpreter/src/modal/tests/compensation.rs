@@ -166,7 +166,7 @@ fn geometry_that_is_refused() {
         check_on(&inch_machine(), &[], program, Expect::Refused(FaultKind::Gouging));
     };
     // Entries.
-    refused("g20 f10;g41.1 d.5;g1 x.25");
+    refused("g20 f10;g41.1 d.5;g1 x.24");
     refused("g20 f10;g41.1 d.5;g1 z1");
     refused("g20 f10;g41.1 d.5;g2 i1");
     refused("g20 f10;g41.1 d.5;g3 x.4 i.2");
