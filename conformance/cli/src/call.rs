@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
-    adapter, book, certify, compare, explain, fingerprint, fuzz, motion_check, motion_fuzz,
+    adapter, book, certify, compare, explain, fingerprint, fuzz, manual, motion_check, motion_fuzz,
     offline, plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
@@ -30,6 +30,8 @@ struct Call {
     /// Read the suite from this folder instead of the built-in one
     #[arg(long, global = true, value_name = "DIR")]
     suite: Option<PathBuf>,
+    #[command(flatten)]
+    colour: colorchoice_clap::Color,
     #[command(subcommand)]
     command: Command,
 }
@@ -88,6 +90,10 @@ enum Command {
     Serve(serve::Arguments),
     /// Print the JSON schema of a scenario, an outcome or a report
     Schema(schema::Arguments),
+    /// Print the script with which a shell completes calls
+    Completions(manual::Completions),
+    /// Write the manual pages of all commands
+    Man(manual::Manual),
 }
 
 /// Checks that these arguments are a valid call; tests check the calls in scripts and pages with it.
@@ -105,7 +111,10 @@ pub fn understands(words: &[String]) -> Result<(), String> {
 /// Runs the command line and returns the exit status.
 pub fn main() -> ExitCode {
     let done = match Call::try_parse() {
-        Ok(call) => execute(&call),
+        Ok(call) => {
+            call.colour.write_global();
+            execute(&call)
+        }
         Err(error) if error.use_stderr() => {
             let _closed_pipe = error.print();
             Ok(2)
@@ -176,6 +185,8 @@ fn execute(call: &Call) -> Result<u8, CliError> {
         Command::Adapter(arguments) => adapter::adapter(arguments, || suite(call)),
         Command::Serve(arguments) => serve::serve(arguments),
         Command::Schema(arguments) => schema::schema(arguments),
+        Command::Completions(arguments) => Ok(manual::completions(arguments, Call::command())),
+        Command::Man(arguments) => manual::manual(arguments, Call::command()),
     }
 }
 

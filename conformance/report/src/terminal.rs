@@ -30,9 +30,30 @@ macro_rules! line {
     }};
 }
 
-/// The report: a table of the chapters, the findings, what was not judged. With `verbose`, every divergence in full.
-pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
+/// How much of a report is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// The counts and the verdict alone.
+    Verdict,
+    /// A table of the chapters, the worst findings, what was not judged.
+    Worst,
+    /// The same with all findings.
+    Findings,
+    /// The same with every divergence in full, known ones among them.
+    Everything,
+}
+
+/// How many findings [`Detail::Worst`] has.
+const WORST: usize = 10;
+
+/// The report as text, with styles of a terminal.
+pub fn terminal(report: &Report<'_>, detail: Detail) -> String {
+    let verbose = detail == Detail::Everything;
     let mut text = String::new();
+    if detail == Detail::Verdict {
+        verdict(&mut text, report);
+        return text;
+    }
     head(&mut text, report);
     chapters(&mut text, report);
     if verbose {
@@ -41,7 +62,7 @@ pub fn terminal(report: &Report<'_>, verbose: bool) -> String {
             divergence(&mut text, report, result);
         }
     }
-    findings(&mut text, report);
+    findings(&mut text, report, detail);
     notation(&mut text, report, verbose);
     not_judged(&mut text, report);
     waived(&mut text, report);
@@ -192,16 +213,21 @@ fn notation(text: &mut String, report: &Report<'_>, verbose: bool) {
 }
 
 /// Findings that no list accepts, the worst first: each with its rule and the smallest program.
-fn findings(text: &mut String, report: &Report<'_>) {
+fn findings(text: &mut String, report: &Report<'_>, detail: Detail) {
     let findings: Vec<_> = report.findings().iter().filter(|finding| !finding.is_known).collect();
     if findings.is_empty() {
         return;
     }
     line!(text, "{}", styled(BOLD, &format!("findings: {}, the worst first", findings.len())));
-    for (place, found) in findings.iter().enumerate() {
+    let printed = if detail == Detail::Worst { WORST } else { usize::MAX };
+    for (place, found) in findings.iter().enumerate().take(printed) {
         finding(text, report, place + 1, found);
     }
     line!(text);
+    if let more @ 1.. = findings.len().saturating_sub(printed) {
+        line!(text, "{more} more findings: --all prints them, --report writes them as a page");
+        line!(text);
+    }
 }
 
 /// A finding: the broken rule, its smallest program, and what else the cause touches.

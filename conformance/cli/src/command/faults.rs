@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
+use std::ops::ControlFlow;
 
 use gaugeblock_adapter::Adapter as _;
 use gaugeblock_controllers::faulty::Faulty;
@@ -218,7 +219,7 @@ fn result_of<'a>(
         repeat: RepeatSampling::default(),
         shrink_attempts: 0,
         model: None,
-        on_result: &mut |_| {},
+        on_result: &mut |_| ControlFlow::Continue(()),
     };
     let run = run_plan(plan, &controller, run_options);
     let own = run.cases.iter().filter(|case| case.verdict.own_divergence().is_some());

@@ -15,6 +15,7 @@ pub(crate) mod fuzz;
 pub(crate) mod fuzz_cases;
 pub(crate) mod fuzz_report;
 pub(crate) mod grbl;
+pub(crate) mod manual;
 pub(crate) mod matrix;
 pub(crate) mod motion_check;
 pub(crate) mod motion_fuzz;

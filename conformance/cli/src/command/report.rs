@@ -14,7 +14,7 @@ use gaugeblock_suite::Suite;
 use super::comparison::ComparisonArguments;
 use super::stored_report::stored;
 use super::{certify, report_compare, user_files};
-use crate::arguments::Format;
+use crate::arguments::{DetailArguments, Format};
 use crate::error::CliError;
 
 /// Merge the reports of shards, or compare those of several controllers
@@ -47,9 +47,8 @@ pub(crate) struct Merge {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Print known divergences and the number of masked observables too
-    #[arg(long, short)]
-    verbose: bool,
+    #[command(flatten)]
+    detail: DetailArguments,
 }
 
 pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, CliError> {
@@ -92,7 +91,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
         user_files::create_folder(folder)?;
         certify::write_report(folder, &report)?;
     }
-    certify::print(&report, arguments.format, arguments.verbose);
+    certify::print(&report, arguments.format, arguments.detail.detail());
     Ok(report.exit_status())
 }
 

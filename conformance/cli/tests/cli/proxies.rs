@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_controllers::Reference;
+use gaugeblock_report::terminal::Detail;
 use gaugeblock_report::{Header, Report, html, markdown, terminal};
 use gaugeblock_runner::certify::{CaseResult, Cause, Plan, Scope, Verdict, certify};
 use gaugeblock_runner::shard::Shard;
@@ -202,7 +203,8 @@ fn declared_resolution_buys_no_certificate() {
         let count = passes.count();
         assert!(count < run.cases.len() / 2);
         let page = html::html(report).expect("a page");
-        let texts = [terminal::terminal(report, false), markdown::markdown(report), page];
+        let texts =
+            [terminal::terminal(report, Detail::Findings), markdown::markdown(report), page];
         for text in texts {
             assert!(text.contains(&format!("{count} of them (100.0 %)")), "{text}");
             assert!(text.contains("numbers within 0.1"), "{text}");

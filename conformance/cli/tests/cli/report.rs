@@ -1,6 +1,7 @@
 //! Reports: their verdicts by name, their form, and that nothing in them obeys a controller.
 
 use std::num::NonZero;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use gaugeblock_adapter::{Adapter, HarnessError};
@@ -9,6 +10,7 @@ use gaugeblock_controllers::Reference;
 use gaugeblock_report::grouping::size;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_report::stored::StoredCase;
+use gaugeblock_report::terminal::Detail;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, terminal};
 use gaugeblock_runner::certify::{
     CaseResult, Plan, RepeatSampling, Run, RunOptions, Scope, certify, run_plan,
@@ -108,7 +110,7 @@ fn controller_text_is_escaped_in_every_report() {
         let counts = report.counts();
         assert!(counts.diverges > 3 && counts.crash > 3, "{counts:?}");
         let page = html::html(report).expect("a page");
-        (terminal::terminal(report, true), junit::junit(report).expect("XML"), page)
+        (terminal::terminal(report, Detail::Everything), junit::junit(report).expect("XML"), page)
     });
     let (text, xml, page) = texts;
     let plain = anstream::adapter::strip_str(&text).to_string();
@@ -154,7 +156,7 @@ fn each_divergence_belongs_to_one_finding_in_every_report() {
         let page = html::html(report).expect("a page");
         assert_eq!(page.matches("<section class=\"kind\"").count(), findings.len());
         assert_eq!(page.matches("<article").count(), cases, "every one has its card");
-        let text = terminal::terminal(report, false);
+        let text = terminal::terminal(report, Detail::Findings);
         let summary = markdown::markdown(report);
         for told in [&page, &text, &summary] {
             assert!(told.contains(&size(first)), "{}: {told}", size(first));
@@ -175,7 +177,7 @@ fn smallest_program_of_a_divergence_is_found_on_request() {
         jobs: NonZero::<usize>::MIN,
         scope: Scope::Full,
     };
-    let mut each = |_: &CaseResult<'_>| {};
+    let mut each = |_: &CaseResult<'_>| ControlFlow::Continue(());
     let twice = RepeatSampling::default();
     let run_options = RunOptions {
         shard: Shard::WHOLE,

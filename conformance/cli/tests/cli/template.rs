@@ -1,6 +1,7 @@
 //! Adapters in Python for tests: the template, with some of its text replaced, and the verdicts that it gets.
 
 use std::num::NonZero;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
 
@@ -57,7 +58,7 @@ pub(crate) fn verdicts_on(
     let only = ["modal-groups.g-code-out-of-range".to_owned()];
     let plan =
         Plan { suite, edition, only: &only, jobs: NonZero::<usize>::MIN, scope: Scope::Full };
-    let mut each = |_: &CaseResult<'_>| {};
+    let mut each = |_: &CaseResult<'_>| ControlFlow::Continue(());
     let course = RunOptions {
         shard: Shard::WHOLE,
         options: Options::default(),

@@ -8,6 +8,7 @@ use gaugeblock_compare::observe::Observed;
 use gaugeblock_compare::{Capabilities, compare};
 use gaugeblock_controllers::Reference;
 use gaugeblock_report::merge::Stored;
+use gaugeblock_report::terminal::Detail;
 use gaugeblock_report::{Header, Report, html, json, junit, profiles, terminal};
 use gaugeblock_runner::certify::{CaseResult, Plan, Run, Scope, Verdict, certify};
 use gaugeblock_runner::expectations::{ExpectationMismatch, Expectations};
@@ -94,7 +95,7 @@ fn the_order_of_work_changes_nothing() {
         let model = Reference::default();
         let report = Report::of(&suite, &run, header(&suite, &model, &only));
         (
-            terminal::terminal(&report, true),
+            terminal::terminal(&report, Detail::Everything),
             json::json(&report),
             junit::junit(&report).expect("XML"),
         )
@@ -126,7 +127,7 @@ fn report_has_the_notes_of_the_run() {
         notes: vec!["it was slow".to_owned()],
         ..Report::of(&suite, &run, header(&suite, &model, &only))
     };
-    assert_eq!(terminal::terminal(&report, false).matches("it was slow").count(), 1);
+    assert_eq!(terminal::terminal(&report, Detail::Findings).matches("it was slow").count(), 1);
     assert_eq!(json::json(&report)["notes"][0], "it was slow");
     assert_eq!(report.exit_status(), 0, "a note is no verdict");
 }

@@ -9,12 +9,14 @@ mod plan;
 mod repeat;
 mod schedule;
 mod select;
+mod selector;
 mod shrink;
 mod verdict;
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -38,7 +40,8 @@ pub use plan::{Plan, Scope};
 pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
-pub use select::{cases, not_applicable, only_case};
+pub use select::{cases, not_applicable};
+pub use selector::{Selector, only_case};
 pub use verdict::{
     BASELINE, CaseResult, Cause, EXPECTATIONS, NotJudgedReason, RuleDivergence, Run, Traces,
     Verdict,
@@ -58,8 +61,8 @@ pub struct RunOptions<'a, 'c> {
     pub shrink_attempts: u32,
     /// Outcomes of the model that this run shares with others.
     pub model: Option<&'c ModelOutcomes>,
-    /// Called with each result, one call at a time.
-    pub on_result: &'c mut (dyn FnMut(&CaseResult<'a>) + Send),
+    /// Called with each result, one call at a time. After a break no further case begins.
+    pub on_result: &'c mut (dyn FnMut(&CaseResult<'a>) -> ControlFlow<()> + Send),
 }
 
 impl fmt::Debug for RunOptions<'_, '_> {
@@ -70,7 +73,10 @@ impl fmt::Debug for RunOptions<'_, '_> {
 
 /// Runs the suite; `done` is called after each case.
 pub fn certify<'a>(plan: Plan<'a>, controller: &dyn Adapter, done: &(dyn Fn() + Sync)) -> Run<'a> {
-    let mut each = |_: &CaseResult<'a>| done();
+    let mut each = |_: &CaseResult<'a>| {
+        done();
+        ControlFlow::Continue(())
+    };
     let run_options = RunOptions {
         shard: Shard::WHOLE,
         options: controller.options(),
@@ -110,7 +116,7 @@ pub fn run_plan<'a>(
         open.map(|(((_, subject), place), _)| (key(subject), place)).collect();
     order.sort();
     let results = Mutex::new((results, run_options.on_result));
-    let next = AtomicUsize::new(0);
+    let next_case = AtomicUsize::new(0);
     std::thread::scope(|scope| {
         for _ in 0..plan.jobs.get().min(order.len()) {
             scope.spawn(|| {
@@ -118,7 +124,7 @@ pub fn run_plan<'a>(
                 let runner =
                     CaseRunner { plan, options, controller, repeat, shrink_attempts, model };
                 let take = || {
-                    let (_, place) = order.get(next.fetch_add(1, Ordering::Relaxed))?;
+                    let (_, place) = order.get(next_case.fetch_add(1, Ordering::Relaxed))?;
                     let (rule, subject) = cases[*place];
                     Some((*place, rule, runner.schedule(subject)))
                 };
@@ -131,7 +137,10 @@ pub fn run_plan<'a>(
                     result.cost = begun.elapsed();
                     let mut guard = results.lock().unwrap_or_else(PoisonError::into_inner);
                     let (results, each) = &mut *guard;
-                    each(&result);
+                    if each(&result).is_break() {
+                        next_case.store(order.len(), Ordering::Relaxed);
+                        following = None;
+                    }
                     results[place] = Some(result);
                 }
             });

@@ -13,7 +13,7 @@ pub struct Plan<'a> {
     pub suite: &'a Suite,
     /// The edition that the controller is compared with.
     pub edition: &'a Edition,
-    /// Only rules whose id begins with one of these, or single cases as verdicts name them (`RULE / CASE`); all when
+    /// Only the rules and cases that one of these selects, each as a [`Selector`](super::Selector) reads it; all when
     /// empty.
     pub only: &'a [String],
     /// How many cases run at once.

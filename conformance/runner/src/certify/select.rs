@@ -3,15 +3,8 @@
 use gaugeblock_suite::{Case, MotionCase, Rule};
 
 use super::plan::Plan;
+use super::selector::Selector;
 use crate::shard::Shard;
-
-/// Between the rule and the name of a case, as verdicts print them.
-const CASE_SEPARATOR: &str = " / ";
-
-/// The entry of [`Plan::only`] that selects one case.
-pub fn only_case(rule: &str, name: &str) -> String {
-    format!("{rule}{CASE_SEPARATOR}{name}")
-}
 
 /// Rule and name of each case of a plan, in order. `laws` selects cases of motion with recorded samples, for a
 /// controller that judges them; without it, those that a controller plans.
@@ -23,40 +16,6 @@ pub fn cases<'a>(plan: Plan<'a>, laws: bool, shard: Shard) -> Vec<(&'a str, &'a 
 /// Rules that do not exist in the edition of a plan, and why.
 pub fn not_applicable(plan: Plan<'_>) -> Vec<(&Rule, &str)> {
     select(plan, false).not_applicable
-}
-
-/// An entry of [`Plan::only`].
-#[derive(Clone, Copy, Debug)]
-enum Selector<'a> {
-    /// All rules whose id begins with this.
-    Prefix(&'a str),
-    /// One case of one rule.
-    Case { rule: &'a str, name: &'a str },
-}
-
-impl<'a> Selector<'a> {
-    /// No id has a slash.
-    fn of(only: &'a str) -> Self {
-        match only.split_once(CASE_SEPARATOR) {
-            Some((rule, name)) => Self::Case { rule, name },
-            None => Self::Prefix(only),
-        }
-    }
-
-    fn has_rule(self, candidate: &Rule) -> bool {
-        match self {
-            Self::Prefix(prefix) => candidate.id.starts_with(prefix),
-            Self::Case { rule, .. } => candidate.id == rule,
-        }
-    }
-
-    fn has_case(self, candidate: &Rule, case: &str) -> bool {
-        let is_named = match self {
-            Self::Prefix(_) => true,
-            Self::Case { name, .. } => case == name,
-        };
-        is_named && self.has_rule(candidate)
-    }
 }
 
 /// A case of either kind.
@@ -96,9 +55,10 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
     let edition = &plan.edition.id;
     let mut not_applicable = Vec::new();
     let mut cases = Vec::new();
-    let wanted = |rule: &&Rule| {
-        plan.only.is_empty() || plan.only.iter().any(|only| Selector::of(only).has_rule(rule))
-    };
+    let only: Vec<Selector> = plan.only.iter().map(|only| Selector::of(only)).collect();
+    let selects = |selector: &Selector, rule: &Rule| selector.has_rule(rule, Some(plan.edition));
+    let wanted =
+        |rule: &&Rule| only.is_empty() || only.iter().any(|selector| selects(selector, rule));
     let speaks = |rule: &&Rule| rule.language == plan.edition.language;
     for rule in plan.suite.rules.iter().filter(wanted).filter(speaks) {
         if let Some(why) = rule.void.get(edition) {
@@ -111,9 +71,10 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
         let motion = rule.motion.iter().filter(concerns);
         cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
     }
-    if !plan.only.is_empty() {
+    if !only.is_empty() {
         cases.retain(|(rule, subject)| {
-            plan.only.iter().any(|only| Selector::of(only).has_case(rule, subject.name()))
+            let mut selectors = only.iter().filter(|selector| selects(selector, rule));
+            selectors.any(|selector| selector.has_case(subject.name()))
         });
     }
     Selected { not_applicable, cases }

@@ -1,6 +1,7 @@
 //! The suite as it is built in: in its form, complete, and in agreement with the model.
 
 use std::num::NonZero;
+use std::ops::ControlFlow;
 
 use gaugeblock_controllers::Reference;
 use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, RunOptions, Scope, run_plan};
@@ -90,7 +91,7 @@ fn no_rule_is_broken_by_an_option_that_documents_leave_open() {
             repeat: RepeatSampling(0),
             shrink_attempts: 0,
             model: None,
-            on_result: &mut |_| {},
+            on_result: &mut |_| ControlFlow::Continue(()),
         };
         let run = run_plan(plan, &Reference::default(), run_options);
         let broken = run.cases.iter().filter(|case| case.verdict.own_divergence().is_some());

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use gaugeblock_runner::shard::Shard;
 
-use crate::arguments::Format;
+use crate::arguments::{DetailArguments, Format};
 use crate::command::comparison::ComparisonArguments;
 use crate::command::controller;
 
@@ -25,8 +25,12 @@ const EXAMPLES: &str = "Examples:
       run one of eight shards; after an interruption, repeat the call with --resume
   gaugeblock certify --controller rs274 --profile rs274-core --profile o-words
       fail unless every rule of these profiles passes
-  gaugeblock certify --controller rs274 --only saved-state.feed --case \"with decimals\"
-      run one case: a verdict prints its rule and its name as RULE / NAME
+  gaugeblock certify --controller rs274 --only \"saved-state.feed / with decimals\"
+      run one case, as a verdict prints it
+  gaugeblock certify --controller rs274 --only 11.5.5 --only \"cycles.*-dwell\" --list
+      list the cases of a section of the manual, and of all rules on a dwell of a cycle
+  gaugeblock certify --controller exec:./mill --max-fail 1
+      stop at the first case that diverges
   gaugeblock certify --controller reference --assertions-only
       judge the model by the assertions that people wrote, without a comparison with itself
   gaugeblock certify --controller exec:./mill --options options.json
@@ -45,6 +49,13 @@ Exit status: 0 at least one case was judged, and every judged case passes, is kn
 3 a case could not be judged, or every selected case is unsupported. Of several controllers: 1 if
 one of them ends so, or else the greatest.";
 
+const FILTER: &str = "Run only the rules or cases that this selects; may be repeated:
+  saved-state, feed.zero     rules whose id begins with it
+  cycles.*-dwell             rules whose whole id fits: `*` is any text, `?` any character
+  11.5.5                     rules with a source in this section of the edition's documents
+  feed.zero / at once        the case of exactly this name, as verdicts print it
+  feed.zero/at*              cases whose name fits";
+
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -58,8 +69,9 @@ pub(crate) struct Arguments {
     /// Edition of the documents [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     pub(super) edition: Option<String>,
-    /// Run only rules whose id begins with this, such as `saved-state` or `feed.zero`; may be repeated
-    #[arg(long, value_name = "PREFIX")]
+    /// Run only these rules or cases: a beginning of ids (`saved-state`), a section of a document (`11.5.5`), RULE/CASE;
+    /// `*` and `?` are wildcards; may be repeated
+    #[arg(long, value_name = "FILTER", long_help = FILTER)]
     pub(super) only: Vec<String>,
     /// Run only the case with exactly this name, of the rules of --only; may be repeated
     #[arg(long, value_name = "NAME", requires = "only")]
@@ -112,9 +124,14 @@ pub(crate) struct Arguments {
     /// Number of cases that run at once [default: number of processors + 1]
     #[arg(long, short, value_name = "N")]
     pub(super) jobs: Option<NonZero<usize>>,
-    /// Also print known divergences, and how many values were not compared because the controller does not report them
-    #[arg(long, short)]
-    pub(super) verbose: bool,
+    /// List the selected cases as RULE / CASE, and run none
+    #[arg(long, conflicts_with_all = ["report", "write_expectations", "shrink"])]
+    pub(super) list: bool,
+    /// Stop after so many cases that diverge; the rest is not run
+    #[arg(long, value_name = "N", conflicts_with_all = ["report", "write_expectations", "profile", "expectations", "baseline", "waivers"])]
+    pub(super) max_fail: Option<NonZero<usize>>,
+    #[command(flatten)]
+    pub(super) detail: DetailArguments,
 }
 
 /// Whether the options of choices and quirks are detected.

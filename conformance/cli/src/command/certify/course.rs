@@ -1,5 +1,8 @@
 //! A controller is opened, runs the suite, and has a report.
 
+use std::fmt::Write as _;
+use std::num::NonZero;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
 
@@ -8,9 +11,11 @@ use gaugeblock_adapter::exec::Limits;
 use gaugeblock_compare::Capabilities;
 use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
+use gaugeblock_report::terminal::Detail;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use gaugeblock_runner::certify::{
-    CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, run_plan,
+    CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, only_case,
+    run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
@@ -18,6 +23,7 @@ use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Suite, options_of};
 use gaugeblock_vocabulary::Options;
+use serde_json::json;
 
 use super::arguments::{Arguments, FingerprintWhen};
 use super::selection::{only, profiles_in_edition};
@@ -67,6 +73,45 @@ impl<'a> Course<'a> {
         Ok(Candidate { controller, edition })
     }
 
+    /// Lists the cases that a call selects for a controller.
+    pub(super) fn list(
+        &self,
+        Candidate { controller, edition }: &Candidate<'_>,
+    ) -> Result<u8, CliError> {
+        let Self { arguments, suite, .. } = self;
+        let only = only(arguments, suite)?;
+        let plan = Plan {
+            suite,
+            edition,
+            only: &only,
+            jobs: crate::arguments::jobs(arguments.jobs),
+            scope: Scope::Full,
+        };
+        let cases = cases(plan, controller.has_laws_of_motion(), arguments.shard);
+        if cases.is_empty() {
+            return Err(nothing_selected());
+        }
+        match arguments.format {
+            Format::Text => {
+                let mut text = String::new();
+                for (rule, case) in &cases {
+                    let _infallible = writeln!(text, "{}", only_case(rule, case));
+                }
+                write_out(&text);
+            }
+            Format::Json => {
+                let named = |(rule, case): &(&str, &str)| json!({ "rule": rule, "case": case });
+                let cases: Vec<_> = cases.iter().map(named).collect();
+                let document = json!({
+                    "gaugeblock": "cases", "schema": gaugeblock_vocabulary::schema::VERSION,
+                    "edition": edition.id, "cases": cases,
+                });
+                write_out(&format!("{document:#}\n"));
+            }
+        }
+        Ok(0)
+    }
+
     /// Runs the suite on a controller, writes its report into a folder, and hands the report over.
     pub(super) fn judge<T>(
         &self,
@@ -82,10 +127,7 @@ impl<'a> Course<'a> {
         let plan = Plan { suite, edition, only: &only, jobs, scope };
         let shard = arguments.shard;
         if cases(plan, controller.has_laws_of_motion(), Shard::WHOLE).is_empty() {
-            return Err(CliError::usage(
-                "no case is selected",
-                "`gaugeblock rules` lists the rules; remove --only and --case, or choose another edition",
-            ));
+            return Err(nothing_selected());
         }
         let twice = arguments.repeat_percent;
         let (options, undeclared) = comparison_options(arguments, suite, edition, controller)?;
@@ -97,9 +139,13 @@ impl<'a> Course<'a> {
             let environment = edition.environment.as_deref();
             run.fingerprint = Some(fingerprint_entries(suite, &options, environment, controller));
         }
-        let whole = arguments.only.is_empty() && shard == Shard::WHOLE;
+        let left = cases(plan, header.laws, shard).len() - run.cases.len();
+        let whole = arguments.only.is_empty() && shard == Shard::WHOLE && left == 0;
         let (mismatches, fixed) = known.compare(&mut run, whole);
         let mut notes = [controller.notes(), undeclared, newer, fixed].concat();
+        if left > 0 {
+            notes.push(format!("stopped by --max-fail: {left} cases were not run"));
+        }
         // Only a whole run can pass a profile.
         let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
         let profiles = profiles::profiles(suite, &run, claimed);
@@ -136,13 +182,17 @@ impl<'a> Course<'a> {
         let bar = progress(cases(plan, header.laws, shard).len());
         bar.inc(u64::try_from(done.len()).unwrap_or_default());
         let mut mismatch = None;
+        let mut failed = 0;
+        let most = self.arguments.max_fail.map_or(usize::MAX, NonZero::get);
         let mut each = |result: &CaseResult<'_>| {
             bar.inc(1);
+            failed += usize::from(result.verdict.divergence().is_some());
             if let Some(Err(why)) =
                 journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
             {
                 mismatch.get_or_insert(why);
             }
+            if failed >= most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let twice = RepeatSampling(header.twice);
         let run_options = RunOptions {
@@ -200,11 +250,18 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
     }
 }
 
-pub(crate) fn print(report: &Report<'_>, format: Format, verbose: bool) {
+pub(crate) fn print(report: &Report<'_>, format: Format, detail: Detail) {
     match format {
-        Format::Text => write_out_in_colours(&terminal::terminal(report, verbose)),
+        Format::Text => write_out_in_colours(&terminal::terminal(report, detail)),
         Format::Json => write_out(&format!("{:#}\n", json::json(report))),
     }
+}
+
+fn nothing_selected() -> CliError {
+    CliError::usage(
+        "no case is selected",
+        "`gaugeblock rules` lists the rules; remove --only and --case, or choose another edition",
+    )
 }
 
 /// The journal of a run in a folder, and what was run before.
@@ -258,7 +315,8 @@ pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Cli
     let page = html::html(report).map_err(|error| {
         CliError::failure(error, "this is a bug in gaugeblock; please report it")
     })?;
-    let text = anstream::adapter::strip_str(&terminal::terminal(report, true)).to_string();
+    let text =
+        anstream::adapter::strip_str(&terminal::terminal(report, Detail::Everything)).to_string();
     user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
     user_files::write_whole(&folder.join("report.html"), &page)?;
     user_files::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;

@@ -35,8 +35,11 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
         user_files::create_folder(folder)?;
     }
     let candidate = course.open(&arguments.controller.concat())?;
+    if arguments.list {
+        return course.list(&candidate);
+    }
     course.judge(&candidate, folder, |report| {
-        print(report, arguments.format, arguments.verbose);
+        print(report, arguments.format, arguments.detail.detail());
         Ok(report.exit_status())
     })
 }

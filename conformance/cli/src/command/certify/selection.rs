@@ -1,7 +1,7 @@
 //! What a call selects: rules, cases and profiles that exist.
 
 use gaugeblock_report::profiles;
-use gaugeblock_runner::certify::only_case;
+use gaugeblock_runner::certify::{Selector, only_case};
 use gaugeblock_suite::{Edition, Rule, Suite};
 
 use super::arguments::Arguments;
@@ -13,8 +13,8 @@ pub(super) fn only(arguments: &Arguments, suite: &Suite) -> Result<Vec<String>, 
     if arguments.case.is_empty() {
         return Ok(arguments.only.clone());
     }
-    let wanted =
-        |rule: &&Rule| arguments.only.iter().any(|only| rule.id.starts_with(only.as_str()));
+    let selectors: Vec<Selector> = arguments.only.iter().map(|only| Selector::of(only)).collect();
+    let wanted = |rule: &&Rule| selectors.iter().any(|selector| selector.has_rule(rule, None));
     let rules: Vec<&Rule> = suite.rules.iter().filter(wanted).collect();
     let mut selected = Vec::new();
     for case in &arguments.case {
@@ -22,14 +22,14 @@ pub(super) fn only(arguments: &Arguments, suite: &Suite) -> Result<Vec<String>, 
         let before = selected.len();
         selected.extend(having.map(|rule| only_case(&rule.id, case)));
         if selected.len() == before {
-            return Err(unknown_case(case, &rules));
+            return Err(unknown_case(&format!("--case {case}"), case, &rules));
         }
     }
     Ok(selected)
 }
 
 /// An error that lists the names that are nearest to one that no case of these rules has.
-fn unknown_case(case: &str, rules: &[&Rule]) -> CliError {
+fn unknown_case(call: &str, case: &str, rules: &[&Rule]) -> CliError {
     const LISTED: usize = 5;
     let mut names: Vec<(usize, &str)> = rules
         .iter()
@@ -45,19 +45,30 @@ fn unknown_case(case: &str, rules: &[&Rule]) -> CliError {
         ([], [rule]) => format!("`gaugeblock explain {}` prints its cases", rule.id),
         ([], _) => "`gaugeblock explain RULE` prints the cases of a rule".to_owned(),
     };
-    CliError::usage(format!("invalid `--case {case}`: no case of --only has this name"), hint)
+    CliError::usage(format!("invalid `{call}`: no case of --only has this name"), hint)
 }
 
-/// Refuses a prefix that no rule id has.
+/// Refuses a filter that selects nothing in any edition.
 pub(crate) fn known_rules(only: &[String], suite: &Suite) -> Result<(), CliError> {
-    let is_known = |only: &&String| suite.rules.iter().any(|rule| rule.id.starts_with(*only));
-    match only.iter().find(|only| !is_known(only)) {
-        None => Ok(()),
-        Some(only) => Err(CliError::usage(
-            format!("invalid `--only {only}`: no rule has an id that begins with it"),
-            "`gaugeblock rules` lists the ids",
-        )),
-    }
+    only.iter().try_for_each(|only| {
+        let selector = Selector::of(only);
+        let has = |rule: &&Rule| selector.has_rule(rule, None);
+        let rules: Vec<&Rule> = suite.rules.iter().filter(has).collect();
+        let has_case = |rule: &&Rule| rule.case_names().any(|name| selector.has_case(name));
+        if rules.iter().any(has_case) {
+            return Ok(());
+        }
+        let call = format!("--only {only}");
+        if let ([_, ..], Some((_, case))) = (rules.as_slice(), only.split_once('/')) {
+            return Err(unknown_case(&call, case.trim_start(), &rules));
+        }
+        Err(CliError::usage(
+            format!(
+                "invalid `{call}`: no rule has an id or a section that begins with it or fits it"
+            ),
+            "`gaugeblock rules` lists the ids; sections are those of documents, such as 11.5.5",
+        ))
+    })
 }
 
 /// Refuses an unknown profile.

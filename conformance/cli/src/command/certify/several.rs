@@ -44,7 +44,7 @@ pub(super) fn certify(
         }
         let (status, mut report) = course.judge(candidate, folder.as_deref(), |report| {
             if arguments.format == Format::Text {
-                print(report, Format::Text, arguments.verbose);
+                print(report, Format::Text, arguments.detail.detail());
                 write_out("\n");
             }
             Ok((report.exit_status(), compared_report(report, &column)?))
@@ -71,6 +71,8 @@ fn fits_several(arguments: &Arguments) -> Result<(), CliError> {
         ("--options", arguments.options.is_some()),
         ("--restrict-to", arguments.restrict_to.is_some()),
         ("--resume", arguments.resume),
+        ("--list", arguments.list),
+        ("--max-fail", arguments.max_fail.is_some()),
         ("--shard", arguments.shard != Shard::WHOLE),
     ];
     let given = own.into_iter().find_map(|(option, is_given)| is_given.then_some(option));
