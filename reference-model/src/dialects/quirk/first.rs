@@ -2,7 +2,8 @@
 
 pub(super) const GRBL: u16 = 0;
 pub(super) const LINUXCNC: u16 = 7;
-pub(super) const RS274: u16 = 31;
+pub(super) const NIST: u16 = 32;
+pub(super) const RS274: u16 = 44;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 189;
+pub(crate) const COUNT: u16 = 202;

@@ -34,9 +34,9 @@ pub(super) const TASK: u16 = 121;
 pub(super) const TEXT: u16 = 122;
 pub(super) const THREADING: u16 = 129;
 pub(super) const TOOL: u16 = 132;
-pub(super) const TRAJECTORY: u16 = 143;
-pub(super) const UNITS_PLANES: u16 = 145;
-pub(super) const USER_CODES: u16 = 149;
+pub(super) const TRAJECTORY: u16 = 144;
+pub(super) const UNITS_PLANES: u16 = 146;
+pub(super) const USER_CODES: u16 = 150;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 152;
+pub(crate) const COUNT: u16 = 153;
