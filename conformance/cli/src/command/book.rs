@@ -50,6 +50,8 @@ pub(crate) fn book(
         guide: &GUIDE,
         repository: arguments.repository.as_deref(),
     };
+    // A folder that cannot be written ends the call before the work begins.
+    user_files::create_folder(&arguments.folder)?;
     let pages = render(&book).map_err(|error| {
         CliError::failure(error, "this is a bug in gaugeblock; please report it")
     })?;

@@ -80,9 +80,13 @@ pub(crate) struct BlessArguments {
 #[command(after_help = "Examples:
   gaugeblock suite matrix
   gaugeblock suite matrix --report out/report.json --format json
+  gaugeblock suite matrix --document linuxcnc-2.9
 
 Exit status: 0 printed; 2 wrong call or input.")]
 pub(crate) struct MatrixArguments {
+    /// Print the sections of this document alone; may be repeated
+    #[arg(long, value_name = "ID")]
+    document: Vec<String>,
     /// Add the verdicts of this report as a column; may be repeated
     #[arg(long, value_name = "REPORT.json")]
     report: Vec<PathBuf>,
@@ -112,6 +116,19 @@ pub(crate) struct FaultArguments {
     format: Format,
 }
 
+/// Keeps the ledgers of these documents; all without any.
+fn limit_to_documents(ledgers: &mut Vec<Ledger>, documents: &[String]) -> Result<(), CliError> {
+    let known: Vec<String> = ledgers.iter().map(|ledger| ledger.document.clone()).collect();
+    if let Some(unknown) = documents.iter().find(|id| !known.contains(id)) {
+        return Err(CliError::usage(
+            format!("no document has the id `{unknown}`"),
+            format!("expected one of: {}", known.join(", ")),
+        ));
+    }
+    ledgers.retain(|ledger| documents.is_empty() || documents.contains(&ledger.document));
+    Ok(())
+}
+
 /// Runs a maintenance command on the suite in `folder`, or on the built-in suite.
 pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, CliError> {
     let suite = read_suite(folder)?;
@@ -127,10 +144,11 @@ pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u
             bless(&suite, folder, &arguments.prefix)
         }
         Maintenance::Matrix(arguments) => {
-            let (ledgers, faults) = ledgers(&suite, folder)?;
+            let (mut ledgers, faults) = ledgers(&suite, folder)?;
             if let Some(fault) = faults.into_iter().next() {
                 return Err(CliError::usage(fault, "`gaugeblock suite check` lists all errors"));
             }
+            limit_to_documents(&mut ledgers, &arguments.document)?;
             matrix(&suite, &ledgers, &arguments.report, arguments.format)
         }
         Maintenance::Profiles(arguments) => profiles(&suite, arguments),

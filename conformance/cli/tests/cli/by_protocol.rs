@@ -57,7 +57,7 @@ fn a_controller_gets_the_same_verdicts_through_the_protocol() {
         |name: &str| format!("exec:{} serve --controller {name}", env!("CARGO_BIN_EXE_gaugeblock"));
     // A part of the cases: each goes through the protocol in the same way.
     for (name, more) in
-        [("production", vec!["--shard", "2/5"]), ("reference", vec!["--edition", "gpp2"])]
+        [("production", vec!["--shard", "2/24"]), ("reference", vec!["--edition", "gpp2"])]
     {
         let (plain, behind) = (verdicts(name, &more), verdicts(&serve(name), &more));
         assert_eq!(plain.len(), behind.len());
@@ -71,6 +71,7 @@ fn verdicts_do_not_depend_on_transport() {
     let only: Vec<&str> = ["coolant", "trajectory", "subroutines", "abort", "pause", "orient"]
         .iter()
         .flat_map(|chapter| ["--only", chapter])
+        .chain(["--shard", "2/4"])
         .collect();
     let plain = verdicts("production", &only);
     assert!(plain.len() > 300, "{}", plain.len());

@@ -430,15 +430,17 @@ fn the_matrix_has_a_column_for_each_report() {
     assert_eq!(gaugeblock(&arguments).status.code(), Some(0));
     let report = here.join("report.json");
     let report = report.to_str().expect("UTF-8");
-    let output = gaugeblock(&["suite", "matrix", "--report", report]);
+    let output = gaugeblock(&["suite", "matrix", "--document", "linuxcnc-2.8", "--report", report]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{text}");
     let section = text.lines().find(|line| line.starts_with("M7, M8, M9")).expect("the section");
     // The model's column and the report's, both judged by more than acceptance.
     assert_eq!(section.matches(" haest").count(), 2, "{section}");
-    let json = gaugeblock(&["suite", "matrix", "--report", report, "--format", "json"]).stdout;
+    let json = ["suite", "matrix", "--document", "gpp2", "--report", report, "--format", "json"];
+    let json = gaugeblock(&json).stdout;
     let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
     assert_eq!(json["controllers"][0]["edition"], "linuxcnc-2.8");
+    refused(&["suite", "matrix", "--document", "no-such"], 2, &["no-such", "linuxcnc-2.8"]);
     let other = file(&here, "other.json", b"{}");
     refused(&["suite", "matrix", "--report", &other], 2, &["other.json", "--report"]);
 }

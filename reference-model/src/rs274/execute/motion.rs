@@ -29,19 +29,7 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
     let programmed = words.g_tenths.iter().any(|code| motion_mode(*code).is_some());
-    state.coverage.accepted(if programmed {
-        rule::motion::MODE_CHANGE
-    } else {
-        rule::motion::MODE_HOLDS
-    });
-    if !programmed && is_arc(motion) {
-        let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
-        state.coverage.accepted(if alone {
-            rule::arcs::OFFSETS_ALONE
-        } else {
-            rule::arcs::MODE_HOLDS
-        });
-    }
+    accept_mode(motion, programmed, words, state);
     if words.g_tenths.contains(&530) {
         state.dialect().check_machine_coordinates(motion, words, state)?;
     }
@@ -82,6 +70,20 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         move_to(motion, words, state, record)
     } else {
         without_axis_words(motion, words, state, record)
+    }
+}
+
+/// Names the rule by which a block has its motion: by its own code, or by the mode in force.
+fn accept_mode(motion: Motion, programmed: bool, words: &Words, state: &mut State) {
+    if programmed {
+        state.coverage.accepted(rule::motion::MODE_CHANGE);
+        return;
+    }
+    state.coverage.accepted(rule::motion::MODE_HOLDS);
+    if is_arc(motion) {
+        let alone = by_offsets_alone(words, state) && !moves_by_axis_words(words);
+        let rule = if alone { rule::arcs::OFFSETS_ALONE } else { rule::arcs::MODE_HOLDS };
+        state.coverage.accepted(rule);
     }
 }
 

@@ -73,25 +73,23 @@ pub(crate) fn is_held(speed: Speed, state: &mut State) -> bool {
 
 /// Whether an effect that moves is a motion, which may be held and for which outputs wait.
 pub(crate) fn is_motion(effect: &Effect, state: &State) -> bool {
-    match effect {
-        Effect::StraightTraverse { end } | Effect::StraightFeed { end } => {
-            state.dialect().is_motion_to(*end, state)
-        }
-        _ => true,
+    if let Effect::StraightTraverse { end } | Effect::StraightFeed { end } = effect {
+        return state.dialect().is_motion_to(*end, state);
     }
+    true
 }
 
 /// A move leads the axes to its end, a probing move to where the probe has changed, a rigid tap to where it began.
 pub(crate) fn moves_axes(effect: &Effect, state: &mut State) {
-    let end = match effect {
-        Effect::StraightTraverse { end }
-        | Effect::StraightFeed { end }
-        | Effect::ArcFeed { end, .. }
-        | Effect::NurbsFeed { end, .. } => *end,
-        Effect::StraightProbe { end, contact } => contact.unwrap_or(*end),
-        _ => return,
-    };
-    state.dialect().axes_are_at(end, state);
+    if let Effect::StraightTraverse { end }
+    | Effect::StraightFeed { end }
+    | Effect::ArcFeed { end, .. }
+    | Effect::NurbsFeed { end, .. } = effect
+    {
+        state.dialect().axes_are_at(*end, state);
+    } else if let Effect::StraightProbe { end, contact } = effect {
+        state.dialect().axes_are_at(contact.unwrap_or(*end), state);
+    }
 }
 
 /// Rule outputs.at-next-motion. What waits for a motion switches when the next one begins.
