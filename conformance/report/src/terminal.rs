@@ -33,7 +33,7 @@ macro_rules! line {
 /// How much of a report is printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// The counts and the verdict alone.
+    /// The notes, the counts and the verdict alone.
     Verdict,
     /// A table of the chapters, the worst findings, what was not judged.
     Worst,
@@ -51,6 +51,7 @@ pub fn terminal(report: &Report<'_>, detail: Detail) -> String {
     let verbose = detail == Detail::Everything;
     let mut text = String::new();
     if detail == Detail::Verdict {
+        notes(&mut text, report);
         verdict(&mut text, report);
         return text;
     }
@@ -81,10 +82,14 @@ fn head(text: &mut String, report: &Report<'_>) {
     line!(text, "{} against {edition}", styled(BOLD, &controller));
     line!(text, "{}", styled(DIM, &report.run.edition.sentence));
     line!(text, "{}", styled(DIM, &format!("declared accuracy: {}", report.header.accuracy)));
+    notes(text, report);
+    line!(text);
+}
+
+fn notes(text: &mut String, report: &Report<'_>) {
     for note in &report.notes {
         line!(text, "{} {}", styled(YELLOW, "note"), escape_text(note));
     }
-    line!(text);
 }
 
 fn chapters(text: &mut String, report: &Report<'_>) {

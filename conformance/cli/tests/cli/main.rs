@@ -35,5 +35,6 @@ mod scenario_encoding;
 mod several;
 mod shards;
 mod template;
+mod terminal;
 mod tutorial;
 mod unjudged;
