@@ -62,6 +62,12 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             };
             w.block(&words);
             w.block("g40");
+            // The move after G40 is longer than the tool's diameter, or in most programs it is refused.
+            if w.state.has_xy() && w.entropy.chance(95) {
+                w.block("g91 g0 x-50 y30");
+                w.block("g90");
+                w.moves(true);
+            }
             w.state.xy_plane = words != "g18";
         },
     ),
@@ -82,7 +88,7 @@ fn contour(w: &mut Writer<'_, '_>, plane: &Plane) {
     let [first, second] = plane.axes;
     w.block(format!("{} g90 g91.1 g94 f100 g40 g0 {first}-24 {second}0", plane.code));
     let code = *w.entropy.pick(&["g41.1", "g42.1"]);
-    let diameter = *w.entropy.pick(&["2", "2", "3.5", "1", "5", "0", "-2"]);
+    let diameter = *w.entropy.pick(&["2", "2", "2", "3.5", "1", "1", "5", "0", "-2"]);
     let orientation = match w.entropy.below(12) {
         number @ 0..=9 if plane.code == "g18" && w.entropy.chance(50) => format!(" l{number}"),
         _ => String::new(),
@@ -105,7 +111,8 @@ fn contour(w: &mut Writer<'_, '_>, plane: &Plane) {
         }
         at = if w.entropy.chance(35) { arc(w, plane, at) } else { line(w, plane, at) };
     }
-    match w.entropy.below(8) {
+    // Most exits are long lines: an arc is refused, and so is a move that is too short.
+    match w.entropy.below(24) {
         0 => {}
         1 => w.block(format!("g40 g0 {first}40 {second}40")),
         2 => {
