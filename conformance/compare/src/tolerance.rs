@@ -3,7 +3,7 @@
 //! | observable | tolerance |
 //! | --- | --- |
 //! | positions, settings, arguments of effects, pins | 1e-6 absolute, 1e-9 relative |
-//! | numbers inside texts: messages, P and Q of a user-defined code | 2e-6 absolute: they are written with six decimals |
+//! | numbers inside texts: messages, P and Q of a user-defined code | 2e-6 absolute: they have six decimals |
 //! | what a post-processor prints | none: each character counts |
 //!
 //! The error that a controller declares is added, within the bounds of [`crate::accuracy`]; what it hides is masked.

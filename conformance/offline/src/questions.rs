@@ -33,10 +33,10 @@ pub fn questions(
     let options = suite.options(edition);
     let mut left_out = BTreeMap::new();
     let mut found: BTreeMap<String, Question> = BTreeMap::new();
-    let wanted = |rule: &&Rule| rule.exists_in(edition) && requested.includes(suite, rule);
-    let runs = |case: &&Case| case.runs_in(edition);
-    for rule in suite.rules.iter().filter(wanted) {
-        for case in rule.motion.iter().filter(|case| !case.is_recorded()) {
+    let is_requested = requested.cases(suite, edition);
+    for rule in suite.rules.iter().filter(|rule| rule.exists_in(edition)) {
+        let plans = |case: &&MotionCase| !case.is_recorded() && is_requested(rule, &case.name);
+        for case in rule.motion.iter().filter(plans) {
             match motion_question(rule, case, &options, edition) {
                 Ok(question) => {
                     let key = question.exported.scenario.clone();
@@ -45,6 +45,7 @@ pub fn questions(
                 Err(why) => *left_out.entry(why.to_owned()).or_default() += 1,
             }
         }
+        let runs = |case: &&Case| case.runs_in(edition) && is_requested(rule, &case.name);
         for case in rule.cases.iter().filter(runs) {
             let scenario = scenario_of(case, &options, edition);
             let expected = gaugeblock_reference::run(&scenario).0;

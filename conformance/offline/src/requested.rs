@@ -2,24 +2,31 @@
 
 use std::fmt;
 
-use gaugeblock_suite::{Rule, Suite};
+use gaugeblock_suite::{Edition, Rule, Selection, Suite};
 
 /// The rules that a campaign exports.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Requested {
     /// Only rules of these profiles; empty for all.
     pub profiles: Vec<String>,
-    /// Only rules whose id begins with one of these; empty for all.
+    /// Only the rules and cases that these select, each as a [`Selector`](gaugeblock_suite::Selector) reads it; empty for
+    /// all.
     pub only: Vec<String>,
 }
 
 impl Requested {
-    /// Whether a rule is requested.
-    pub(crate) fn includes(&self, suite: &Suite, rule: &Rule) -> bool {
-        let Self { profiles, only } = self;
-        let is_of = |profile: &String| suite.profile_of(rule) == profile;
-        (profiles.is_empty() || profiles.iter().any(is_of))
-            && (only.is_empty() || only.iter().any(|prefix| rule.id.starts_with(prefix)))
+    /// What is requested of each rule of a suite in an edition: whether a case of this name is.
+    pub(crate) fn cases<'a>(
+        &'a self,
+        suite: &'a Suite,
+        edition: &'a Edition,
+    ) -> impl Fn(&Rule, &str) -> bool + 'a {
+        let selection = Selection::of(&self.only);
+        move |rule, name| {
+            let is_of = |profile: &String| suite.profile_of(rule) == profile;
+            (self.profiles.is_empty() || self.profiles.iter().any(is_of))
+                && selection.has_case(rule, name, edition)
+        }
     }
 }
 
@@ -31,7 +38,7 @@ impl fmt::Display for Requested {
         }
         match self.only.as_slice() {
             [] => Ok(()),
-            only => write!(f, ", only rules: {}", only.join(", ")),
+            only => write!(f, ", only: {}", only.join(", ")),
         }
     }
 }

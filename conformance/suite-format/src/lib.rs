@@ -10,6 +10,7 @@ mod needs;
 mod page;
 mod profile;
 mod scenario;
+mod selector;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,6 +24,7 @@ pub use page::{
     MotionChoice, MotionChoiceOption, Profile, Rule, RuleOutcome, Setup, Source, sections,
 };
 pub use scenario::{applies, options_of, scenario_of};
+pub use selector::{Selection, Selector, only_case};
 
 /// The suite as it is read.
 #[derive(Clone, Debug)]

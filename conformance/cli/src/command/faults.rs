@@ -9,12 +9,12 @@ use gaugeblock_controllers::faulty::Faulty;
 use gaugeblock_interpreter::faults::PlantedFault;
 use gaugeblock_report::grouping::explain;
 use gaugeblock_runner::certify::{
-    Plan, RepeatSampling, RuleDivergence, RunOptions, Scope, only_case, run_plan,
+    Plan, RepeatSampling, RuleDivergence, RunOptions, Scope, run_plan,
 };
 use gaugeblock_runner::findings::{Coverage, findings_by};
 use gaugeblock_runner::fingerprint::shown_open_options;
 use gaugeblock_runner::shard::Shard;
-use gaugeblock_suite::{Edition, Suite};
+use gaugeblock_suite::{Edition, Suite, only_case};
 use serde::Deserialize;
 use serde_json::json;
 

@@ -58,8 +58,8 @@ pub(crate) struct Export {
     /// Export only rules of this profile; may be repeated [default: all]
     #[arg(long, value_name = "PROFILE")]
     profile: Vec<String>,
-    /// Export only rules whose id begins with PREFIX; may be repeated [default: all]
-    #[arg(long, value_name = "PREFIX")]
+    /// Export only these rules or cases, as --only of `certify` selects them; may be repeated [default: all]
+    #[arg(long, value_name = "FILTER")]
     only: Vec<String>,
     /// Edition that the answers will be compared with
     #[arg(long, value_name = "EDITION", default_value = DEFAULT_EDITION)]

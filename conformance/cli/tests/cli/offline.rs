@@ -288,3 +288,16 @@ fn nothing_is_overwritten_and_nothing_half_written() {
         told.values().any(|(verdict, why)| verdict == "unsupported" && why == "no such machine")
     );
 }
+
+#[test]
+fn filters_select_what_is_exported() {
+    let count = |name: &str, only: &str| {
+        let folder = campaign(name, only);
+        let entries = fs::read_dir(folder).expect("the campaign").flatten();
+        entries.filter(|entry| entry.path().join("main.ngc").exists()).count()
+    };
+    let all = count("filter-prefix", "dwell.seconds");
+    assert!(all > 2, "{all} programs");
+    assert_eq!(count("filter-pattern", "dwell.second?"), all);
+    assert_eq!(count("filter-case", "dwell.seconds/a fraction"), 1);
+}

@@ -9,7 +9,6 @@ mod plan;
 mod repeat;
 mod schedule;
 mod select;
-mod selector;
 mod shrink;
 mod verdict;
 
@@ -41,7 +40,6 @@ pub use repeat::RepeatSampling;
 use repeat::{Confirmation, RunAttempt, RunAttempts};
 use select::{Selected, Subject, select};
 pub use select::{cases, not_applicable};
-pub use selector::{Selector, only_case};
 pub use verdict::{
     BASELINE, CaseResult, Cause, EXPECTATIONS, NotJudgedReason, RuleDivergence, Run, Traces,
     Verdict,

@@ -13,8 +13,8 @@ pub struct Plan<'a> {
     pub suite: &'a Suite,
     /// The edition that the controller is compared with.
     pub edition: &'a Edition,
-    /// Only the rules and cases that one of these selects, each as a [`Selector`](super::Selector) reads it; all when
-    /// empty.
+    /// Only the rules and cases that one of these selects, each as a [`Selector`](gaugeblock_suite::Selector) reads
+    /// it; all when empty.
     pub only: &'a [String],
     /// How many cases run at once.
     pub jobs: NonZero<usize>,

@@ -1,9 +1,8 @@
 //! Selection of the cases that a plan runs, in the order of a report.
 
-use gaugeblock_suite::{Case, MotionCase, Rule};
+use gaugeblock_suite::{Case, MotionCase, Rule, Selection};
 
 use super::plan::Plan;
-use super::selector::Selector;
 use crate::shard::Shard;
 
 /// Rule and name of each case of a plan, in order. `laws` selects cases of motion with recorded samples, for a
@@ -55,10 +54,8 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
     let edition = &plan.edition.id;
     let mut not_applicable = Vec::new();
     let mut cases = Vec::new();
-    let only: Vec<Selector> = plan.only.iter().map(|only| Selector::of(only)).collect();
-    let selects = |selector: &Selector, rule: &Rule| selector.has_rule(rule, Some(plan.edition));
-    let wanted =
-        |rule: &&Rule| only.is_empty() || only.iter().any(|selector| selects(selector, rule));
+    let selection = Selection::of(plan.only);
+    let wanted = |rule: &&Rule| selection.has_rule(rule, plan.edition);
     let speaks = |rule: &&Rule| rule.language == plan.edition.language;
     for rule in plan.suite.rules.iter().filter(wanted).filter(speaks) {
         if let Some(why) = rule.void.get(edition) {
@@ -71,11 +68,6 @@ pub(super) fn select<'a>(plan: Plan<'a>, laws: bool) -> Selected<'a> {
         let motion = rule.motion.iter().filter(concerns);
         cases.extend(motion.map(|case| (rule, Subject::Motion(case))));
     }
-    if !only.is_empty() {
-        cases.retain(|(rule, subject)| {
-            let mut selectors = only.iter().filter(|selector| selects(selector, rule));
-            selectors.any(|selector| selector.has_case(subject.name()))
-        });
-    }
+    cases.retain(|(rule, subject)| selection.has_case(rule, subject.name(), plan.edition));
     Selected { not_applicable, cases }
 }

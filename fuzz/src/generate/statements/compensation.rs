@@ -88,7 +88,7 @@ fn contour(w: &mut Writer<'_, '_>, plane: &Plane) {
     let [first, second] = plane.axes;
     w.block(format!("{} g90 g91.1 g94 f100 g40 g0 {first}-24 {second}0", plane.code));
     let code = *w.entropy.pick(&["g41.1", "g42.1"]);
-    let diameter = *w.entropy.pick(&["2", "2", "2", "3.5", "1", "1", "5", "0", "-2"]);
+    let diameter = *w.entropy.pick(&["2", "2", "3.5", "1", "5", "0", "-2"]);
     let orientation = match w.entropy.below(12) {
         number @ 0..=9 if plane.code == "g18" && w.entropy.chance(50) => format!(" l{number}"),
         _ => String::new(),

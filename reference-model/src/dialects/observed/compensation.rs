@@ -12,9 +12,9 @@ use crate::rs274::state::{Exit, State};
 impl CompensationRules for Observed {
     /// Quirk rs274.compensation-entry-equal. An entry that is as long as the radius is too short.
     fn is_entry(&self, length: f64, radius: f64, state: &State) -> bool {
-        let equals = length <= radius && Documented.is_entry(length, radius, state);
-        !(equals && state.has_quirk(quirk::rs274::COMPENSATION_ENTRY_EQUAL))
-            && Documented.is_entry(length, radius, state)
+        let is_refused =
+            length <= radius && state.has_quirk(quirk::rs274::COMPENSATION_ENTRY_EQUAL);
+        !is_refused && Documented.is_entry(length, radius, state)
     }
 
     /// Quirk rs274.compensation-exit-arc. An arc may follow where no move was compensated.
@@ -36,12 +36,12 @@ impl CompensationRules for Observed {
         Documented.check_exit_line(exit, end, state)
     }
 
-    /// Quirk rs274.compensation-exit-arc. An arc is refused also after a cycle, a probe, a spline or a stored position.
-    fn lead_away_by_other_move(&self, state: &mut State) {
-        if state.contour.exit.is_some() && state.has_quirk(quirk::rs274::COMPENSATION_EXIT_ARC) {
-            return;
+    /// Quirk rs274.compensation-exit-arc. An arc is refused also after a cycle, a probe, a spline or a stored position,
+    /// but not after G33 and G33.1.
+    fn lead_away_by_other_move(&self, is_synchronised: bool, state: &mut State) {
+        if is_synchronised || !state.has_quirk(quirk::rs274::COMPENSATION_EXIT_ARC) {
+            Documented.lead_away_by_other_move(is_synchronised, state);
         }
-        Documented.lead_away_by_other_move(state);
     }
 
     /// Quirk rs274.orientation-too-large. L of G41.1 and G42.1 above 9 is accepted, too.

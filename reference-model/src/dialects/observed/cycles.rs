@@ -104,7 +104,7 @@ impl CycleRules for Observed {
         quirks.iter().any(|(rule, quirk)| *rule == against && state.has_quirk(*quirk))
     }
 
-    /// Quirk nist.inverse-time-cycle. It needs no F, and feeds at the rate of before.
+    /// Quirk nist.inverse-time-cycle. A cycle under inverse time needs no F, and feeds at the earlier rate.
     fn check_cycle_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         let is_inverse_time = state.modes.feed_mode == FeedMode::InverseTime;
         if is_inverse_time && state.has_quirk(quirk::nist::INVERSE_TIME_CYCLE) {
@@ -113,8 +113,8 @@ impl CycleRules for Observed {
         Documented.check_cycle_feed(words, state)
     }
 
-    /// Quirk nist.cycle-repeats-last-word. In incremental distance mode an axis without a word has the number of its
-    /// last word in any block.
+    /// Quirk nist.cycle-repeats-last-word. In incremental distance mode an axis without a word repeats the number of
+    /// its last word, from any block.
     fn increment_in_plane(&self, axis: Axis, word: Option<f64>, state: &State) -> Option<f64> {
         let place = [Axis::X, Axis::Y, Axis::Z].iter().position(|known| *known == axis);
         let is_incremental = state.modes.distance == Distance::Incremental;

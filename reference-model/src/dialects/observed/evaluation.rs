@@ -95,11 +95,11 @@ impl EvaluationRules for Observed {
         if left { argument } else { Documented.absolute(argument, choices) }
     }
 
-    /// Quirk nist.round-32-bits. What 32 bits do not hold is -2147483648.
+    /// Quirk rs274.round-32-bits. ROUND returns -2147483648 for a number beyond 32 bits.
     /// Quirk rs274.rounded-zero-sign. A zero that ROUND returns has no sign.
     fn sign_of_rounded(&self, rounded: f64, choices: &Choices) -> f64 {
         let is_held = f64::from(i32::MIN) <= rounded && rounded <= f64::from(i32::MAX);
-        if !is_held && choices.has_quirk(quirk::nist::ROUND_32_BITS) {
+        if !is_held && choices.has_quirk(quirk::rs274::ROUND_32_BITS) {
             return f64::from(i32::MIN);
         }
         let zero = rounded == 0.0 && choices.has_quirk(quirk::rs274::ROUNDED_ZERO_SIGN);

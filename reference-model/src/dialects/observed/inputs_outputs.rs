@@ -18,8 +18,8 @@ use crate::rs274::state::State;
 /// The largest number of an input that M66 accepts by quirk linuxcnc.input-number.
 const INPUT_NUMBER_MAX: i32 = 63;
 
-/// A move that is shorter along every axis leads nowhere by quirk linuxcnc.move-in-place, millimetres or degrees. 1e-8
-/// was observed to be one, 2e-7 was not.
+/// The least move along an axis that is a motion by quirk linuxcnc.move-in-place, millimetres or degrees. Observed:
+/// 1e-8 is none, 2e-7 is one.
 const IN_PLACE_MM: f64 = 1e-7;
 
 impl InputRules for Observed {
@@ -83,7 +83,7 @@ impl OutputRules for Observed {
         Documented.value_of_no_word(code, state)
     }
 
-    /// Quirk linuxcnc.move-in-place. A move that leads nowhere is dropped, so that nothing holds it or begins with it.
+    /// Quirk linuxcnc.move-in-place. A move in place is dropped: nothing holds it, and no output switches with it.
     fn is_motion_to(&self, end: Position, state: &State) -> bool {
         let (from, to) = (state.memory.axes, machine_point_in_mm(&state.modes, end));
         let is_there = |axis: &Axis| (from.get(*axis) - to.get(*axis)).abs() < IN_PLACE_MM;

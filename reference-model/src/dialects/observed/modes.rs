@@ -7,7 +7,7 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::modes::ModesRules;
 
 impl ModesRules for Observed {
-    /// Quirk nist.offset-at-start. It applies whatever #5210 is.
+    /// Quirk nist.offset-at-start. The stored offset applies for every value of #5210.
     fn offset_applies_at_start(&self, flag: f64, choices: &Choices) -> bool {
         choices.has_quirk(quirk::nist::OFFSET_AT_START)
             || Documented.offset_applies_at_start(flag, choices)

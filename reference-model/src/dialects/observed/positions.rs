@@ -36,7 +36,7 @@ impl MachinePositionRules for Observed {
         Documented.go_straight(first, state, record);
     }
 
-    /// Quirk nist.home-without-rotary. The rotary axes do not move, although the interpreter takes them to be there.
+    /// Quirk nist.home-without-rotary. The rotary axes do not move; the interpreter counts on the stored position.
     fn go_to_stored(&self, machine: Position, state: &mut State, record: &mut Record) {
         if !state.has_quirk(quirk::nist::HOME_WITHOUT_ROTARY) {
             return Documented.go_to_stored(machine, state, record);

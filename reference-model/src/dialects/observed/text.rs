@@ -61,7 +61,7 @@ impl SyntaxRules for Observed {
         Documented.is_above_greatest_line_number(number, choices)
     }
 
-    /// Quirk nist.five-digits. It is if its number is above 99999, however many digits it has.
+    /// Quirk nist.five-digits. A number above 99999 has too many digits; leading zeros do not count.
     fn has_too_many_digits(&self, digits: &str, choices: &Choices) -> bool {
         if choices.has_quirk(quirk::nist::FIVE_DIGITS) {
             return digits.parse::<f64>().is_ok_and(|number| number > 99_999.0);

@@ -22,8 +22,8 @@ quirks! {
     INVERSE_TIME_UNIT = "linuxcnc.inverse-time-unit",
     /// An abort brings back the modes that were in force at the last motion of the main program.
     MODES_OF_LAST_MOTION = "linuxcnc.modes-of-last-motion",
-    /// A move that leads nowhere is dropped: nothing holds it, and what M62, M63 and M67 set waits for the
-    /// move after it.
+    /// A move in place is dropped: nothing holds it, and outputs of M62, M63 and M67 wait for the move after
+    /// it.
     MOVE_IN_PLACE = "linuxcnc.move-in-place",
     /// M19 for a spindle that is locked sets angle and direction, but does not command the spindle to turn
     /// there.

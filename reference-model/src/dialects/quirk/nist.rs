@@ -3,8 +3,8 @@
 quirks! {
     super::first::NIST;
 
-    /// In incremental distance mode a canned cycle repeats the number of the last X, Y or Z word for an axis
-    /// of its plane that has no word.
+    /// Under G91 a canned cycle without a word of an axis of its plane repeats the number of the axis's last
+    /// word.
     CYCLE_REPEATS_LAST_WORD = "nist.cycle-repeats-last-word",
     /// A canned cycle is accepted while the cutter is compensated.
     CYCLE_UNDER_COMPENSATION = "nist.cycle-under-compensation",
@@ -19,11 +19,8 @@ quirks! {
     INVERSE_TIME_CYCLE = "nist.inverse-time-cycle",
     /// The offset that `#5211` to `#5216` hold applies from the start of the next run.
     OFFSET_AT_START = "nist.offset-at-start",
-    /// After the program end the G92 offset of Y and Z is still in force, although the coordinates do not
-    /// have it any more.
+    /// The program end keeps the G92 offset of Y and Z in force, but removes it from the coordinates.
     OFFSET_KEPT_AT_END = "nist.offset-kept-at-end",
-    /// ROUND of a number that 32 bits do not hold is -2147483648.
-    ROUND_32_BITS = "nist.round-32-bits",
     /// A line has at most 253 bytes without its line end, not 256 characters.
     SHORTER_LINES = "nist.shorter-lines",
     /// A coordinate system is selected while the cutter is compensated.

@@ -38,8 +38,7 @@ quirks! {
     COMMENT_BEFORE_O_WORD = "rs274.comment-before-o-word",
     /// An entry, or the chord of an arc as entry, that is exactly as long as the tool's radius is refused.
     COMPENSATION_ENTRY_EQUAL = "rs274.compensation-entry-equal",
-    /// After G40, an arc is refused only if a move was compensated, and then until a straight move: G0, G1,
-    /// G33 or G33.1. A cycle, a probe, a spline and a stored position are none.
+    /// After compensated moves and G40, an arc is refused until G0, G1, G33 or G33.1.
     COMPENSATION_EXIT_ARC = "rs274.compensation-exit-arc",
     /// The line after G40 may have any length.
     COMPENSATION_EXIT_LENGTH = "rs274.compensation-exit-length",
@@ -259,6 +258,8 @@ quirks! {
     /// When G10 L2 turns the coordinate system in force, or the program end that of G54, the point is turned
     /// without its local offset, and the program position is another one than where the machine is.
     ROTATION_UNDER_LOCAL_OFFSET = "rs274.rotation-under-local-offset",
+    /// ROUND of a number that 32 bits do not hold is -2147483648.
+    ROUND_32_BITS = "rs274.round-32-bits",
     /// What ROUND makes zero has no sign: ATAN takes it for a zero above zero.
     ROUNDED_ZERO_SIGN = "rs274.rounded-zero-sign",
     /// G97 takes no $ unless something else in its block does.

@@ -3,8 +3,8 @@
 choices! {
     super::first::COMPENSATION;
 
-    /// What joins both paths at an outside corner in front of a G0. The manual has arcs at the corners of a
-    /// picture, and no word on traverses.
+    /// What joins both paths at an outside corner in front of a G0. The manual's picture has arcs in front of
+    /// feed moves.
     CornerBeforeTraverse = "compensation.corner-before-traverse" {
         /// a straight traverse
         Straight = "straight",

@@ -3,8 +3,7 @@
 choices! {
     super::first::TOOL;
 
-    /// Which spindles M6 stops on a machine with several: the documents speak of the spindle, as if there
-    /// were one.
+    /// Which spindles M6 stops on a machine with several. The documents name one spindle only.
     ChangeSpindles = "tool.change-spindles" {
         /// every spindle
         All = "all",

@@ -65,8 +65,8 @@ rules! {
     /// With D0, G41 and G42 use the tool in the spindle where tools keep their places, or zero without a
     /// tool.
     TOOL_NUMBER_ZERO = "compensation.tool-number-zero",
-    /// With D0, G41 and G42 use tool 0 of the tool table where tools change places, and are refused when the
-    /// table has none.
+    /// Where tools change places, D0 of G41 and G42 is tool 0 of the tool table, and refused if the table has
+    /// none.
     TOOL_NUMBER_ZERO_RANDOM = "compensation.tool-number-zero-random",
     /// Without D, the radius of G41 and G42 is that of the tool in the spindle, from the tool table.
     TOOL_RADIUS = "compensation.tool-radius",

@@ -11,15 +11,13 @@ rules! {
     DISTANCE = "program-end.distance",
     /// M2 ends the program, and so does M30.
     ENDS = "program-end.ends",
-    /// F and S belong to the modal state; they are not among the effects of the program end and stay. For a
-    /// feed in another mode than per minute that is a choice.
+    /// A program end keeps F and S; whether it keeps an F of G93 or G95 is a choice.
     FEED_KEPT = "program-end.feed-kept",
     /// The program end selects feed per minute.
     FEED_MODE = "program-end.feed-mode",
     /// A program end ends the program from inside a loop or a condition.
     INSIDE_CONTROL = "program-end.inside-control",
-    /// A mode stays until a command changes it, so that what the list of effects leaves out stays as it was:
-    /// units, arc distance, lathe, path and retract mode, spindle mode, tool offset.
+    /// A program end keeps units, arc distance, lathe, path and retract mode, spindle mode and tool offset.
     KEPT = "program-end.kept",
     /// The program end comes last in its block, after motion and everything else.
     LAST_IN_BLOCK = "program-end.last-in-block",

@@ -38,8 +38,9 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
     let leads_away =
         !matches!(motion, Motion::None | Motion::Traverse | Motion::Feed) && !is_arc(motion);
+    let is_synchronised = matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap);
     if leads_away {
-        state.dialect().lead_away_by_other_move(state);
+        state.dialect().lead_away_by_other_move(is_synchronised, state);
     }
     if cycles::is_cycle(motion) {
         state.curve = Curve::default();
@@ -58,10 +59,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     } else if matches!(motion, Motion::CubicSpline | Motion::QuadraticSpline) {
         state.curve.continues = continues;
         splines::perform(motion, in_data_block, words, state, record)
-    } else if matches!(motion, Motion::SpindleSynchronised | Motion::RigidTap) {
-        state.dialect().move_synchronised(motion, words, state, record)?;
-        state.contour.exit = None;
-        Ok(())
+    } else if is_synchronised {
+        state.dialect().move_synchronised(motion, words, state, record)
     } else if motion == Motion::Thread76 {
         threading::thread(words, state, record)
     } else if probe::is_probing(motion) {

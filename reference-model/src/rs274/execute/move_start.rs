@@ -79,7 +79,8 @@ pub(crate) fn is_motion(effect: &Effect, state: &State) -> bool {
     true
 }
 
-/// A move leads the axes to its end, a probing move to where the probe has changed, a rigid tap to where it began.
+/// Records where a move leads the axes: to its end, or to the contact of a probing move. A rigid tap returns to its
+/// start.
 pub(crate) fn moves_axes(effect: &Effect, state: &mut State) {
     if let Effect::StraightTraverse { end }
     | Effect::StraightFeed { end }

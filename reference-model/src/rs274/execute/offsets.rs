@@ -20,8 +20,7 @@ const SELECTED_SYSTEM: u32 = 5220;
 
 /// The rules of coordinate systems that a controller may follow differently.
 pub(crate) trait OffsetRules {
-    /// Rule offsets.select-under-compensation. Whether a system is selected while the cutter is compensated: that is
-    /// refused.
+    /// Rule offsets.select-under-compensation. Whether a system can be selected under cutter compensation.
     fn selects_under_compensation(&self, _state: &State) -> bool {
         false
     }

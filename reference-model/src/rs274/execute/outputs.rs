@@ -93,13 +93,12 @@ pub(crate) trait OutputRules {
         Err(refuse(rule::outputs::ANALOG_NEEDS_VALUE, FaultKind::MissingWord, message))
     }
 
-    /// Rule outputs.at-next-motion. A motion command is one wherever it leads: program coordinates, active length unit.
+    /// Rule outputs.at-next-motion. Whether a move to this point is a motion; program coordinates, active length unit.
     fn is_motion_to(&self, _end: Position, _state: &State) -> bool {
         true
     }
 
-    /// The axes are at a point in program coordinates, active length unit. It makes no difference to what begins with
-    /// a motion.
+    /// Records where the axes are; program coordinates, active length unit. The documents need no such record.
     fn axes_are_at(&self, _point: Position, _state: &mut State) {}
 
     /// Rule outputs.at-next-motion. A motion that is held has not begun: what waits for it goes on waiting.

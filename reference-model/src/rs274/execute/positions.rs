@@ -80,21 +80,19 @@ pub(super) fn perform(
         let why = "where a stored position is in a rotated system of a machine without X or Y";
         return Err(StepError::Unspecified(why.to_owned()));
     }
-    if moves(words) {
-        state.dialect().lead_away_by_other_move(state);
-    }
     if !moves(words) {
         if has_axis_words(words) {
             state.coverage.accepted(rule::positions::STORE_WITH_MOTION);
         }
         store(first, state);
-        Ok(())
-    } else if has_axis_words(words) {
-        by_way_of(first, words, state, record)
-    } else {
-        straight(first, state, record);
-        Ok(())
+        return Ok(());
     }
+    state.dialect().lead_away_by_other_move(false, state);
+    if has_axis_words(words) {
+        return by_way_of(first, words, state, record);
+    }
+    straight(first, state, record);
+    Ok(())
 }
 
 /// Rule positions.store. G28.1 stores the machine position, in the machine's unit: all nine parameters are named, and

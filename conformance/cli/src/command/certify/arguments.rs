@@ -56,6 +56,10 @@ const FILTER: &str = "Run only the rules or cases that this selects; may be repe
   feed.zero / at once        the case of exactly this name, as verdicts print it
   feed.zero/at*              cases whose name fits";
 
+/// Options that need the results of all cases.
+const WHOLE_RUN: [&str; 6] =
+    ["report", "write_expectations", "profile", "expectations", "baseline", "waivers"];
+
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -69,8 +73,8 @@ pub(crate) struct Arguments {
     /// Edition of the documents [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
     pub(super) edition: Option<String>,
-    /// Run only these rules or cases: a beginning of ids (`saved-state`), a section of a document (`11.5.5`), RULE/CASE;
-    /// `*` and `?` are wildcards; may be repeated
+    /// Run only these rules or cases: the beginning of an id (`saved-state`), a section (`11.5.5`), RULE/CASE; `*` and
+    /// `?` are wildcards; may be repeated
     #[arg(long, value_name = "FILTER", long_help = FILTER)]
     pub(super) only: Vec<String>,
     /// Run only the case with exactly this name, of the rules of --only; may be repeated
@@ -128,7 +132,7 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with_all = ["report", "write_expectations", "shrink"])]
     pub(super) list: bool,
     /// Stop after so many cases that diverge; the rest is not run
-    #[arg(long, value_name = "N", conflicts_with_all = ["report", "write_expectations", "profile", "expectations", "baseline", "waivers"])]
+    #[arg(long, value_name = "N", conflicts_with_all = WHOLE_RUN)]
     pub(super) max_fail: Option<NonZero<usize>>,
     #[command(flatten)]
     pub(super) detail: DetailArguments,

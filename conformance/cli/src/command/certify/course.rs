@@ -14,14 +14,13 @@ use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::terminal::Detail;
 use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
 use gaugeblock_runner::certify::{
-    CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, only_case,
-    run_plan,
+    CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, run_plan,
 };
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
 use gaugeblock_runner::journal::{self, Journal};
 use gaugeblock_runner::shard::Shard;
-use gaugeblock_suite::{Edition, Suite, options_of};
+use gaugeblock_suite::{Edition, Suite, only_case, options_of};
 use gaugeblock_vocabulary::Options;
 use serde_json::json;
 

@@ -1,8 +1,7 @@
 //! What a call selects: rules, cases and profiles that exist.
 
 use gaugeblock_report::profiles;
-use gaugeblock_runner::certify::{Selector, only_case};
-use gaugeblock_suite::{Edition, Rule, Suite};
+use gaugeblock_suite::{Edition, Rule, Selector, Suite, only_case};
 
 use super::arguments::Arguments;
 use crate::error::CliError;

@@ -16,7 +16,8 @@ use crate::rs274::task::Record;
 
 /// The rules of cutter compensation that a controller may follow differently.
 pub(crate) trait CompensationRules {
-    /// Rule compensation.entry-length. Whether an entry of this length is long enough for a radius: one that is as long is.
+    /// Rule compensation.entry-length. Whether an entry is long enough for a radius: it is at least as long. Lengths
+    /// are in the active unit.
     fn is_entry(&self, length: f64, radius: f64, _state: &State) -> bool {
         length >= radius
     }
@@ -37,8 +38,9 @@ pub(crate) trait CompensationRules {
         exit::check_line(exit, end, state)
     }
 
-    /// Rule compensation.exit-arc. A move that is neither a line nor an arc is the next one, too.
-    fn lead_away_by_other_move(&self, state: &mut State) {
+    /// Rule compensation.exit-arc. A move that is neither a line nor an arc is the next one, too. G33 and G33.1 are
+    /// synchronised with the spindle.
+    fn lead_away_by_other_move(&self, _is_synchronised: bool, state: &mut State) {
         state.contour.exit = None;
     }
 

@@ -282,7 +282,7 @@ fn after_pause(last: &Leg, next: &mut Leg) -> Result<(), StepError> {
 /// plane stays, and rotary axes go where the new block leads them.
 ///
 /// # Errors
-/// An arc in front of a G0 needs a feed rate, of which nothing is said.
+/// The joining move is an arc in front of a G0, and no feed rate is set: the documents do not say how fast it is.
 fn join(
     next: &Leg,
     programmed: &Programmed,

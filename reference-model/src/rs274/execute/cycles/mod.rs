@@ -138,12 +138,15 @@ pub(crate) trait CycleRules {
         }
     }
 
-    /// Whether a cycle is accepted against a rule that refuses it: it is not.
+    /// Whether the controller accepts a cycle that this rule refuses.
     fn accepts_cycle(&self, _against: Rule, _state: &State) -> bool {
         false
     }
 
-    /// A cycle feeds as other feed moves do: see `feed`.
+    /// Checks that a cycle has a feed rate, as other feed moves have.
+    ///
+    /// # Errors
+    /// The feed mode needs a rate, and none is programmed.
     fn check_cycle_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
         feed::check_feed_rate(words, state)
     }

@@ -1,17 +1,40 @@
 //! The rules and cases that a text selects.
 
-use gaugeblock_suite::{Edition, Rule};
 use wildmatch::WildMatch;
+
+use crate::{Edition, Rule};
 
 /// Between the rule and the name of a case, as verdicts print them.
 const CASE_SEPARATOR: &str = " / ";
 
-/// The entry of [`Plan::only`](super::Plan::only) that selects one case.
+/// The text that selects one case.
 pub fn only_case(rule: &str, name: &str) -> String {
     format!("{rule}{CASE_SEPARATOR}{name}")
 }
 
-/// The rules and cases that an entry of [`Plan::only`](super::Plan::only) selects.
+/// The rules and cases that some texts select; all of them without a text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Selection(Vec<Selector>);
+
+impl Selection {
+    /// What these texts select, each as a [`Selector`] reads it.
+    pub fn of(texts: &[String]) -> Self {
+        Self(texts.iter().map(|text| Selector::of(text)).collect())
+    }
+
+    /// Whether a rule, or a case of it, is selected in an edition.
+    pub fn has_rule(&self, rule: &Rule, edition: &Edition) -> bool {
+        self.0.is_empty() || self.0.iter().any(|it| it.has_rule(rule, Some(edition)))
+    }
+
+    /// Whether a case of a rule is selected in an edition.
+    pub fn has_case(&self, rule: &Rule, name: &str, edition: &Edition) -> bool {
+        let has = |it: &Selector| it.has_rule(rule, Some(edition)) && it.has_case(name);
+        self.0.is_empty() || self.0.iter().any(has)
+    }
+}
+
+/// The rules and cases that a text selects.
 ///
 /// | text | selects |
 /// | --- | --- |
