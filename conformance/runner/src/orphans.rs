@@ -1,39 +1,32 @@
 //! Choices and quirks that no rule owns: a controller that differs by one of them would break no rule.
 //!
 //! A rule owns an option if its page names the choice or quirk, and if one of its cases fails under another option than
-//! that of the edition. A build without dialects cannot run quirks, and checks only that rules name them.
+//! that of the edition. A build without dialects cannot run all editions: it checks only that rules name them.
 
 use gaugeblock_compare::Capabilities;
 use gaugeblock_compare::judge::{Finding, judge};
 use gaugeblock_compare::observe::Observed;
-use gaugeblock_suite::{Case, Choice, ChoiceOption, Edition, Rule, Suite, applies, scenario_of};
-use gaugeblock_vocabulary::Options;
+use gaugeblock_suite::{Case, Choice, Edition, Rule, Suite, applies, scenario_of};
 
 use crate::model_run::editions_of;
 
 /// Each choice and quirk that no rule owns, as a sentence.
 pub(crate) fn orphans(suite: &Suite) -> Vec<String> {
     let everything = Capabilities::everything("model", "0");
+    let is_run = |edition| gaugeblock_reference::accepts_options(&suite.options(edition)).is_ok();
+    let runs_all = suite.editions.iter().all(is_run);
     let orphaned = suite.choices.iter().filter_map(|choice| {
         let mut named =
             suite.rules.iter().filter(|rule| rule.options.contains(&choice.id)).peekable();
         if named.peek().is_none() {
             return Some(format!("{}: no rule names it", choice.id));
         }
-        let is_run = choice.options.iter().all(|option| is_accepted(choice, option));
-        let is_owned = !is_run || named.any(|rule| owns(suite, rule, choice, &everything));
+        let is_owned = !runs_all || named.any(|rule| owns(suite, rule, choice, &everything));
         (!is_owned).then(|| {
             format!("{}: no case of a rule that names it fails under another option", choice.id)
         })
     });
     orphaned.collect()
-}
-
-/// Whether the model of this build can run an option.
-fn is_accepted(choice: &Choice, option: &ChoiceOption) -> bool {
-    let mut options = Options::default();
-    options.0.insert(choice.id.clone(), option.name.clone());
-    gaugeblock_reference::accepts_options(&options).is_ok()
 }
 
 fn owns(suite: &Suite, rule: &Rule, choice: &Choice, everything: &Capabilities) -> bool {
