@@ -115,6 +115,8 @@ fn invalidate(state: &mut State) -> Result<(), StepError> {
     let promised = frame.restore_at_return.is_some();
     if apart {
         frame.restore_at_return = None;
+    } else if let Some(restore) = &mut frame.restore_at_return {
+        restore.valid = false;
     }
     state.coverage.accepted(rule::saved_state::INVALIDATED_LEVEL);
     if promised {
@@ -191,6 +193,7 @@ pub fn restore_at_return(state: &mut State, record: &mut Record) -> Result<(), S
     };
     let has_saved = frame.saved.as_ref().is_some_and(|saved| saved.valid);
     let saved_since = frame.saved != frame.restore_at_return;
+    let cancelled = frame.restore_at_return.as_ref().is_some_and(|restore| !restore.valid);
     let Some(promised) = promised else {
         state.coverage.accepted(rule::saved_state::UNPROTECTED);
         state.coverage.accepted(rule::saved_state::SELECTIVE);
@@ -212,6 +215,9 @@ pub fn restore_at_return(state: &mut State, record: &mut Record) -> Result<(), S
     }
     if saved_since {
         state.coverage.accepted(rule::saved_state::AUTORESTORE_THEN_SAVE);
+    }
+    if cancelled {
+        state.coverage.accepted(rule::saved_state::CANCELLED_THEN_SAVED);
     }
     let along_path = Surroundings::of(state);
     state.dialect().restore(&promised.modes, state)?;
