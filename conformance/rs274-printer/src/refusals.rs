@@ -68,6 +68,7 @@ pub(super) fn phase_reached(fault: &Fault, words: &Words, modal: u16) -> Phase {
             Phase::Motion
         }
         Some(FaultKind::ToolNotFound) => Phase::Tool,
+        Some(FaultKind::UnknownCode) if is_user_code(fault) => Phase::Dwell,
         Some(FaultKind::NothingSaved) => Phase::Saved,
         _ => Phase::Comment,
     }
@@ -83,6 +84,11 @@ fn missing_at_once(fault: &Fault, words: &Words) -> bool {
     let moves = motion.is_some_and(|code| !matches!(code, 20 | 30 | 52 | 53 | 800));
     let axes = b"XYZABCUVW".iter().any(|axis| words.get(*axis).is_some());
     moves && !axes || matches!(motion, Some(330 | 331 | 760))
+}
+
+/// Whether the program of a user-defined code is refused: none is found.
+fn is_user_code(fault: &Fault) -> bool {
+    fault.message == "refused from outside"
 }
 
 /// The phase of what cutter compensation forbids.
@@ -212,6 +218,10 @@ impl RefusedBlock<'_> {
                 return Some(format!("DISABLE_FANUC_STYLE_SUB set in INI file, but found {found}"));
             }
             Some(FaultKind::MixedStyles) => return self.mixed(),
+            Some(FaultKind::UnknownCode) if is_user_code(self.fault) => {
+                let code = self.words.m.iter().find(|code| **code >= 100)?;
+                return Some(format!("Unknown m code used: M{code}"));
+            }
             Some(FaultKind::ToolNotFound) => {
                 let tool = self.words.get(b'T')?;
                 return Some(format!("Requested tool {tool:.0} not found in the tool table"));

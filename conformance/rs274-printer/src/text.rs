@@ -13,7 +13,8 @@ pub(super) fn number(line: &[u8]) -> Option<&[u8]> {
     rest.get(..digits)
 }
 
-/// The text of the last comment in parentheses, before a semicolon, where it is not empty.
+/// The text of the last comment in parentheses, before a semicolon, without its leading blanks; none where nothing is
+/// between the parentheses.
 pub(super) fn comment(line: &[u8]) -> Option<&[u8]> {
     let mut found = None;
     let mut rest = line;
@@ -26,7 +27,7 @@ pub(super) fn comment(line: &[u8]) -> Option<&[u8]> {
         found = inner.get(..close);
         rest = inner.get(close + 1..)?;
     }
-    found.map(<[u8]>::trim_ascii_start).filter(|comment| !comment.is_empty())
+    found.filter(|comment| !comment.is_empty()).map(<[u8]>::trim_ascii_start)
 }
 
 /// Whether a comment does something, so that it is not printed as a comment.
@@ -54,6 +55,8 @@ mod tests {
         assert_eq!(number(b"g0 x1"), None);
         assert_eq!(comment(b"(a) g0 ( b ) x1"), Some(&b"b "[..]));
         assert_eq!(comment(b"(a) g0 ; (b)"), Some(&b"a"[..]));
+        assert_eq!(comment(b"(a) (  )"), Some(&b""[..]));
+        assert_eq!(comment(b"(a) ()"), None);
         assert!(acts(b" M S G, hi"));
         assert!(!acts(b"message"));
         assert!(!acts(b"m\x0csg, a form feed is not a blank"));

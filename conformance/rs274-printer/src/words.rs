@@ -3,7 +3,10 @@
 use gaugeblock_interpreter::BlockStart;
 use gaugeblock_vocabulary::Position;
 
-use super::codes::{WORK_OFFSETS, system_of};
+use super::codes::{MOTIONS, WORK_OFFSETS, system_of};
+
+/// G80.
+const CANCEL: u16 = 800;
 
 /// The words of a block.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +25,10 @@ impl Words {
     pub(super) fn take(&mut self, begun: &BlockStart<'_>) {
         self.g.clear();
         self.g.extend_from_slice(begun.g());
+        if self.g.iter().any(|code| *code != CANCEL && MOTIONS.contains(code)) {
+            // Quirk rs274.cancel-with-motion.
+            self.g.retain(|code| *code != CANCEL);
+        }
         self.m.clear();
         self.m.extend_from_slice(begun.m());
         for (letter, value) in (b'A'..=b'Z').zip(&mut self.letters) {

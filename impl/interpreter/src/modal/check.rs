@@ -10,7 +10,6 @@ use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
-use super::choices::Choices;
 use super::codes::{
     COMPENSATION, COOLANT, FREE, G_GROUPS, GCode, GGroup, IO, MGroup, MOTION, NON_MODAL, OVERRIDES,
     SINGLE_OVERRIDES, STOP_RANK, TOOL_LENGTH, g_code, m_code, set_data,
@@ -21,6 +20,8 @@ use super::refusal::{Refusal, refuse};
 
 /// Most M words of a block (11.4.9).
 const M_WORDS_ALLOWED: usize = 4;
+/// G80.
+const CANCEL: u16 = 800;
 /// No code of a group.
 const NONE: u16 = u16::MAX;
 
@@ -80,7 +81,7 @@ impl Modal {
             axes_move: false,
         };
         let mut used = WordUse::default();
-        add_g_codes(&mut block, &mut used, &self.choices)?;
+        self.add_g_codes(&mut block, &mut used)?;
         self.add_m_codes(&mut block, &mut used)?;
         if let Some(tenths) = used.later {
             return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
@@ -104,6 +105,52 @@ impl Modal {
         check_polar(&block, &used)?;
         self.check_axes(&mut block, &used, implied)?;
         Ok(block)
+    }
+
+    fn add_g_codes(&self, block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
+        for tenths in block.words.g_words() {
+            let code = if *tenths == 100 {
+                Some(set_data(block.words.get(b'L'), self.choices.set_needs_axes))
+            } else {
+                g_code(*tenths)
+            };
+            let Some(code) = code else {
+                return refuse(
+                    FaultKind::UnknownCode,
+                    format!("G{} is not a known code", code_text(*tenths)),
+                );
+            };
+            match block.g.get_mut(usize::from(code.group)) {
+                Some(slot) if *slot == NONE || planted(PlantedFault::LastWins) => *slot = *tenths,
+                // Quirk rs274.cancel-with-motion.
+                Some(slot) if code.group == MOTION && self.emulates_rs274 && *slot == CANCEL => {
+                    *slot = *tenths;
+                }
+                Some(_) if self.emulates_rs274 && *tenths == CANCEL => continue,
+                Some(_) | None => {
+                    let text = code_text(*tenths);
+                    return refuse(
+                        FaultKind::ModalConflict,
+                        format!(
+                            "G{text} and another code of its group: only one of them per block"
+                        ),
+                    );
+                }
+            }
+            used.add(&code);
+            if code.later {
+                used.later = Some(*tenths);
+            }
+            if code.uses_axes() && code.group != MOTION {
+                used.axis_codes = used.axis_codes.saturating_add(1);
+            }
+        }
+        let both =
+            block.g(NON_MODAL) == Some(520) && block.g(MOTION).is_some_and(|code| code != 800);
+        if both && planted(PlantedFault::LocalOffsetMoves) {
+            used.axis_codes = used.axis_codes.saturating_sub(1);
+        }
+        Ok(())
     }
 
     fn add_m_codes(&self, block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
@@ -302,48 +349,6 @@ fn rank_of(number: u16, rank: u8) -> u8 {
         return 0;
     }
     if matches!(number, 70 | 73) && planted(PlantedFault::SaveAfterCoolant) { 55 } else { rank }
-}
-
-fn add_g_codes(
-    block: &mut Block<'_>,
-    used: &mut WordUse,
-    choices: &Choices,
-) -> Result<(), Refusal> {
-    for tenths in block.words.g_words() {
-        let code = if *tenths == 100 {
-            Some(set_data(block.words.get(b'L'), choices.set_needs_axes))
-        } else {
-            g_code(*tenths)
-        };
-        let Some(code) = code else {
-            return refuse(
-                FaultKind::UnknownCode,
-                format!("G{} is not a known code", code_text(*tenths)),
-            );
-        };
-        match block.g.get_mut(usize::from(code.group)) {
-            Some(slot) if *slot == NONE || planted(PlantedFault::LastWins) => *slot = *tenths,
-            Some(_) | None => {
-                let text = code_text(*tenths);
-                return refuse(
-                    FaultKind::ModalConflict,
-                    format!("G{text} and another code of its group: only one of them per block"),
-                );
-            }
-        }
-        used.add(&code);
-        if code.later {
-            used.later = Some(*tenths);
-        }
-        if code.uses_axes() && code.group != MOTION {
-            used.axis_codes = used.axis_codes.saturating_add(1);
-        }
-    }
-    let both = block.g(NON_MODAL) == Some(520) && block.g(MOTION).is_some_and(|code| code != 800);
-    if both && planted(PlantedFault::LocalOffsetMoves) {
-        used.axis_codes = used.axis_codes.saturating_sub(1);
-    }
-    Ok(())
 }
 
 /// Whether a block has a code besides G49 that Grbl counts among those that use axis words.

@@ -146,25 +146,56 @@ impl Coordinates {
         incremental: bool,
     ) -> Result<Self, Refusal> {
         let [from_x, from_y, ..] = from.0;
-        let distance = math::hypotenuse(from_x, from_y);
-        if incremental && distance <= 0.0 {
-            return refuse(FaultKind::OutOfDomain, "an incremental polar move from the origin");
-        }
-        // `+ 0.0` makes a negative zero positive: the angle of (−0, −0) would be −180° and not 0.
-        let angle = math::arctangent(from_y + 0.0, from_x + 0.0);
-        let (distance, angle) = if incremental {
-            let from_zero = words.caret.is_some() && planted(PlantedFault::PolarAngleAbsolute);
-            let angle = if from_zero { 0.0 } else { angle };
-            (distance + words.at.unwrap_or(0.0), angle + words.caret.unwrap_or(0.0))
+        let there = if incremental {
+            PolarIncrement::of(words).from([from_x, from_y])?
         } else {
+            let (distance, angle) = distance_and_angle([from_x, from_y]);
             // A distance or angle without a word stays as it is (11.5.1).
-            (words.at.unwrap_or(distance), words.caret.unwrap_or(angle))
+            at_distance(words.at.unwrap_or(distance), words.caret.unwrap_or(angle))
         };
-        let (sine, cosine) = math::direction(angle);
         let [x, y, ..] = &mut self.0;
-        (*x, *y) = (distance * cosine, distance * sine);
+        [*x, *y] = there;
         Ok(self)
     }
+}
+
+/// Polar words of an incremental move: how much further it goes, and by how many degrees it turns (11.4.12).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PolarIncrement {
+    distance: f64,
+    angle: f64,
+    from_zero: bool,
+}
+
+impl PolarIncrement {
+    /// The increment of a block's words.
+    pub(super) fn of(words: &Words) -> Self {
+        let from_zero = words.caret.is_some() && planted(PlantedFault::PolarAngleAbsolute);
+        let (distance, angle) = (words.at.unwrap_or(0.0), words.caret.unwrap_or(0.0));
+        Self { distance, angle, from_zero }
+    }
+
+    /// X and Y of the end of the move.
+    pub(super) fn from(self, start: [f64; 2]) -> Result<[f64; 2], Refusal> {
+        let (distance, angle) = distance_and_angle(start);
+        if distance <= 0.0 {
+            return refuse(FaultKind::OutOfDomain, "an incremental polar move from the origin");
+        }
+        let angle = if self.from_zero { 0.0 } else { angle };
+        Ok(at_distance(distance + self.distance, angle + self.angle))
+    }
+}
+
+/// The distance of a point from the origin, and its angle in degrees.
+fn distance_and_angle([x, y]: [f64; 2]) -> (f64, f64) {
+    // `+ 0.0` makes a negative zero positive: the angle of (−0, −0) would be −180° and not 0.
+    (math::hypotenuse(x, y), math::arctangent(y + 0.0, x + 0.0))
+}
+
+/// X and Y of a point.
+fn at_distance(distance: f64, angle: f64) -> [f64; 2] {
+    let (sine, cosine) = math::direction(angle);
+    [distance * cosine, distance * sine]
 }
 
 /// The words with the X word as a radius, where it is a diameter (11.5.10).

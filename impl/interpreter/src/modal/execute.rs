@@ -62,7 +62,11 @@ impl Modal {
         let block = self.check(words)?;
         self.check_compensated_path()?;
         let before = self.snapshot_block(numbered);
+        let tool_offset = self.active.now().tool_offset;
         let flow = self.phases(&block, numbered, sink);
+        if self.emulates_rs274 && flow.is_ok() {
+            self.after_tool_change(&block, tool_offset, numbered);
+        }
         self.end_step(before, flow, numbered)
     }
 

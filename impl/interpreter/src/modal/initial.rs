@@ -64,6 +64,7 @@ impl Modal {
             axes: axis_letters(&machine.axes),
             velocities: velocities(machine),
             emulates_rs274: false,
+            loaded_by_change: 0,
             cycle_dwell: 0.0,
             spindles: u32::from(machine.spindles),
             digital_io: i32::from(machine.digital_io),

@@ -43,6 +43,7 @@ mod saved_states;
 mod snapshots;
 mod spindle;
 mod splines;
+mod stand_alone;
 mod state;
 mod stored_positions;
 mod threads;

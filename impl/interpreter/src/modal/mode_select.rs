@@ -79,9 +79,12 @@ impl Modal {
         self.cutter = self.cutter.converted(conversion);
         self.compensation.convert(conversion);
         let keep_feed = self.choices.feed_number_kept || planted(PlantedFault::FeedNumber);
+        let keep_tool_offset = self.emulates_rs274;
         let modes = self.active.set();
         modes.units = units;
-        modes.tool_offset = modes.tool_offset.converted(conversion);
+        if !keep_tool_offset {
+            modes.tool_offset = modes.tool_offset.converted(conversion);
+        }
         modes.g5x_offset = modes.g5x_offset.converted(conversion);
         modes.g92_offset = modes.g92_offset.converted(conversion);
         modes.blend_tolerance = conversion.of(modes.blend_tolerance);
@@ -134,7 +137,8 @@ impl Modal {
             self.active.put(|modes| &mut modes.path, path);
             return Ok(());
         }
-        if words.get(b'P').is_none() && words.get(b'Q').is_some() {
+        let alone = words.get(b'P').is_none() && words.get(b'Q').is_some();
+        if alone && !self.emulates_rs274 {
             return refuse(FaultKind::MissingWord, "Q of G64 without P");
         }
         let now = self.active.now();

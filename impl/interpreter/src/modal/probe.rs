@@ -72,6 +72,7 @@ impl Modal {
             offsets::store_probe(numbered, end, false);
             return Err(Refusal::Missed);
         }
+        let start = self.position;
         self.position = contact.map_or(end, Into::into);
         let changed = contact.is_some() && !planted(PlantedFault::NoProbeResult);
         let stale = contact.is_none() && planted(PlantedFault::MissKeepsFlag);
@@ -85,6 +86,9 @@ impl Modal {
             found
         };
         offsets::store_probe(numbered, found, changed);
+        if self.emulates_rs274 {
+            self.position = self.after_probe(start, self.position);
+        }
         Ok(())
     }
 }

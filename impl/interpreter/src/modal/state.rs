@@ -66,6 +66,8 @@ pub(crate) struct Modal {
     pub(super) velocities: Coordinates,
     /// Whether quirks of `rs274` are emulated.
     pub(crate) emulates_rs274: bool,
+    /// The tool that M6 put into the spindle last.
+    pub(super) loaded_by_change: i32,
     /// P of the last cycle that had one, seconds.
     pub(super) cycle_dwell: f64,
     /// Number of spindles.

@@ -99,6 +99,7 @@ impl Modal {
         let reply = self.perform_with_reply(line, &Effect::ChangeTool { tool }, sink)?;
         self.exchange_pockets(tool);
         self.tool = if let Reply::Tool(tool) = reply { tool } else { tool };
+        self.loaded_by_change = self.tool;
         if self.tool == 0 && planted(PlantedFault::UnloadCancelsLength) {
             let none = (Switch::Off, Coordinates::default());
             self.offset_by(|modes| (modes.tool_length, modes.tool_offset) = none);

@@ -374,7 +374,10 @@ impl LineCompiler {
     /// A comment; its form is checked, and the last one of a block is kept.
     fn comment<'a>(&self, cursor: &mut Cursor<'a>, items: &mut Items<'a>) -> Parsed<()> {
         if cursor.peek() == b';' {
-            items.comment = Some(cursor.raw_after());
+            // Quirk rs274.semicolon-plain.
+            if !self.emulates_rs274 {
+                items.comment = Some(cursor.raw_after());
+            }
             cursor.finish();
             return Ok(());
         }
@@ -419,10 +422,12 @@ impl LineCompiler {
     #[inline]
     pub(crate) fn comments(&self, cursor: &mut Cursor<'_>) -> Parsed<bool> {
         let mut items = Items { letters: 0, comment: None };
+        let mut any = false;
         while let b'(' | b';' = cursor.peek() {
             self.comment(cursor, &mut items)?;
+            any = true;
         }
-        Ok(items.comment.is_some())
+        Ok(any)
     }
 
     /// `N`, an unsigned integer, and possibly a point and another (11.4.2.2). Whether it has a bound is a choice.

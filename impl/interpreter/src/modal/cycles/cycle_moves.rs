@@ -72,7 +72,7 @@ impl Modal {
                 self.restore_overrides(drilling);
             }
         }
-        Ok(drilling.advance())
+        drilling.advance()
     }
 
     /// Starts or stops spindles and reports it at once, since a later move of the cycle can change it again.

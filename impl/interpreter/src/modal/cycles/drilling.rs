@@ -6,7 +6,9 @@ use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::super::choices::Choices;
+use super::super::end_point::PolarIncrement;
 use super::super::modes::Spindles;
+use super::super::refusal::Refusal;
 use super::plane_axes::PlaneAxes;
 
 /// One move, dwell or switch of a cycle.
@@ -86,14 +88,32 @@ pub(super) struct Levels {
     pub(super) clear: f64,
 }
 
+/// From a hole to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Step {
+    /// By so much along the plane's first and second axis.
+    By([f64; 2]),
+    /// By polar words of an incremental move, each time from the hole before (11.4.12, 11.5.43.3).
+    Polar(PolarIncrement),
+}
+
+impl Step {
+    /// The hole after this one.
+    fn from(self, [first, second]: [f64; 2]) -> Result<[f64; 2], Refusal> {
+        match self {
+            Self::By([by_first, by_second]) => Ok([first + by_first, second + by_second]),
+            Self::Polar(increment) => increment.from([first, second]),
+        }
+    }
+}
+
 /// A cycle in numbers: its points, and the state that it finds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cycle {
     pub(super) axes: PlaneAxes,
     /// The hole along the plane's first and second axis.
     pub(super) hole: [f64; 2],
-    /// From a hole to the next.
-    pub(super) step: [f64; 2],
+    pub(super) step: Step,
     pub(super) levels: Levels,
     /// Seconds.
     pub(super) dwell: f64,
@@ -121,6 +141,8 @@ pub(super) struct Drilling {
     pecks: u64,
     /// Where in a peck.
     peck: Peck,
+    /// The level of the last peck, where rounding errors add up (quirk rs274.peck-rounding).
+    level: Option<f64>,
 }
 
 /// The place in a repeat.
@@ -155,7 +177,13 @@ impl Drilling {
             _ if early => &STOPPED_EARLY,
             _ => moves(code),
         };
-        Self { cycle, moves, repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down }
+        Self { cycle, moves, repeats, at: At::Preliminary, pecks: 0, peck: Peck::Down, level: None }
+    }
+
+    /// With pecks whose rounding errors add up.
+    pub(super) fn emulating_rs274(mut self) -> Self {
+        self.level = Some(self.cycle.levels.retract);
+        self
     }
 
     /// The next move; none where the cycle is over.
@@ -167,8 +195,8 @@ impl Drilling {
         }
     }
 
-    /// Continues after a move; whether the cycle is over then.
-    pub(super) fn advance(&mut self) -> bool {
+    /// Continues after a move; whether the cycle is over then. The next hole of polar words may not exist.
+    pub(super) fn advance(&mut self) -> Result<bool, Refusal> {
         self.at = match self.at {
             At::Preliminary => At::Across,
             At::Across => At::Approach,
@@ -176,20 +204,26 @@ impl Drilling {
             At::CycleMove(place) => At::CycleMove(place.saturating_add(1)),
         };
         if self.next().is_some() {
-            return false;
+            return Ok(false);
         }
-        let ([first, second], [by_first, by_second]) = (self.cycle.hole, self.cycle.step);
-        self.cycle.hole = [first + by_first, second + by_second];
         self.at = At::Across;
         self.pecks = 0;
+        self.level = self.level.map(|_| self.cycle.levels.retract);
         self.repeats = self.repeats.saturating_sub(1);
-        self.repeats == 0
+        if self.repeats == 0 {
+            return Ok(true);
+        }
+        self.cycle.hole = self.cycle.step.from(self.cycle.hole)?;
+        Ok(false)
     }
 
-    /// The bottom of the hole after so many pecks; the hole's own bottom where they reach it, up to a rounding error.
-    fn depth_after(&self, pecks: u64) -> f64 {
+    /// The bottom of the hole after its pecks; the hole's own bottom where they reach it, up to a rounding error.
+    fn depth(&self) -> f64 {
         let Levels { retract, bottom, .. } = self.cycle.levels;
-        let depth = retract - math::from_u64(pecks) * self.cycle.increment;
+        if let Some(level) = self.level {
+            return level.max(bottom);
+        }
+        let depth = retract - math::from_u64(self.pecks) * self.cycle.increment;
         let rounding = self.cycle.increment * 1e-9;
         if depth > bottom + rounding && !planted(PlantedFault::NoPecks) { depth } else { bottom }
     }
@@ -206,7 +240,8 @@ impl Drilling {
         match self.peck {
             Peck::Down => {
                 self.pecks = self.pecks.saturating_add(1);
-                let depth = self.depth_after(self.pecks);
+                self.level = self.level.map(|level| level - self.cycle.increment);
+                let depth = self.depth();
                 let done = depth <= self.cycle.levels.bottom;
                 if !done {
                     self.peck = if breaking { Peck::Back } else { Peck::Out };
@@ -223,7 +258,7 @@ impl Drilling {
             }
             Peck::Back => {
                 self.peck = Peck::Down;
-                (self.depth_after(self.pecks) + clearance, false, false)
+                (self.depth() + clearance, false, false)
             }
         }
     }

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! **Invariants.**
-//! * Everything that a block can be refused for is checked before its first move.
+//! * Everything that a block can be refused for is checked before its first move, except that a repeat by polar words
+//!   has no place after a hole at the origin.
 //! * A step performs a bounded number of moves, whatever L and Q are, and a cycle allocates nothing.
 
 mod cycle_moves;
@@ -33,13 +34,13 @@ use super::Modal;
 use super::check::Block;
 use super::codes::RETRACT;
 use super::coordinates::Coordinates;
-use super::end_point::with_radius;
+use super::end_point::{PolarIncrement, with_radius};
 use super::letters::{A, AXES, B, C, X, Y, Z};
 use super::modes::{FIRST, Spindle};
 use super::motion_codes::mode_of;
 use super::refusal::{Refusal, refuse};
 
-use drilling::{Cycle, Drilling, Levels};
+use drilling::{Cycle, Drilling, Levels, Step};
 use numbers::Numbers;
 use pending::Job;
 use plane_axes::PlaneAxes;
@@ -107,7 +108,7 @@ impl Modal {
         if self.choices.tap_as_cut {
             check_tapping(code, turning.turn)?;
         }
-        let (hole, step) = self.holes(words, axes, numbers.repeats)?;
+        let (hole, step) = self.holes(words, axes)?;
         self.series = series.with_sticky(code, numbers);
         self.motion = mode_of(code);
         if numbers::dwells(code) {
@@ -131,13 +132,14 @@ impl Modal {
             turn: if turning.turns() { turning.turn } else { SpindleTurn::Stopped },
             overrides: self.overrides_before(code, turning),
         };
-        let job = Job::Drilling(Drilling::new(
+        let drilling = Drilling::new(
             code,
             cycle,
             numbers.repeats.saturating_add(u64::from(planted(PlantedFault::OneMoreHole))),
             &self.choices,
-        ));
-        self.begin_job(block.words.line, job);
+        );
+        let drilling = if self.emulates_rs274 { drilling.emulating_rs274() } else { drilling };
+        self.begin_job(block.words.line, Job::Drilling(drilling));
         Ok(())
     }
 
@@ -205,44 +207,33 @@ impl Modal {
         Levels { retract, bottom, clear }
     }
 
-    /// The place of the first hole, and the distance of each from the one before: in absolute mode they are all in
-    /// one place (11.5.43.3).
-    fn holes(
-        &self,
-        words: &Words,
-        axes: PlaneAxes,
-        repeats: u64,
-    ) -> Result<([f64; 2], [f64; 2]), Refusal> {
+    /// The place of the first hole, and how each follows from the one before: in absolute mode they are all in one
+    /// place (11.5.43.3).
+    fn holes(&self, words: &Words, axes: PlaneAxes) -> Result<([f64; 2], Step), Refusal> {
+        const IN_PLACE: Step = Step::By([0.0, 0.0]);
         if words.is_polar() {
-            return Ok((self.polar_hole(words, axes, repeats)?, [0.0, 0.0]));
+            let incremental = self.is_incremental();
+            let step = if incremental { Step::Polar(PolarIncrement::of(words)) } else { IN_PLACE };
+            return Ok((self.polar_hole(words, axes)?, step));
         }
         let plane = [axes.first, axes.second];
         let here = plane.map(|axis| self.position.coordinate_of(axis));
         let [first, second] = plane.map(|axis| numbers::axis_word(words, axis));
         let [at_first, at_second] = here;
         if !self.is_incremental() {
-            return Ok(([first.unwrap_or(at_first), second.unwrap_or(at_second)], [0.0, 0.0]));
+            return Ok(([first.unwrap_or(at_first), second.unwrap_or(at_second)], IN_PLACE));
         }
         let omitted = if planted(PlantedFault::OmittedAxisAdds) { here } else { [0.0, 0.0] };
         let [omitted_first, omitted_second] = omitted;
         let step = [first.unwrap_or(omitted_first), second.unwrap_or(omitted_second)];
         let [by_first, by_second] = step;
-        Ok(([at_first + by_first, at_second + by_second], step))
+        Ok(([at_first + by_first, at_second + by_second], Step::By(step)))
     }
 
     /// The hole of polar words, which set X and Y as for a move (11.4.12).
-    fn polar_hole(
-        &self,
-        words: &Words,
-        axes: PlaneAxes,
-        repeats: u64,
-    ) -> Result<[f64; 2], Refusal> {
+    fn polar_hole(&self, words: &Words, axes: PlaneAxes) -> Result<[f64; 2], Refusal> {
         if (axes.first, axes.second) != (Axis::X, Axis::Y) {
             let why = "polar words in a cycle of another plane: they give X and Y (11.4.12)";
-            return Err(Refusal::Unspecified(why.into()));
-        }
-        if self.is_incremental() && repeats != 1 {
-            let why = "polar increments of a cycle that is repeated (11.4.12, 11.5.43.3)";
             return Err(Refusal::Unspecified(why.into()));
         }
         let hole = self.position.at_polar(self.position, words, self.is_incremental())?;
