@@ -104,6 +104,7 @@ fn waits(phase: Phase) -> bool {
             | Phase::Spindle
             | Phase::Coolant
             | Phase::Dwell
+            | Phase::Modes
             | Phase::Motion
     )
 }

@@ -135,7 +135,12 @@ impl Printer {
         after.apply(settings);
         self.words = Words::default();
         let events = std::mem::take(&mut self.events);
-        self.printed(&events, after, None).program_end();
+        // The one M99 of the file is the one that ended the run.
+        let line = self.texts.only_line_with(b"m99").unwrap_or_default();
+        let comment = text::comment(&line).filter(|comment| !text::acts(comment));
+        let mut printed = self.printed(&events, after, comment.map(<[u8]>::to_vec));
+        printed.print(Phase::SpindleMode);
+        printed.program_end();
     }
 
     fn printed<'a>(

@@ -70,6 +70,21 @@ impl Texts {
         (1..=lines).filter(is_percent).count() > 1
     }
 
+    /// The line of the main program with a code in its words, where there is only one.
+    pub(super) fn only_line_with(&self, code: &[u8]) -> Option<Vec<u8>> {
+        let loaded = self.0.borrow();
+        let lines = u32::try_from(loaded.main.starts.len()).unwrap_or(u32::MAX);
+        let has = |line: &[u8]| {
+            let words = line.split(|byte| matches!(byte, b'(' | b';')).next().unwrap_or_default();
+            let letters = words.iter().filter(|byte| !byte.is_ascii_whitespace());
+            let text: Vec<u8> = letters.map(u8::to_ascii_lowercase).collect();
+            text.windows(code.len()).any(|part| part == code)
+        };
+        let mut found = (1..=lines).map(|line| loaded.main.line(line)).filter(|line| has(line));
+        let only = found.next().map(<[u8]>::to_vec);
+        only.filter(|_| found.next().is_none())
+    }
+
     /// The text of the last line of the main program that holds anything.
     pub(super) fn last_line(&self) -> Vec<u8> {
         let loaded = self.0.borrow();

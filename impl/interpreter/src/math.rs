@@ -125,6 +125,10 @@ pub(crate) fn tangent_of_radians(radians: f64) -> f64 {
 pub(crate) fn arcsine(value: f64) -> f64 {
     libm::asin(value).to_degrees()
 }
+/// Radians.
+pub(crate) fn arcsine_in_radians(value: f64) -> f64 {
+    libm::asin(value)
+}
 /// Degrees.
 pub(crate) fn arccosine(value: f64) -> f64 {
     libm::acos(value).to_degrees()
@@ -158,4 +162,44 @@ pub(crate) fn truncate(value: f64) -> f64 {
 #[expect(clippy::cast_precision_loss, reason = "callers keep below 2^53")]
 pub(crate) fn from_i64(value: i64) -> f64 {
     value as f64
+}
+
+/// An integer as a number, exactly; none beyond 2^53.
+#[expect(clippy::as_conversions, reason = "there is no other conversion")]
+#[expect(clippy::cast_precision_loss, reason = "below 2^53 nothing is lost")]
+pub(crate) fn whole_as_number(value: i64) -> Option<f64> {
+    (value.unsigned_abs() <= 1 << 53).then_some(value as f64)
+}
+
+/// By how many radians so many quarter turns, computed as degrees times pi over 180 in numbers of 64 bits, exceed the
+/// exact angle. There are at most 4096 of them.
+#[expect(clippy::as_conversions, reason = "the last bits of a small difference do not matter")]
+#[expect(clippy::cast_precision_loss, reason = "the last bits of a small difference do not matter")]
+pub(crate) fn rounding_of_quarter_turns(turns: u128) -> f64 {
+    /// Pi in 64 bits, of which two are before the point.
+    const PI: u128 = 0xC90F_DAA2_2168_C235;
+    /// Half of pi with 109 bits after the point.
+    const HALF_PI: i128 = 0x3243_F6A8_885A_308D_3131_98A2_E037;
+    let (product, shift) = rounded_to_64_bits(PI.wrapping_mul(turns).wrapping_mul(90), false);
+    let scaled = product << 64;
+    let inexact = scaled.checked_rem(180) != Some(0);
+    let (quotient, more) = rounded_to_64_bits(scaled.checked_div(180).unwrap_or(0), inexact);
+    // The quotient has 62 + 64 bits after the point, less those that were rounded away.
+    let angle = quotient << shift.wrapping_add(more).wrapping_add(109).wrapping_sub(126);
+    let exact = HALF_PI.wrapping_mul(turns as i128);
+    (angle as i128).wrapping_sub(exact) as f64 * libm::exp2(-109.0)
+}
+
+/// A number rounded to its first 64 bits, to the even one from halfway, and how many bits were rounded away.
+fn rounded_to_64_bits(value: u128, more_follows: bool) -> (u128, u32) {
+    let bits = 128_u32.wrapping_sub(value.leading_zeros());
+    let shift = bits.saturating_sub(64);
+    if shift == 0 {
+        return (value, 0);
+    }
+    let kept = value >> shift;
+    let rest = value & (1_u128 << shift).wrapping_sub(1);
+    let half = 1_u128 << shift.wrapping_sub(1);
+    let up = rest > half || rest == half && (more_follows || kept & 1 == 1);
+    (if up { kept.wrapping_add(1) } else { kept }, shift)
 }

@@ -19,7 +19,14 @@
 //! * `rs274.compensation-l-word`, `rs274.dynamic-compensation-r-word`, `rs274.synchronised-e-word` and
 //!   `rs274.unused-q-minus-one`, except for a series of cycles that peck: `modal::check`.
 //! * `rs274.offset-data-words`, of axis words alone: `modal::tool_table`.
-//! * `rs274.polar-repeated`: `syntax::block`.
+//! * `rs274.polar-repeated` and `rs274.semicolon-plain`: `syntax::block`.
+//! * `rs274.rounded-zero-sign`, `rs274.round-32-bits` and `rs274.absolute-negative-zero`: `syntax::arithmetic`. Sines,
+//!   cosines and tangents of right angles are off by the rounding of a number with 64 bits, whose sign is printed.
+//! * `rs274.cancel-with-motion`: `modal::check`. `rs274.probe-same-point`: `modal::probe`.
+//! * `rs274.position-omitted-axes`: `modal::work_offsets`.
+//! * `rs274.blend-q-without-p` and `rs274.tool-offset-unit`: `modal::mode_select`.
+//! * `rs274.peck-rounding`: `modal::cycles`.
+//! * The probe, and the tool in the spindle: `modal::stand_alone`. No page, because no machine is like that.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::mode_select`, except for restores.
 //! * `rs274.compensation-entry-equal`, `rs274.compensation-exit-length`, `rs274.compensation-exit-arc`:
 //!   `modal::compensation`.
@@ -71,6 +78,92 @@ pub(crate) fn arc_least_radius(units: LengthUnit) -> f64 {
     }
 }
 
-/// How far the centre of an arc is from its chord at least, in radii: for half a circle it is not quite on the chord,
-/// which decides the sign of a zero.
-pub(crate) const ARC_HEIGHT: f64 = f64::EPSILON / 4.0;
+/// The centre of an arc with a radius. It is to the left of the chord, or to its right. The last bits of angles decide
+/// the sign of a zero.
+pub(crate) fn arc_centre(start: [f64; 2], end: [f64; 2], radius: f64, left: bool) -> [f64; 2] {
+    let ([start_x, start_y], [end_x, end_y]) = (start, end);
+    let middle = [(end_x + start_x) / 2.0, (end_y + start_y) / 2.0];
+    let [x, y] = middle;
+    let half = math::hypotenuse_of_any_size(x - end_x, y - end_y);
+    let radius = radius.max(half);
+    let along = math::angle(end_y - start_y, end_x - start_x);
+    let across = if left { quarter_more(along) } else { -quarter_more(-along) };
+    let height = radius * math::cosine_of_radians(math::arcsine_in_radians(half / radius));
+    [x + height * math::cosine_of_radians(across), y + height * math::sine_of_radians(across)]
+}
+
+/// An angle and a quarter turn, of which more bits are known than a number has.
+fn quarter_more(angle: f64) -> f64 {
+    /// The bits of a quarter turn after those of the number nearest to it.
+    const REST: f64 = 6.123_5e-17;
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let sum = angle + quarter;
+    let of_quarter = sum - angle;
+    let lost = (angle - (sum - of_quarter)) + (quarter - of_quarter);
+    sum + (lost + REST)
+}
+
+/// X and Y of a distance and an angle in degrees, or an angle that is turned from that of a point: `rs274` computes in
+/// radians.
+pub(crate) fn at_distance(
+    [x, y]: [f64; 2],
+    distance: f64,
+    angle: Option<f64>,
+    turned: bool,
+) -> [f64; 2] {
+    let from = math::angle(y, x);
+    let first = if turned { from } else { 0.0 };
+    let angle = angle.map_or(from, |more| first + more.to_radians());
+    [distance * math::cosine_of_radians(angle), distance * math::sine_of_radians(angle)]
+}
+
+/// By what lengths of the tool table are multiplied: `rs274` takes a millimetre for 0.03937007874016 inches.
+pub(crate) const TABLE_SCALE: f64 = 1.0 / (25.4 * 0.039_370_078_740_16);
+
+/// What ROUND gives: an integer of 32 bits, without the sign of a zero.
+pub(crate) fn rounded(value: f64) -> f64 {
+    let bounds = f64::from(i32::MIN)..=f64::from(i32::MAX);
+    if bounds.contains(&value) { value + 0.0 } else { f64::from(i32::MIN) }
+}
+
+/// Quarter turns beyond which [`beyond_right_angle`] says nothing.
+const QUARTERS_MAX: i64 = 4096;
+
+/// The quarter turns of an angle that is a multiple of 90 degrees, and by how many radians a number of 64 bits that is
+/// computed from it exceeds them.
+fn beyond_right_angle(degrees: f64) -> Option<(i64, f64)> {
+    let quarters = math::whole(degrees / 90.0).filter(|quarters| quarters.abs() <= QUARTERS_MAX)?;
+    let exact = quarters.checked_mul(90).and_then(math::whole_as_number)?;
+    if quarters == 0 || (exact - degrees).abs() > 0.0 {
+        return None;
+    }
+    let turns = u128::from(quarters.unsigned_abs());
+    let excess = math::rounding_of_quarter_turns(turns);
+    Some((quarters, if quarters < 0 { -excess } else { excess }))
+}
+
+/// SIN, COS and TAN of a right angle: nearly zero, or nearly infinite; none for other angles and values.
+pub(crate) fn sine(degrees: f64) -> Option<f64> {
+    let (quarters, excess) = beyond_right_angle(degrees)?;
+    match quarters.rem_euclid(4) {
+        0 => Some(excess),
+        2 => Some(-excess),
+        _ => None,
+    }
+}
+
+/// The cosine, as [`sine`] is the sine.
+pub(crate) fn cosine(degrees: f64) -> Option<f64> {
+    let (quarters, excess) = beyond_right_angle(degrees)?;
+    match quarters.rem_euclid(4) {
+        1 => Some(-excess),
+        3 => Some(excess),
+        _ => None,
+    }
+}
+
+/// The tangent, as [`sine`] is the sine.
+pub(crate) fn tangent(degrees: f64) -> Option<f64> {
+    let (quarters, excess) = beyond_right_angle(degrees)?;
+    Some(if quarters.rem_euclid(2) == 0 { excess } else { -1.0 / excess })
+}

@@ -323,6 +323,11 @@ impl RadiusFormat {
         if !(reaches && self.radius > 0.0) {
             return self.out_of_reach(start, end, length);
         }
+        if self.emulates_rs274 {
+            let (from, to) = ([start.first, start.second], [end.first, end.second]);
+            let [first, second] = quirks::arc_centre(from, to, self.radius, self.left);
+            return finite(InPlane { first, second });
+        }
         let height = math::sqrt(((self.radius - half) * (self.radius + half)).max(0.0));
         let along = self.signed_height(height) / length;
         let centre = InPlane {
@@ -335,8 +340,6 @@ impl RadiusFormat {
     /// The signed distance of the centre from the chord, positive on its left.
     #[inline]
     fn signed_height(&self, height: f64) -> f64 {
-        let least = if self.emulates_rs274 { quirks::ARC_HEIGHT * self.radius } else { 0.0 };
-        let height = height.max(least);
         if self.left { height } else { -height }
     }
 

@@ -36,6 +36,16 @@ impl Conversion {
         }
     }
 
+    /// The same for lengths that are multiplied by a number besides.
+    pub(crate) fn scaled(self, by: f64) -> Self {
+        Self { times: self.times * by, ..self }
+    }
+
+    /// Back to the first unit.
+    pub(crate) fn inverse(self) -> Self {
+        Self { times: self.over, over: self.times }
+    }
+
     /// The length in the other unit.
     pub(crate) fn of(self, length: f64) -> f64 {
         length * self.times / self.over

@@ -1,10 +1,9 @@
 //! Where a move ends by its axis words: absolute and incremental (11.5.54), diameters (11.5.10), polar words
 //! (11.4.12), machine coordinates (11.5.33).
 
-use gaugeblock_vocabulary::{Distance, FaultKind, Lathe};
+use gaugeblock_vocabulary::{Distance, Lathe};
 
 use crate::faults::{PlantedFault, planted};
-use crate::math;
 use crate::words::Words;
 
 use super::Modal;
@@ -12,7 +11,7 @@ use super::check::Block;
 use super::codes::NON_MODAL;
 use super::coordinates::Coordinates;
 use super::letters::{A, AXES, B, C, X, Y};
-use super::refusal::{Refusal, refuse};
+use super::refusal::Refusal;
 
 /// The code of G53, in tenths.
 const G53: u16 = 530;
@@ -92,7 +91,10 @@ impl Modal {
         }
         let incremental = self.active.now().distance == Distance::Incremental;
         let end = self.plain_end_point(words);
-        if words.is_polar() { end.at_polar(self.position, words, incremental) } else { Ok(end) }
+        if !words.is_polar() {
+            return Ok(end);
+        }
+        self.polar(words, incremental).end(self.position, end)
     }
 
     /// Where a move with G53 ends. Its words are absolute in every distance mode (11.1.2.1). Axes without a word stay
@@ -103,7 +105,7 @@ impl Modal {
             && self.active.now().distance == Distance::Incremental;
         let mut end = if adds { machine.moved_by(words) } else { machine.replaced(words) };
         if words.is_polar() {
-            end = end.at_polar(machine, words, false)?;
+            end = self.polar(words, false).end(machine, end)?;
         }
         if planted(PlantedFault::MachineKeepsTool) {
             end = end.plus(self.active.now().tool_offset);
@@ -136,66 +138,6 @@ impl Coordinates {
         }
         self
     }
-
-    /// The point with X and Y from the polar words (11.4.12). In incremental mode the words are added to the distance
-    /// and angle of `from`.
-    pub(super) fn at_polar(
-        mut self,
-        from: Self,
-        words: &Words,
-        incremental: bool,
-    ) -> Result<Self, Refusal> {
-        let [from_x, from_y, ..] = from.0;
-        let there = if incremental {
-            PolarIncrement::of(words).from([from_x, from_y])?
-        } else {
-            let (distance, angle) = distance_and_angle([from_x, from_y]);
-            // A distance or angle without a word stays as it is (11.5.1).
-            at_distance(words.at.unwrap_or(distance), words.caret.unwrap_or(angle))
-        };
-        let [x, y, ..] = &mut self.0;
-        [*x, *y] = there;
-        Ok(self)
-    }
-}
-
-/// Polar words of an incremental move: how much further it goes, and by how many degrees it turns (11.4.12).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PolarIncrement {
-    distance: f64,
-    angle: f64,
-    from_zero: bool,
-}
-
-impl PolarIncrement {
-    /// The increment of a block's words.
-    pub(super) fn of(words: &Words) -> Self {
-        let from_zero = words.caret.is_some() && planted(PlantedFault::PolarAngleAbsolute);
-        let (distance, angle) = (words.at.unwrap_or(0.0), words.caret.unwrap_or(0.0));
-        Self { distance, angle, from_zero }
-    }
-
-    /// X and Y of the end of the move.
-    pub(super) fn from(self, start: [f64; 2]) -> Result<[f64; 2], Refusal> {
-        let (distance, angle) = distance_and_angle(start);
-        if distance <= 0.0 {
-            return refuse(FaultKind::OutOfDomain, "an incremental polar move from the origin");
-        }
-        let angle = if self.from_zero { 0.0 } else { angle };
-        Ok(at_distance(distance + self.distance, angle + self.angle))
-    }
-}
-
-/// The distance of a point from the origin, and its angle in degrees.
-fn distance_and_angle([x, y]: [f64; 2]) -> (f64, f64) {
-    // `+ 0.0` makes a negative zero positive: the angle of (−0, −0) would be −180° and not 0.
-    (math::hypotenuse(x, y), math::arctangent(y + 0.0, x + 0.0))
-}
-
-/// X and Y of a point.
-fn at_distance(distance: f64, angle: f64) -> [f64; 2] {
-    let (sine, cosine) = math::direction(angle);
-    [distance * cosine, distance * sine]
 }
 
 /// The words with the X word as a radius, where it is a diameter (11.5.10).

@@ -33,6 +33,7 @@ mod motion;
 mod motion_codes;
 mod motion_dispatch;
 pub(crate) mod offsets;
+mod polar;
 mod predefined;
 mod probe;
 mod read_ahead;

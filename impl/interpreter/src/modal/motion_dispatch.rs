@@ -48,7 +48,7 @@ impl Modal {
     pub(super) fn polar_end_point(&self, words: &Words) -> Result<Coordinates, Refusal> {
         let end = self.end_point(words);
         if words.is_polar() {
-            return end.at_polar(self.position, words, self.is_incremental());
+            return self.polar(words, self.is_incremental()).end(self.position, end);
         }
         Ok(end)
     }

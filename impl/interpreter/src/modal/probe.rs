@@ -38,7 +38,9 @@ impl Modal {
         let end = self.polar_end_point(words)?;
         let linear = end.taking(A | B | C, self.position);
         let still = linear == self.position && planted(PlantedFault::RotaryProbeRefused);
-        if still || end == self.position {
+        // Quirk rs274.probe-same-point.
+        let anywhere = self.emulates_rs274 && matches!(code, 383 | 385);
+        if still || end == self.position && !anywhere {
             return refuse(FaultKind::Probe, "the probe is at the programmed point already");
         }
         self.motion = mode_of(code);
@@ -85,7 +87,8 @@ impl Modal {
         } else {
             found
         };
-        offsets::store_probe(numbered, found, changed);
+        // The stand-alone program has no probe that it could ask.
+        offsets::store_probe(numbered, found, changed && !self.emulates_rs274);
         if self.emulates_rs274 {
             self.position = self.after_probe(start, self.position);
         }

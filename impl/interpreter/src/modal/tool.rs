@@ -5,11 +5,12 @@ use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, SpindleTurn, Swit
 use crate::canon::{Reply, Sink};
 use crate::faults::{PlantedFault, narrowed, planted};
 use crate::parameters::Numbered;
+use crate::quirks;
 use crate::words::Words;
 
 use super::Modal;
 use super::check::Block;
-use super::coordinates::Coordinates;
+use super::coordinates::{Conversion, Coordinates};
 use super::modes::FIRST;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
@@ -234,8 +235,14 @@ impl Modal {
             if planted(PlantedFault::OffsetUnit) {
                 return offset;
             }
-            offset.converted(self.stored_to_active())
+            offset.converted(self.table_to_active())
         }))
+    }
+
+    /// From lengths of the tool table to the active unit.
+    pub(super) fn table_to_active(&self) -> Conversion {
+        let conversion = self.stored_to_active();
+        if self.emulates_rs274 { conversion.scaled(quirks::TABLE_SCALE) } else { conversion }
     }
 
     /// The tool of an H or D word. Zero is the tool in the spindle, except where tools change places; nothing in the

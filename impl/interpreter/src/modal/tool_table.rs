@@ -57,7 +57,7 @@ impl Modal {
             return refuse(FaultKind::ToolNotFound, "the tool table does not hold the tool of P");
         };
         let tool = self.new_entry(old, words, kind, numbered)?;
-        let conversion = self.stored_to_active();
+        let conversion = self.table_to_active();
         let effect = Effect::SetToolEntry {
             tool: number,
             offset: Coordinates::from(tool.offset).converted(conversion).position(),
@@ -88,7 +88,7 @@ impl Modal {
         numbered: &Numbered,
     ) -> Result<Tool, Refusal> {
         let mut tool = old.clone();
-        let to_stored = self.active_to_stored();
+        let to_stored = self.table_to_active().inverse();
         let written = self.offset_words(words);
         let letters = words.present & AXES;
         let table = Coordinates::from(old.offset);
@@ -121,7 +121,8 @@ impl Modal {
     /// without that of G92.
     fn measuring_frame(&self, kind: i32, table: Coordinates, numbered: &Numbered) -> Modes {
         let conversion = self.stored_to_active();
-        let now = Modes { tool_offset: table.converted(conversion), ..*self.active.now() };
+        let tool_offset = table.converted(self.table_to_active());
+        let now = Modes { tool_offset, ..*self.active.now() };
         if kind == 10 {
             return now;
         }

@@ -144,7 +144,8 @@ impl Modal {
         let target = local.replaced(&self.offset_words(words));
         // Where no word stands `target` is `local`, which leaves zero.
         let offset = local.minus(target);
-        if self.choices.position_keeps_other_axes {
+        // Quirk rs274.position-omitted-axes.
+        if self.choices.position_keeps_other_axes || self.emulates_rs274 {
             old.taking(words.present, offset)
         } else {
             offset

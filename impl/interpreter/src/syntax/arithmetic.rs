@@ -6,6 +6,7 @@ use gaugeblock_vocabulary::FaultKind;
 
 use crate::faults::{PlantedFault, planted};
 use crate::math;
+use crate::quirks;
 use crate::syntax::bytecode::{Binary, Function, Op};
 use crate::syntax::{Choices, RoundHalf};
 
@@ -131,6 +132,11 @@ pub(crate) fn function(
     value: f64,
     choices: &Choices,
 ) -> Result<f64, ArithmeticError> {
+    if choices.emulates_rs274
+        && let Some(value) = emulated(function, value)
+    {
+        return finite(value);
+    }
     let domain = |holds: bool, wrong: ArithmeticError| if holds { Ok(()) } else { Err(wrong) };
     finite(match function {
         Function::Absolute => value.abs(),
@@ -176,6 +182,26 @@ pub(crate) fn function(
         }
         Function::Tangent => math::tangent(value),
     })
+}
+
+/// The result of a function as `rs274` computes it, where that differs.
+#[cold]
+fn emulated(function: Function, value: f64) -> Option<f64> {
+    match function {
+        Function::Absolute if value == 0.0 => Some(value),
+        Function::Round => Some(quirks::rounded(math::round_away(value))),
+        Function::Sine => quirks::sine(value),
+        Function::Cosine => quirks::cosine(value),
+        Function::Tangent => quirks::tangent(value),
+        Function::Absolute
+        | Function::Arccosine
+        | Function::Arcsine
+        | Function::Exponential
+        | Function::RoundDown
+        | Function::RoundUp
+        | Function::Logarithm
+        | Function::SquareRoot => None,
+    }
 }
 
 /// The value of operations that depend on nothing; none where they depend on something, or do not give one value.

@@ -96,6 +96,8 @@ macro_rules! choices {
         pub(crate) struct Choices {
             $($(#[$many_about])* pub(crate) $many: $type,)*
             $($(#[$about])* pub(crate) $field: bool,)*
+            /// Whether quirks of `rs274` are emulated.
+            pub(crate) emulates_rs274: bool,
         }
 
         impl Choices {
@@ -104,7 +106,9 @@ macro_rules! choices {
             /// # Errors
             /// A choice has an option that its page does not name.
             pub(crate) fn of(options: &Options) -> Result<Self, Error> {
-                let mut choices = Self { $($field: false,)* $($many: $type::FIRST,)* };
+                let mut choices = Self {
+                    $($field: false,)* $($many: $type::FIRST,)* emulates_rs274: false
+                };
                 for (id, option) in &options.0 {
                     match id.as_str() {
                         $($id => choices.$field = match option.as_str() {

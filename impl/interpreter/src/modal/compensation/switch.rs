@@ -43,7 +43,7 @@ impl Modal {
                     "compensation by a tool with an orientation outside of ZX",
                 );
             }
-            Cutter::new(self.stored_to_active().of(diameter), is_left, orientation)
+            Cutter::new(self.table_to_active().of(diameter), is_left, orientation)
         };
         let compensation = match code {
             410 => Compensation::Left,

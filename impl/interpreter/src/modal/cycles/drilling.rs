@@ -6,8 +6,8 @@ use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::super::choices::Choices;
-use super::super::end_point::PolarIncrement;
 use super::super::modes::Spindles;
+use super::super::polar::Polar;
 use super::super::refusal::Refusal;
 use super::plane_axes::PlaneAxes;
 
@@ -94,7 +94,7 @@ pub(super) enum Step {
     /// By so much along the plane's first and second axis.
     By([f64; 2]),
     /// By polar words of an incremental move, each time from the hole before (11.4.12, 11.5.43.3).
-    Polar(PolarIncrement),
+    Polar(Polar),
 }
 
 impl Step {
@@ -102,7 +102,7 @@ impl Step {
     fn from(self, [first, second]: [f64; 2]) -> Result<[f64; 2], Refusal> {
         match self {
             Self::By([by_first, by_second]) => Ok([first + by_first, second + by_second]),
-            Self::Polar(increment) => increment.from([first, second]),
+            Self::Polar(polar) => polar.after([first, second]),
         }
     }
 }

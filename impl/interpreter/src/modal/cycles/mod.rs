@@ -34,7 +34,7 @@ use super::Modal;
 use super::check::Block;
 use super::codes::RETRACT;
 use super::coordinates::Coordinates;
-use super::end_point::{PolarIncrement, with_radius};
+use super::end_point::with_radius;
 use super::letters::{A, AXES, B, C, X, Y, Z};
 use super::modes::{FIRST, Spindle};
 use super::motion_codes::mode_of;
@@ -213,7 +213,7 @@ impl Modal {
         const IN_PLACE: Step = Step::By([0.0, 0.0]);
         if words.is_polar() {
             let incremental = self.is_incremental();
-            let step = if incremental { Step::Polar(PolarIncrement::of(words)) } else { IN_PLACE };
+            let step = if incremental { Step::Polar(self.polar(words, true)) } else { IN_PLACE };
             return Ok((self.polar_hole(words, axes)?, step));
         }
         let plane = [axes.first, axes.second];
@@ -236,7 +236,8 @@ impl Modal {
             let why = "polar words in a cycle of another plane: they give X and Y (11.4.12)";
             return Err(Refusal::Unspecified(why.into()));
         }
-        let hole = self.position.at_polar(self.position, words, self.is_incremental())?;
+        let polar = self.polar(words, self.is_incremental());
+        let hole = polar.end(self.position, self.position)?;
         Ok([axes.first, axes.second].map(|axis| hole.coordinate_of(axis)))
     }
 }
