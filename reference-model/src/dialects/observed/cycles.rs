@@ -11,7 +11,7 @@ use crate::dialects::quirk;
 use crate::ids::{Rule, rule};
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, traverse_along};
+use crate::rs274::execute::cycles::{Cycle, CycleRules, Kind, Places, traverse_along};
 use crate::rs274::execute::{whole, word};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
@@ -132,7 +132,7 @@ impl CycleRules for Observed {
     fn perform_repeats(
         &self,
         cycle: &Cycle,
-        places: &mut dyn Iterator<Item = [f64; 2]>,
+        places: &mut Places<'_>,
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {

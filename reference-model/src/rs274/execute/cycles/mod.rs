@@ -7,12 +7,12 @@
 mod allowed;
 mod cycle;
 mod heights;
+mod places;
 mod strokes;
 mod tapping;
 
-use gaugeblock_vocabulary::{Axis, Distance, Effect, FaultKind, Motion, Plane, Position};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
 
-use super::target::{moved, polar};
 use super::{feed, word};
 use crate::ids::{Rule, rule};
 use crate::math::near_integer;
@@ -22,6 +22,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 pub(crate) use cycle::{Cycle, Kind, feed_along, traverse_along};
+pub(crate) use places::Places;
 
 /// Each cycle with its kind and its rule.
 const KINDS: &[(Motion, Kind, Rule)] = &[
@@ -70,7 +71,7 @@ pub(super) fn perform(
     allowed::check(words, state)?;
     let repeats = repeats(words, state)?;
     let (series, cycle) = heights::find(motion, kind, words, state)?;
-    let mut places = places(words, state, &cycle, repeats)?;
+    let mut places = Places::new(words, state, &cycle, repeats)?;
     state.dialect().check_cycle_feed(words, state)?;
     strokes::check_spindle(&cycle, state)?;
     state.modes.motion = motion;
@@ -160,11 +161,11 @@ pub(crate) trait CycleRules {
     fn perform_repeats(
         &self,
         cycle: &Cycle,
-        places: &mut dyn Iterator<Item = [f64; 2]>,
+        places: &mut Places<'_>,
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
-        for place in places {
+        while let Some(place) = places.next(state)? {
             if record.is_full() {
                 return Err(StepError::TooManyEffects);
             }
@@ -196,49 +197,6 @@ fn repeats(words: &Words, state: &mut State) -> Result<u64, StepError> {
     })?;
     state.coverage.accepted(rule);
     Ok(count)
-}
-
-/// Where in the plane each repeat is: positions on the first and second axis.
-///
-/// Rule cycles.repeat. In incremental distance mode each repeat goes on from the one before by the same increments; in
-/// absolute distance mode all are in the same place.
-fn places(
-    words: &Words,
-    state: &mut State,
-    cycle: &Cycle,
-    repeats: u64,
-) -> Result<impl Iterator<Item = [f64; 2]> + use<>, StepError> {
-    let incremental = state.modes.distance == Distance::Incremental;
-    let [first, second, _] = cycle.axes;
-    let named = polar(words, state)?;
-    if named.is_some() && (state.modes.plane != Plane::Xy || incremental && repeats > 1) {
-        let what =
-            "polar words in a cycle of another plane, or in an incremental one that is repeated";
-        return Err(StepError::Unspecified(what.to_owned()));
-    }
-    let from = named.unwrap_or(state.position);
-    let values = moved(words, state);
-    let value =
-        |axis: Axis| values.iter().find(|(named, _)| *named == axis).map(|(_, value)| *value);
-    let start = [from.get(first), from.get(second)];
-    let named = |axis: Axis| state.dialect().increment_in_plane(axis, value(axis), state);
-    let words = [named(first), named(second)];
-    state.coverage.accepted(if incremental {
-        rule::cycles::INCREMENTAL
-    } else {
-        rule::cycles::ABSOLUTE
-    });
-    let mut place = start;
-    Ok((0..repeats).map(move |_| {
-        for (place, word) in place.iter_mut().zip(words) {
-            match word {
-                Some(word) if incremental => *place += word,
-                Some(word) => *place = word,
-                None => {}
-            }
-        }
-        place
-    }))
 }
 
 /// Rule cycles.in-between-motion. Each repeat begins with a traverse in the plane, and one along the normal axis to R,
