@@ -191,6 +191,7 @@ impl RefusedBlock<'_> {
                 Some(code) if CYCLES.contains(&code) => "Cannot feed with zero feed rate",
                 _ => "Cannot do g1 with zero feed rate",
             },
+            Some(FaultKind::Gouging) => return self.gouging(),
             Some(FaultKind::NothingSaved) => {
                 "Cannot restore context from invalid stack frame - missing M70/M73?"
             }
@@ -240,6 +241,26 @@ impl RefusedBlock<'_> {
     fn has(&self, what: &str) -> bool {
         let text: String = self.line.chars().filter(|letter| !letter.is_whitespace()).collect();
         text.to_lowercase().contains(what)
+    }
+
+    /// What cutter compensation cannot do.
+    fn gouging(&self) -> Option<String> {
+        let text = match self.fault.message.as_str() {
+            "an arc as the first move after G40" => {
+                "The move just after exiting cutter compensation mode must be straight, not an arc"
+            }
+            "an entry that is too short for the cutter's radius" => {
+                "Length of cutter compensation entry move is not greater than the tool radius"
+            }
+            "an arc whose radius is not greater than the cutter's" => {
+                "Tool radius not less than arc radius with comp"
+            }
+            "the cutter does not fit between two inner corners" => {
+                "Straight feed in concave corner cannot be reached by the tool without gouging"
+            }
+            _ => return None,
+        };
+        Some(text.to_owned())
     }
 
     fn missing_word(&self, motion: Option<u16>) -> Option<String> {
