@@ -18,6 +18,10 @@ pub(super) struct Printed<'a> {
     pub(super) after: Modes,
     /// Where the controlled point was before the block.
     pub(super) position: Position,
+    /// The programmed point before the block and after it.
+    pub(super) programmed: (Position, Position),
+    /// The motion code in force, in tenths.
+    pub(super) motion: u16,
     pub(super) events: &'a [Event],
     /// What among them waits, and what has come out before them.
     pub(super) places: &'a Places,

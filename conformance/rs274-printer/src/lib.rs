@@ -9,14 +9,15 @@
 //! the order in which `rs274` prints a block, and prints what was programmed again though it did not change. What is
 //! printed was learned by running the program.
 //!
-//! **Not imitated:** the menu that is shown without `-g`, and its prompts; plug-in interpreters, Python and remapped
-//! codes; programs that are named by a word; O-words from standard input. A file without an end ends the run with `-n
-//! 0` too, where `rs274` says so for ever. Two codes of one block that change the same offset show its last value
-//! twice. Of what `rs274` does otherwise than its manual (`conformance/suite/quirks`) only what shows in a line of
-//! its own is printed as there: rounded F and S of saved state, switches that do not come back, subs that are defined
-//! behind their call, the way of cycles to the R plane, the passes of G76 (`threads`). A few that lead elsewhere the
-//! interpreter itself imitates (`Interpreter::emulate_rs274`). The others are not: tool offsets of saved state, the
-//! position after probing.
+//! **Not imitated:** the menu that is printed without `-g`, and its prompts; plug-in interpreters, Python and remapped
+//! codes; programs that are named by a word; O-words from standard input; G87; parameters `#<_ini[…]>` that a program
+//! sets. A file without an end ends the run with `-n 0` too, where `rs274` prints the same for ever. Two codes of one
+//! block that change the same offset print its last value twice. Where the last bits of a rotation, or of polar words
+//! of an incremental move, decide the sign of a zero, it can differ. Quirks (`conformance/suite/quirks`) that are
+//! visible in a line of their own are printed here: rounded F and S of saved state, switches that are not restored, subs
+//! that are defined after their call, the way of cycles to the R plane, the passes of G76 (`threads`). Those that lead
+//! elsewhere the interpreter emulates (`Interpreter::emulate_rs274`); its module `quirks` lists them. `tests/corpus`
+//! counts programs of others that are printed alike.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders.
 //! User-defined codes run nothing.
@@ -35,6 +36,7 @@ mod output;
 mod parameters;
 mod plane;
 mod printer;
+mod programmed;
 mod refusals;
 mod scale;
 mod setting_calls;

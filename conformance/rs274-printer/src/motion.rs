@@ -1,7 +1,8 @@
 //! The motion of a block: moves, probing, threads, and canned cycles, around which the path mode is switched.
 
 use gaugeblock_vocabulary::{
-    Distance, Effect, Event, FeedMode, LengthUnit, PathControlMode, Plane, Position, SpindleTurn,
+    Compensation, Distance, Effect, Event, FeedMode, LengthUnit, PathControlMode, Plane, Position,
+    SpindleTurn,
 };
 
 use super::block::Printed;
@@ -20,6 +21,7 @@ impl Printed<'_> {
             self.out.note("motion mode set to none");
         }
         self.by_way_of();
+        self.speed_of_programmed();
         let exact = self.after.path == PathControlMode::ExactPath;
         let mut stage = self.before;
         let mut moved =
@@ -217,9 +219,10 @@ impl Printed<'_> {
                 self.position = *end;
             }
             Event::Do(Effect::ArcFeed { end, first_centre, second_centre, turns }) => {
-                let length = self.arc_length(end, [*first_centre, *second_centre], *turns);
+                let centre = [*first_centre, *second_centre];
+                let length = arc_length(self.after.plane, &self.position, end, centre, *turns);
                 self.speed_of(length);
-                self.out.arc(self.after.plane, end, [*first_centre, *second_centre], *turns);
+                self.out.arc(self.after.plane, end, centre, *turns);
                 self.position = *end;
             }
             Event::Do(Effect::NurbsFeed { points, end }) => {
@@ -252,25 +255,11 @@ impl Printed<'_> {
     /// Under inverse time the speed of a move, in length units per minute, is printed before it.
     fn speed_of(&mut self, length: f64) {
         if self.after.feed_mode == FeedMode::InverseTime
+            && self.after.compensation == Compensation::Off
             && let Some(feed) = self.words.get(b'F')
         {
             self.out.call_with("SET_FEED_RATE", length * feed);
         }
-    }
-
-    fn arc_length(&self, end: &Position, centre: [f64; 2], turns: i32) -> f64 {
-        let ([x, y], z) = in_plane(self.after.plane, &self.position);
-        let ([end_x, end_y], end_z) = in_plane(self.after.plane, end);
-        let radius = libm::hypot(x - centre[0], y - centre[1]);
-        let from = libm::atan2(y - centre[1], x - centre[0]);
-        let to = libm::atan2(end_y - centre[1], end_x - centre[0]);
-        let full = std::f64::consts::TAU;
-        let mut angle = if turns > 0 { to - from } else { from - to };
-        if angle <= 1.0e-9 {
-            angle += full;
-        }
-        angle += full * f64::from(turns.saturating_abs().saturating_sub(1));
-        libm::hypot(radius * angle, end_z - z)
     }
 
     /// G10 L1, L10 and L11 write into the tool table, whose lengths are inches.
@@ -313,8 +302,30 @@ fn with_level(plane: Plane, at: &Position, level: f64) -> Position {
     at
 }
 
+/// The length of an arc.
+pub(super) fn arc_length(
+    plane: Plane,
+    start: &Position,
+    end: &Position,
+    centre: [f64; 2],
+    turns: i32,
+) -> f64 {
+    let ([x, y], z) = in_plane(plane, start);
+    let ([end_x, end_y], end_z) = in_plane(plane, end);
+    let radius = libm::hypot(x - centre[0], y - centre[1]);
+    let from = libm::atan2(y - centre[1], x - centre[0]);
+    let to = libm::atan2(end_y - centre[1], end_x - centre[0]);
+    let full = std::f64::consts::TAU;
+    let mut angle = if turns > 0 { to - from } else { from - to };
+    if angle <= 1.0e-9 {
+        angle += full;
+    }
+    angle += full * f64::from(turns.saturating_abs().saturating_sub(1));
+    libm::hypot(radius * angle, end_z - z)
+}
+
 /// The length of a straight move: that of X, Y and Z, or of the rotary axes if those do not move.
-fn distance(from: &Position, to: &Position) -> f64 {
+pub(super) fn distance(from: &Position, to: &Position) -> f64 {
     let (from, to) = (from.to_array(), to.to_array());
     let length = |axes: std::ops::Range<usize>| {
         let squares = axes.map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis]));

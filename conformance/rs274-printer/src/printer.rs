@@ -9,6 +9,7 @@ use super::block::{Fixed, Places, Printed, Released};
 use super::codes::{CYCLES, MOTIONS};
 use super::modes::Modes;
 use super::output::Output;
+use super::programmed::programmed_end;
 use super::refusals::CycleProgress;
 use super::source::Texts;
 use super::text;
@@ -23,6 +24,8 @@ pub(super) struct Printer {
     modes: Modes,
     /// Where the controlled point was before the block.
     position: Position,
+    /// The programmed point before the block and after it.
+    programmed: (Position, Position),
     /// The place in the table of the tool that T selected last.
     selected: i64,
     /// The tool that is taken to be in the spindle.
@@ -60,6 +63,7 @@ impl Printer {
             texts,
             modes,
             position: Position::default(),
+            programmed: <(Position, Position)>::default(),
             selected: 0,
             loaded: fixed.tools.first().copied().unwrap_or(0),
             feed: 0.0,
@@ -155,6 +159,8 @@ impl Printer {
             before: self.modes,
             after,
             position: self.position,
+            programmed: self.programmed,
+            motion: self.motion,
             events,
             places: &self.places,
             released: 0,
@@ -212,6 +218,9 @@ impl Printer {
                 after.apply(changed);
             }
         }
+        let reached = done.state().position.unwrap_or(self.programmed.1);
+        let start = self.programmed.1;
+        self.programmed = (start, programmed_end(start, reached, &after, &self.words));
         self.print(done.file(), done.line(), &events, after, Phase::End);
         let moves_only =
             self.words.m.is_empty() && self.words.g.iter().all(|code| MOTIONS.contains(code));

@@ -92,6 +92,20 @@ pub(crate) fn arc_centre(start: [f64; 2], end: [f64; 2], radius: f64, left: bool
     [x + height * math::cosine_of_radians(across), y + height * math::sine_of_radians(across)]
 }
 
+/// A direction of length 1 from its angle.
+pub(crate) fn direction([x, y]: [f64; 2]) -> [f64; 2] {
+    // `+ 0.0` makes a negative zero positive.
+    let angle = math::angle(y + 0.0, x + 0.0);
+    [math::cosine_of_radians(angle), math::sine_of_radians(angle)]
+}
+
+/// The direction a quarter turn to the left of another one, or to its right, of length 1.
+pub(crate) fn normal([x, y]: [f64; 2], left: bool) -> [f64; 2] {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let across = math::angle(y, x) + if left { quarter } else { -quarter };
+    [math::cosine_of_radians(across), math::sine_of_radians(across)]
+}
+
 /// An angle and a quarter turn, of which more bits are known than a number has.
 fn quarter_more(angle: f64) -> f64 {
     /// The bits of a quarter turn after those of the number nearest to it.

@@ -1,6 +1,7 @@
 //! Geometry in the plane of compensation: the programmed curve of a move, and the one at a distance of R from it.
 
 use crate::math;
+use crate::quirks;
 
 use super::super::coordinates::Conversion;
 
@@ -20,6 +21,8 @@ pub(in super::super) struct Cutter {
     pub(super) side: f64,
     /// 0 to 9; 0 and 9 shift nothing.
     pub(super) orientation: u8,
+    /// Whether normals are computed from angles.
+    by_angles: bool,
 }
 
 /// A move in the plane, as programmed.
@@ -125,12 +128,13 @@ impl Vector {
 
 impl Cutter {
     /// No cutter: its radius is zero.
-    pub(in super::super) const NONE: Self = Self { radius: 0.0, side: 1.0, orientation: 0 };
+    pub(in super::super) const NONE: Self =
+        Self { radius: 0.0, side: 1.0, orientation: 0, by_angles: false };
 
     /// The cutter of a diameter, active length unit.
     pub(super) fn new(diameter: f64, is_left: bool, orientation: u8) -> Self {
         let side = if is_left == (diameter >= 0.0) { 1.0 } else { -1.0 };
-        Self { radius: diameter.abs() / 2.0, side, orientation }
+        Self { radius: diameter.abs() / 2.0, side, orientation, by_angles: false }
     }
 
     /// Whether it moves anything.
@@ -144,6 +148,11 @@ impl Cutter {
         self.side * other.side > 0.0
             && self.orientation == other.orientation
             && difference <= 1e-9 * self.radius
+    }
+
+    /// As `rs274` computes with it: the last bits of angles decide the sign of a zero.
+    pub(super) fn emulating_rs274(self) -> Self {
+        Self { by_angles: true, ..self }
     }
 
     /// With its radius in another length unit.
@@ -167,8 +176,19 @@ impl Cutter {
         Vector { p: z * self.radius, q: x * self.radius }
     }
 
+    /// The normal of an arc on the cutter's side, R long, from an angle: towards the centre or away from it.
+    fn radial(&self, arc: &Arc, from_centre: Vector) -> Vector {
+        let Vector { p, q } = from_centre.times(-arc.bend(self));
+        let [p, q] = quirks::direction([p, q]);
+        Vector { p, q }.times(self.radius)
+    }
+
     /// The normal of a direction on the cutter's side, R long.
     fn offset(&self, direction: Vector) -> Vector {
+        if self.by_angles {
+            let [p, q] = quirks::normal([direction.p, direction.q], self.side > 0.0);
+            return Vector { p, q }.times(self.radius);
+        }
         direction.quarter(self.side).times(self.radius)
     }
 }
@@ -244,11 +264,17 @@ impl Segment {
 
     /// Where its compensated curve starts.
     pub(super) fn offset_start(&self, cutter: &Cutter) -> Vector {
+        if let (Some(arc), true) = (self.as_arc(), cutter.by_angles) {
+            return self.from.plus(cutter.radial(arc, arc.to_start));
+        }
         self.from.plus(cutter.offset(self.start_direction()))
     }
 
     /// Where its compensated curve ends.
     pub(super) fn offset_end(&self, cutter: &Cutter) -> Vector {
+        if let (Some(arc), true) = (self.as_arc(), cutter.by_angles) {
+            return self.to.plus(cutter.radial(arc, arc.to_end));
+        }
         self.to.plus(cutter.offset(self.end_direction()))
     }
 

@@ -45,6 +45,9 @@ impl Modal {
             }
             Cutter::new(self.table_to_active().of(diameter), is_left, orientation)
         };
+        if self.emulates_rs274 {
+            self.cutter = self.cutter.emulating_rs274();
+        }
         let compensation = match code {
             410 => Compensation::Left,
             420 => Compensation::Right,
