@@ -186,8 +186,8 @@ pub(crate) fn rounding_of_quarter_turns(turns: u128) -> f64 {
     let (quotient, more) = rounded_to_64_bits(scaled.checked_div(180).unwrap_or(0), inexact);
     // The quotient has 62 + 64 bits after the point, less those that were rounded away.
     let angle = quotient << shift.wrapping_add(more).wrapping_add(109).wrapping_sub(126);
-    let exact = HALF_PI.wrapping_mul(turns as i128);
-    (angle as i128).wrapping_sub(exact) as f64 * libm::exp2(-109.0)
+    let exact = HALF_PI.wrapping_mul(turns.cast_signed());
+    angle.cast_signed().wrapping_sub(exact) as f64 * libm::exp2(-109.0)
 }
 
 /// A number rounded to its first 64 bits, to the even one from halfway, and how many bits were rounded away.
