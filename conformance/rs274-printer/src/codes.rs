@@ -12,6 +12,9 @@ pub(super) const MOTIONS: [u16; 27] = [
 /// Canned cycles.
 pub(super) const CYCLES: [u16; 11] = [730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890];
 
+/// Lathe cycles whose profile is in a sub.
+pub(super) const TURNINGS: [u16; 7] = [700, 710, 711, 712, 720, 721, 722];
+
 /// Millimetres in an inch: stored lengths are inches.
 pub(super) const INCH: f64 = 25.4;
 

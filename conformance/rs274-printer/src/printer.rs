@@ -6,7 +6,7 @@ use gaugeblock_interpreter::{BlockEnd, BlockKind, BlockStart, Reply, Sink, Waiti
 use gaugeblock_vocabulary::{Effect, Event, FaultKind, LengthUnit, Plane, Position, Settings};
 
 use super::block::{Fixed, Places, Printed, Released};
-use super::codes::{CYCLES, MOTIONS};
+use super::codes::{CYCLES, MOTIONS, TURNINGS};
 use super::modes::Modes;
 use super::output::Output;
 use super::programmed::programmed_end;
@@ -115,6 +115,11 @@ impl Printer {
         settings: &Settings,
     ) {
         let events = std::mem::take(&mut self.events);
+        // A lathe cycle is refused after its first motion.
+        let has_moved =
+            events.iter().any(|event| matches!(event, Event::Do(Effect::StraightTraverse { .. })));
+        let is_turning = self.begun && self.words.g_of(&TURNINGS).is_some();
+        let reached = if is_turning && has_moved { Phase::Stop } else { reached };
         if let Some((file, line)) = place.filter(|_| reached > Phase::Comment) {
             self.forget_words();
             let mut after = self.modes;
@@ -195,6 +200,9 @@ impl Printer {
                 self.old_level = None;
             }
             self.motion = code;
+        }
+        if self.words.g_of(&TURNINGS).is_some() {
+            (self.motion, self.old_level) = (10, None);
         }
         let mut printed = self.printed(events, after, comment);
         printed.print(end);

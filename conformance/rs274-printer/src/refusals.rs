@@ -31,7 +31,8 @@ const AT_ONCE: [&str; 4] = [
     "polar words together",
     "G53 without G0",
 ];
-const WITH_MOTION: [&str; 7] = [
+const WITH_MOTION: [&str; 8] = [
+    "a lathe cycle",
     "a canned cycle under inverse",
     "a spline outside",
     "an arc outside",

@@ -99,6 +99,8 @@ pub struct Interpreter {
     pub(crate) logs: Logs,
     /// The block of words that is not finished: its place, its line, and its kind.
     pub(crate) pending: Option<(Cursor, u32, BlockKind)>,
+    /// How many calls are open outside of the profile that is read.
+    pub(crate) profile_level: usize,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
@@ -161,6 +163,7 @@ impl Interpreter {
         numbered.set(5599, 1.0);
         let mut modal = Modal::new(&machine, dialect.modes.clone(), &mut numbered)?;
         modal.limit_waiting(limits.waiting_effects);
+        modal.profile_moves = limits.profile_moves;
         numbered.take_changes(|_, _| ());
         Ok(Self {
             compiler: LineCompiler::new(&machine, dialect.text.clone(), &limits),
@@ -198,6 +201,7 @@ impl Interpreter {
             code_bytes: 0,
             logs: Logs::default(),
             pending: None,
+            profile_level: 0,
             ended: None,
         })
     }

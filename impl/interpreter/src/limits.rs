@@ -19,6 +19,8 @@ pub struct Limits {
     pub blocks_ahead: u32,
     /// Settings and effects that wait for the next move under cutter compensation. A block adds a few more.
     pub waiting_effects: u32,
+    /// Moves of the profile of a lathe cycle.
+    pub profile_moves: u32,
 }
 
 impl Default for Limits {
@@ -31,6 +33,7 @@ impl Default for Limits {
             code_bytes: 16_777_216,
             blocks_ahead: 100_000,
             waiting_effects: 65_536,
+            profile_moves: 16_384,
         }
     }
 }
@@ -50,6 +53,8 @@ pub enum Limit {
     BlocksAhead,
     /// [`Limits::waiting_effects`].
     WaitingEffects,
+    /// [`Limits::profile_moves`], or an offset of a profile that takes too many steps.
+    ProfileMoves,
 }
 
 impl fmt::Display for Limit {
@@ -61,6 +66,7 @@ impl fmt::Display for Limit {
             Self::CodeBytes => "bytes of loops and subroutines",
             Self::BlocksAhead => "blocks read ahead at an abort",
             Self::WaitingEffects => "effects that wait under cutter compensation",
+            Self::ProfileMoves => "moves of a profile, or steps of its offset",
         })
     }
 }

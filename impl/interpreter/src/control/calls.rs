@@ -162,6 +162,28 @@ impl Interpreter {
         refuse(FaultKind::UnknownSub, "there is no such sub before this call, and no such file")
     }
 
+    /// Calls the sub of a number without arguments, as an o-word would.
+    pub(crate) fn call_by_number<S: Source>(
+        &mut self,
+        number: f64,
+        source: &mut S,
+    ) -> Result<(), ControlError> {
+        let Some(label) = self.compiler.computed_label(number) else {
+            return refuse(FaultKind::NotAnInteger, "an o-number is an integer");
+        };
+        let segment = match self.segment_of(label) {
+            Some(segment) => segment,
+            None => self.find_sub(label, source)?,
+        };
+        self.open_level(Cursor { segment, place: 0 }, FrameKind::Sub, label)?;
+        if self.compiler.emulates_rs274 {
+            self.parameters.numbered.set_arguments(&quirks::UNPASSED);
+        }
+        self.parameters.value = 0.0;
+        self.parameters.value_returned = false;
+        Ok(())
+    }
+
     /// Opens a call level.
     fn open_level(
         &mut self,

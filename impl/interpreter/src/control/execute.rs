@@ -123,6 +123,9 @@ impl Interpreter {
         source: &mut S,
         sink: &mut K,
     ) -> Result<Progress, Error> {
+        if let Some(stage) = self.modal.profile_stage() {
+            return self.read_profile((at, line, kind), stage, source);
+        }
         match self.modal.resume_block(&mut self.parameters.numbered, sink) {
             Ok(flow) => self.after_words((at, line), kind, flow, source, sink),
             Err(refusal) => self.refuse(at, line, refusal),

@@ -15,6 +15,7 @@ mod label_search;
 mod loops;
 mod message;
 mod o_words;
+mod profile;
 mod reader;
 mod refuse;
 

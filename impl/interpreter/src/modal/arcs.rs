@@ -153,15 +153,7 @@ impl Modal {
     ) -> Result<Effect, Refusal> {
         let plane = self.arc_plane(start)?;
         let counterclockwise = motion == Motion::ArcCounterclockwise;
-        let mut tolerances = Tolerances::of(self.active.now().units);
-        if self.choices.arc_tolerance != ArcTolerance::Coarse {
-            tolerances = tolerances.chosen(self.choices.arc_tolerance, self.active.now().units);
-        }
-        if self.emulates_rs274 {
-            tolerances.of_larger = true;
-            tolerances.least = quirks::arc_least_radius(self.active.now().units);
-            (tolerances.fine, tolerances.coarse) = quirks::arc_tolerances(self.active.now().units);
-        }
+        let tolerances = self.arc_tolerances();
         let centre = if words.present & R != 0 {
             let half_circle = self.choices.arc_half_circle;
             let slack = if half_circle { tolerances.radius } else { 0.0 };
@@ -182,6 +174,33 @@ impl Modal {
             second_centre: centre.second,
             turns: if counterclockwise { turns } else { turns.wrapping_neg() },
         })
+    }
+
+    /// Refuses an arc whose ends have these distances from its centre, where they are not those of one arc.
+    pub(super) fn check_radii(&self, start: f64, end: f64) -> Result<(), Refusal> {
+        let tolerances = self.arc_tolerances();
+        let none = start == 0.0 && !self.choices.arc_zero_radius;
+        if none || start.min(end) < tolerances.least {
+            return refuse(FaultKind::BadArc, "an arc without a radius");
+        }
+        if !tolerances.agree(start, end) && !planted(PlantedFault::AnyEnd) {
+            return refuse(FaultKind::BadArc, "the radius to the end of the arc is another one");
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn arc_tolerances(&self) -> Tolerances {
+        let mut tolerances = Tolerances::of(self.active.now().units);
+        if self.choices.arc_tolerance != ArcTolerance::Coarse {
+            tolerances = tolerances.chosen(self.choices.arc_tolerance, self.active.now().units);
+        }
+        if self.emulates_rs274 {
+            tolerances.of_larger = true;
+            tolerances.least = quirks::arc_least_radius(self.active.now().units);
+            (tolerances.fine, tolerances.coarse) = quirks::arc_tolerances(self.active.now().units);
+        }
+        tolerances
     }
 
     /// The plane of the arc; UV, WU and VW do not support arcs (11.5.18).

@@ -45,7 +45,6 @@ struct WordUse {
     needs: u32,
     needs_axes: bool,
     dollar: bool,
-    later: Option<u16>,
     axis_codes: u8,
 }
 
@@ -83,9 +82,6 @@ impl Modal {
         let mut used = WordUse::default();
         self.add_g_codes(&mut block, &mut used)?;
         self.add_m_codes(&mut block, &mut used)?;
-        if let Some(tenths) = used.later {
-            return Err(Refusal::Unsupported(format!("G{}", code_text(tenths))));
-        }
         let implied = self.implied_motion(&block, &used);
         if let Some(code) = implied.and_then(g_code) {
             used.add(&code);
@@ -105,6 +101,11 @@ impl Modal {
         check_polar(&block, &used)?;
         self.check_axes(&mut block, &used, implied)?;
         Ok(block)
+    }
+
+    /// Checks the words of a block that is read and not executed.
+    pub(super) fn check_read(&self, words: &Words) -> Result<(), Refusal> {
+        self.check(words).map(drop)
     }
 
     fn add_g_codes(&self, block: &mut Block<'_>, used: &mut WordUse) -> Result<(), Refusal> {
@@ -138,9 +139,6 @@ impl Modal {
                 }
             }
             used.add(&code);
-            if code.later {
-                used.later = Some(*tenths);
-            }
             if code.uses_axes() && code.group != MOTION {
                 used.axis_codes = used.axis_codes.saturating_add(1);
             }

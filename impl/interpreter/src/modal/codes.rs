@@ -38,13 +38,11 @@ pub(crate) struct GCode {
     pub(crate) needs_axes: bool,
     /// Whether `$` says something to it.
     pub(crate) dollar: bool,
-    /// A code of a later round.
-    pub(crate) later: bool,
 }
 
 impl GCode {
     const fn plain(group: GGroup) -> Self {
-        Self { group, uses: 0, needs: 0, needs_axes: false, dollar: false, later: false }
+        Self { group, uses: 0, needs: 0, needs_axes: false, dollar: false }
     }
 
     const fn using(self, uses: u32) -> Self {
@@ -61,10 +59,6 @@ impl GCode {
 
     const fn with_spindle(self) -> Self {
         Self { dollar: true, ..self }
-    }
-
-    const fn later(group: GGroup) -> Self {
-        Self { uses: u32::MAX, dollar: true, later: true, ..Self::plain(group) }
     }
 
     /// Accepted, and then undefined: no word of its block is wrong.
@@ -93,7 +87,6 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
         520 | 920 => GCode::plain(NON_MODAL).needing_axes(),
         // Its axis words are those of the move that it modifies.
         281 | 301 | 530 | 921 | 922 | 923 => GCode::plain(NON_MODAL),
-        700 | 710 | 711 | 712 | 720 | 721 | 722 => GCode::later(NON_MODAL),
         0 | 10 => GCode::plain(MOTION).using(AXES),
         800 | 53 => GCode::plain(MOTION),
         20 | 30 => GCode::plain(MOTION).using(AXES | ARC_WORDS),
@@ -103,6 +96,8 @@ pub(crate) const fn g_code(tenths: u16) -> Option<GCode> {
         330 => GCode::plain(MOTION).needing_axes().needing(K).with_spindle(),
         331 => GCode::plain(MOTION).needing_axes().needing(K).using(I).with_spindle(),
         382..=385 => GCode::plain(MOTION).needing_axes(),
+        700 => GCode::plain(MOTION).needing(Q).using(AXES | D | E | P),
+        710..=712 | 720..=722 => GCode::plain(MOTION).needing(Q).using(AXES | D | I | R),
         760 => {
             let required = GCode::plain(MOTION).needing_axes().needing(P | I | J | K);
             required.using(R | Q | H | E | L).with_spindle()

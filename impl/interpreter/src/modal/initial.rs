@@ -48,6 +48,8 @@ impl Modal {
             position: Coordinates::default(),
             series: MotionSeries::default(),
             pending: None,
+            turning: None,
+            profile_moves: Limits::default().profile_moves,
             cutter: Cutter::NONE,
             compensation: CompensationState::new(Limits::default().waiting_effects),
             surface_speed: false,

@@ -51,8 +51,10 @@ mod threads;
 mod tool;
 mod tool_table;
 mod transforms;
+mod turning;
 mod undo;
 mod values;
+mod vector;
 mod work_offsets;
 
 #[cfg(test)]
@@ -63,3 +65,4 @@ pub(crate) use coordinates::{Conversion, Coordinates};
 pub(crate) use modes::Modes;
 pub(crate) use refusal::{Flow, Refusal};
 pub(crate) use state::Modal;
+pub(crate) use turning::ProfileStage;

@@ -34,6 +34,7 @@ impl Modal {
             50 | 51 => self.spline(block.words, code, sink),
             52 => self.add_control_point(block.words),
             53 => self.close_curve(block.words.line, sink),
+            700..=722 => self.lathe_cycle(block, code, sink),
             760 => self.thread(block),
             _ => self.canned_cycle(block, code),
         }

@@ -17,6 +17,7 @@ use super::modes::ActiveSettings;
 use super::offsets;
 use super::saved_states::SavedStates;
 use super::snapshots::MachineSnapshot;
+use super::turning::Turning;
 
 /// No tool is selected.
 pub(super) const NO_TOOL: i32 = -1;
@@ -34,6 +35,10 @@ pub(crate) struct Modal {
     pub(super) series: MotionSeries,
     /// The rest of a block that takes more than a step.
     pub(super) pending: Option<PendingBlock>,
+    /// The lathe cycle under way.
+    pub(super) turning: Option<Box<Turning>>,
+    /// Most moves of a profile.
+    pub(crate) profile_moves: u32,
     /// The cutter of the compensation in force.
     pub(super) cutter: Cutter,
     /// The compensated path, and what waits.

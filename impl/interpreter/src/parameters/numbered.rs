@@ -103,6 +103,16 @@ impl Numbered {
         self.noting = true;
     }
 
+    /// Takes no notes until [`Self::resume_notes`]; those that were taken stay.
+    pub(crate) fn suspend_notes(&mut self) {
+        self.noting = false;
+    }
+
+    /// Takes notes again.
+    pub(crate) fn resume_notes(&mut self) {
+        self.noting = true;
+    }
+
     /// Keeps what was set.
     #[inline]
     pub(crate) fn end_notes(&mut self) {

@@ -7,8 +7,9 @@ use gaugeblock_vocabulary::FaultKind;
 use crate::math;
 
 use super::super::refusal::{Refusal, refuse};
+use super::super::vector::Vector;
 use super::path::LastMove;
-use super::plane::{Circle, Curve, Cutter, Segment, Vector};
+use super::plane::{Circle, Curve, Cutter, Segment};
 
 /// A corner is tangent up to this angle, radians.
 const TANGENT: f64 = 0.05;

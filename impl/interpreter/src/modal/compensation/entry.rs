@@ -3,8 +3,9 @@
 use gaugeblock_vocabulary::FaultKind;
 
 use super::super::refusal::{Refusal, refuse};
+use super::super::vector::Vector;
 use super::path::LastMove;
-use super::plane::{Arc, Circle, Cutter, Segment, Vector};
+use super::plane::{Arc, Circle, Cutter, Segment};
 
 /// Refuses an entry that is too short. One of the length R is long enough, except for `rs274`.
 pub(super) fn check_entry(

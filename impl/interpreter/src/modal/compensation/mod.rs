@@ -30,10 +30,10 @@ use super::Modal;
 use super::coordinates::Coordinates;
 use super::refusal::Refusal;
 use super::saved_states::Saved;
+use super::vector::Vector;
 
 use path::PathState;
 pub(super) use plane::Cutter;
-use plane::Vector;
 use queue::Queue;
 pub(super) use waiting::waits_after_move;
 

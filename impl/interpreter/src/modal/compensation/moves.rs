@@ -10,11 +10,12 @@ use super::super::check::Block;
 use super::super::coordinates::Coordinates;
 use super::super::letters::{U, V, W};
 use super::super::refusal::{Refusal, refuse};
+use super::super::vector::Vector;
 use super::corner::{Corner, intersection};
 use super::entry::{check_entry, entry_circle};
 use super::normal_of;
 use super::path::LastMove;
-use super::plane::{Curve, Cutter, Segment, Vector};
+use super::plane::{Curve, Cutter, Segment};
 
 /// A move of a block before compensation.
 struct Programmed {

@@ -3,7 +3,8 @@
 use gaugeblock_vocabulary::Plane;
 
 use super::super::coordinates::{Conversion, Coordinates};
-use super::plane::{Circle, Segment, Vector};
+use super::super::vector::Vector;
+use super::plane::{Circle, Segment};
 use super::queue::Queue;
 
 /// State of compensation besides the settings in force.

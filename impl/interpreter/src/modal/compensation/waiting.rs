@@ -10,7 +10,7 @@ use crate::canon::{Reply, Sink, Waiting};
 use super::super::Modal;
 use super::super::coordinates::{Conversion, Coordinates};
 use super::super::refusal::{Refusal, refuse};
-use super::Vector;
+use super::super::vector::Vector;
 use super::queue::{Content, Item};
 
 /// Takes settings over that are reported while they have to wait.

@@ -11,6 +11,8 @@ pub(super) enum Job {
     Drilling(Drilling),
     /// G76.
     Threading(Threading),
+    /// G70 to G72.2; the cycle is kept apart.
+    Turning,
 }
 
 /// The rest of a block.

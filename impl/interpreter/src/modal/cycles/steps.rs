@@ -17,9 +17,15 @@ impl Modal {
         self.pending = Some(PendingBlock { line, job, stop: None, before: None });
     }
 
+    /// The block has a lathe cycle.
+    pub(in super::super) fn begin_turning_job(&mut self, line: u32) {
+        self.begin_job(line, Job::Turning);
+    }
+
     /// Gives up a block that is not finished: the point stays where it is, and overrides are as they were before the
     /// cycle.
     pub(in super::super) fn abandon(&mut self) {
+        self.turning = None;
         if let Some(PendingBlock { job: Job::Drilling(drilling), .. }) = self.pending.take() {
             self.restore_overrides(&drilling);
         }
@@ -54,6 +60,16 @@ impl Modal {
         self.end_step(before, flow, numbered)
     }
 
+    /// Gives up a block while its profile is read: it is rolled back.
+    #[cold]
+    pub(crate) fn abandon_profile(&mut self, numbered: &mut Numbered) {
+        if let Some(before) = self.pending.take().and_then(|pending| pending.before) {
+            self.roll_back(&before, numbered);
+        }
+        self.turning = None;
+        numbered.end_notes();
+    }
+
     /// After a step of a block that can be refused: the block is rolled back, or done, or can still be refused in a
     /// later step.
     #[inline]
@@ -73,7 +89,7 @@ impl Modal {
             // The block has been executed up to its probe.
             Err(Refusal::Missed) => {}
             Err(_) => {
-                self.pending = None;
+                (self.pending, self.turning) = (None, None);
                 self.roll_back(&before, numbered);
             }
             Ok(Flow::Within { .. }) => {
@@ -96,13 +112,14 @@ impl Modal {
     ) -> Result<Flow, Refusal> {
         let Some(mut pending) = self.pending.take() else { return Ok(Flow::More) };
         for _ in 0..MOVES_PER_STEP {
-            if self.stop_asked {
+            if self.stop_asked || self.profile_stage().is_some() {
                 break;
             }
             let line = pending.line;
             let over = match &mut pending.job {
                 Job::Drilling(drilling) => self.perform_cycle_move(drilling, line, sink),
                 Job::Threading(threading) => self.pass(threading, line, sink),
+                Job::Turning => self.perform_lathe_cycle(line, sink),
             };
             if matches!(over, Err(Refusal::Aborted)) {
                 self.pending = Some(pending);

@@ -1,0 +1,82 @@
+//! The profile as a cycle uses it: its direction of travel, and the side of its offset.
+
+use alloc::vec::Vec;
+
+use super::super::refusal::Refusal;
+use super::super::vector::Vector;
+use super::frame::Frame;
+use super::piece::Piece;
+use super::rounding::{not_monotonic, rounded};
+use super::state::{Contour, Kind, Turning};
+
+impl Turning {
+    /// Makes a contour of the moves; none where they are too few.
+    pub(super) fn contour(&self, emulates_rs274: bool) -> Result<Option<Contour>, Refusal> {
+        let start = self.cycle.start;
+        if self.reading.moves.len() < 2 {
+            return Ok(None);
+        }
+        let pieces = rounded(start, &self.reading.moves)?;
+        let (Some(first), Some(last)) = (pieces.get(1), pieces.last()) else { return Ok(None) };
+        let (first, last) = (first.from, last.to);
+        let after_lead = pieces.get(1..).unwrap_or(&[]);
+        let mut frame = match self.cycle.kind {
+            Kind::Finishing { .. } => finishing_frame(after_lead, emulates_rs274),
+            Kind::Roughing { faces, .. } => Frame::unturned(faces),
+        };
+        frame.along = if frame.of(last).p > frame.of(first).p { 1.0 } else { -1.0 };
+        if !after_lead.iter().all(|piece| frame.piece(piece).travels()) {
+            return not_monotonic();
+        }
+        let mut at = frame.of(start);
+        // Quirk rs274.turning-start-too-far.
+        if emulates_rs274 {
+            at.p = at.p.min(frame.of(first).p);
+        }
+        let side = side(&frame, at, after_lead);
+        let sinks = frame.of(last).q - frame.of(first).q;
+        let inside = match self.cycle.kind {
+            Kind::Finishing { .. } => false,
+            Kind::Roughing { faces, .. } => sinks < 0.0 || faces && sinks <= 0.0,
+        };
+        if inside {
+            frame.outward = -1.0;
+            at.q = -at.q;
+        }
+        let side = side.map(|side| side * frame.outward);
+        let pieces: Vec<Piece> = after_lead.iter().map(|piece| frame.piece(piece)).collect();
+        Ok(Some(Contour { frame, start: at, pieces, side }))
+    }
+}
+
+/// The axes of G70. It travels along Z where Z does not grow anywhere, or does not shrink and has grown; or else
+/// along X.
+fn finishing_frame(pieces: &[Piece], emulates_rs274: bool) -> Frame {
+    let along = |sign: f64| {
+        let frame = Frame { along: sign, ..Frame::unturned(false) };
+        pieces.iter().all(|piece| frame.piece(piece).travels())
+    };
+    if along(-1.0) {
+        return Frame::unturned(false);
+    }
+    let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
+        return Frame::unturned(false);
+    };
+    // Quirk rs274.finishing-one-arc: the end of the first piece counts where that is the only one, too.
+    let from = if pieces.len() > 1 || emulates_rs274 { first.to } else { first.from };
+    Frame::unturned(!(along(1.0) && last.to.p > from.p))
+}
+
+/// On which side of the direction of travel an offset is: 1 for greater depths, -1 for smaller ones. It is open with
+/// one piece.
+fn side(frame: &Frame, start: Vector, pieces: &[Piece]) -> Option<f64> {
+    let (first, last) = (pieces.first()?, pieces.last()?);
+    if pieces.len() < 2 {
+        return None;
+    }
+    let (begin, end) = (frame.of(first.from), frame.of(last.to));
+    let (lead, way) = (begin.minus(start), frame.of(last.from).minus(begin));
+    let turn = lead.q * way.p - lead.p * way.q;
+    let greater = turn < 0.0 || turn <= 0.0 && end.q >= begin.q;
+    Some(if greater { 1.0 } else { -1.0 })
+}
