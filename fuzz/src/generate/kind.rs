@@ -63,6 +63,8 @@ pub enum StatementKind {
     Spline,
     /// Polar words.
     Polar,
+    /// Lathe cycles with a profile.
+    Turning,
 }
 
 impl StatementKind {
@@ -98,11 +100,12 @@ impl StatementKind {
         Self::Synchronised,
         Self::Spline,
         Self::Polar,
+        Self::Turning,
     ];
 
     /// Whether few programs use it: most of what can follow it is refused.
     pub fn is_rare(self) -> bool {
-        matches!(self, Self::CompensatedMove)
+        matches!(self, Self::CompensatedMove | Self::Turning)
     }
 
     /// Whether its statements have bodies.

@@ -17,4 +17,5 @@ pub const TABLE: &[&[Statement]] = &[
     statements::arcs::STATEMENTS,
     statements::cycles::STATEMENTS,
     statements::compensation::STATEMENTS,
+    statements::turning::STATEMENTS,
 ];

@@ -37,9 +37,9 @@
 //! kept in tenths (`281` is G28.1), since some have a digit after the point. M codes are kept as they are.
 //!
 //! **State of this crate:** the interpreter does text, expressions, parameters, o-words, numbered programs, modes,
-//! straight moves, arcs, cutter compensation, canned cycles, probes, splines and threads, the task every request of an
-//! operator. What the documents leave open of compensated moves ends a run as
-//! [`gaugeblock_vocabulary::End::Unsupported`], and what else they leave undefined as
+//! straight moves, arcs, cutter compensation, canned cycles, lathe cycles, probes, splines and threads, the task every
+//! request of an operator. What the documents leave open of compensated moves and of profiles of lathe cycles ends a
+//! run as [`gaugeblock_vocabulary::End::Unsupported`], and what else they leave undefined as
 //! [`gaugeblock_vocabulary::End::Unspecified`].
 //!
 //! **Invariants.**

@@ -30,6 +30,10 @@
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::mode_select`, except for restores.
 //! * `rs274.compensation-entry-equal`, `rs274.compensation-exit-length`, `rs274.compensation-exit-arc`:
 //!   `modal::compensation`.
+//! * `rs274.turning-traverse-in-place`, `rs274.turning-start-incremental`, `rs274.turning-start-too-far`,
+//!   `rs274.finishing-one-arc`, `rs274.turning-profile-codes` and `rs274.turning-end`: `modal::turning`. A lathe cycle
+//!   forgets the stop or end of its block, and moves other axes with X and Z: no page, because no document mentions
+//!   them.
 
 use gaugeblock_vocabulary::LengthUnit;
 

@@ -12,3 +12,4 @@ pub(super) mod parameters;
 pub(super) mod spindle;
 pub(super) mod text;
 pub(super) mod tool;
+pub(super) mod turning;

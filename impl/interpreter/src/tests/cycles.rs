@@ -31,7 +31,6 @@ fn cycles_in_programs() {
         ("f100\ng81 x1 z-1\nm2\n", "refused at 2 missing_word"),
         ("f100\ng38.2 x1 z-1\nm2\n", "refused at 2 probe"),
         ("f100\ng38.3 x4 z-1\nm2\n", "accepted; #5061 = 4; #5063 = -1; #5070 = 0"),
-        ("g70 q1\nm2\n", "ends unsupported"),
     ]);
 }
 

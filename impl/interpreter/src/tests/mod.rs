@@ -13,6 +13,7 @@ mod parameters;
 mod property;
 mod refused;
 mod text;
+mod turning;
 
 use alloc::collections::BTreeMap;
 use alloc::format;

@@ -40,7 +40,9 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Flow, Refusal> {
         if let Some(pending) = &mut self.pending {
-            pending.stop = stop;
+            // `rs274` forgets it after a lathe cycle: no page yet, because no document mentions it.
+            let is_kept = !self.emulates_rs274 || !matches!(pending.job, Job::Turning);
+            pending.stop = stop.filter(|_| is_kept);
             return self.continue_pending(numbered, sink);
         }
         self.finish(line, stop, numbered, sink)

@@ -4,10 +4,10 @@ use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Lathe, Plane};
 
 use crate::canon::Sink;
 use crate::math;
+use crate::words::Words;
 
 use super::super::Modal;
 use super::super::check::Block;
-use super::super::coordinates::Coordinates;
 use super::super::letters::{X, Z};
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
@@ -82,27 +82,29 @@ impl Modal {
         sink: &mut K,
     ) -> Result<Vector, Refusal> {
         let words = block.words;
-        let before = self.position;
-        let named = words.present & (X | Z);
-        let half = if self.active.now().lathe == Lathe::Diameter { 0.5 } else { 1.0 };
-        let at = |base: Coordinates, incremental: bool| {
-            let place = |axis: Axis, letter: u8, scale: f64| {
-                let here = base.coordinate_of(axis);
-                match words.get(letter) {
-                    Some(word) if incremental => here + word * scale,
-                    Some(word) => word * scale,
-                    None => here,
-                }
-            };
-            Vector { p: place(Axis::Z, b'Z', 1.0), q: place(Axis::X, b'X', half) }
-        };
-        let start = at(before, self.is_incremental());
-        // Quirks rs274.turning-traverse-in-place and rs274.turning-start-incremental.
+        let start = self.lathe_point(words, self.is_incremental());
         if self.emulates_rs274 {
-            self.traverse_in_plane(words.line, at(before, false), sink)?;
-        } else if named != 0 {
+            // Quirks rs274.turning-traverse-in-place and rs274.turning-start-incremental. Other axes move too.
+            let first = self.lathe_point(words, false);
+            self.position = self.position.replaced(words);
+            self.traverse_in_plane(words.line, first, sink)?;
+        } else if words.present & (X | Z) != 0 {
             self.traverse_in_plane(words.line, start, sink)?;
         }
         Ok(start)
+    }
+
+    /// The point of X and Z: Z, X.
+    fn lathe_point(&self, words: &Words, is_incremental: bool) -> Vector {
+        let half = if self.active.now().lathe == Lathe::Diameter { 0.5 } else { 1.0 };
+        let place = |axis: Axis, letter: u8, scale: f64| {
+            let here = self.position.coordinate_of(axis);
+            match words.get(letter) {
+                Some(word) if is_incremental => here + word * scale,
+                Some(word) => word * scale,
+                None => here,
+            }
+        };
+        Vector { p: place(Axis::Z, b'Z', 1.0), q: place(Axis::X, b'X', half) }
     }
 }

@@ -130,6 +130,9 @@ fn intersection(first: &Piece, second: &Piece, near: Vector) -> Result<Vector, R
 fn two_lines(first: &Piece, second: &Piece) -> Result<Vector, Refusal> {
     let (along, across) = (first.start_direction(), second.start_direction());
     let turn = along.cross(across);
+    if turn.abs() <= 1e-12 && along.dot(across) < 0.0 {
+        return Err(Refusal::Unsupported("an offset of moves that go back on themselves".into()));
+    }
     if turn.abs() <= 1e-12 {
         return refuse(FaultKind::Gouging, "lines of a profile that are parallel");
     }

@@ -39,9 +39,9 @@ pub(super) enum Corner {
 #[derive(Clone, Debug)]
 pub(super) struct Reading {
     /// Where the last move ends: Z, X.
-    here: Vector,
+    pub(super) here: Vector,
     /// The motion mode within the sub.
-    motion: Motion,
+    pub(super) motion: Motion,
     pub(super) moves: Vec<ProfileMove>,
 }
 

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use crate::limits::Limit;
 use crate::math;
 
 use super::super::refusal::Refusal;
@@ -9,6 +10,9 @@ use super::super::vector::Vector;
 use super::motions::CycleMotion;
 use super::piece::{Piece, ROUNDING};
 use super::state::{Contour, Pockets};
+
+/// Most levels: all of them differ as numbers.
+const LEVELS_MAX: f64 = 1e15;
 
 /// G71 or G72 under way.
 #[derive(Clone, Debug)]
@@ -129,7 +133,7 @@ impl Roughing {
                     Some(CycleMotion::Traverse(self.here))
                 }
                 Next::Begin => self.begin(&piece)?,
-                Next::Level => self.level(&piece),
+                Next::Level => self.level(&piece)?,
                 Next::Cut(from) => self.cut(from)?,
                 Next::Lift(from, to) => {
                     let half = to.minus(from).length() / 2.0;
@@ -208,9 +212,12 @@ impl Roughing {
     }
 
     /// The next level of a falling piece, or the rest of it.
-    fn level(&mut self, piece: &Piece) -> Option<CycleMotion> {
+    fn level(&mut self, piece: &Piece) -> Result<Option<CycleMotion>, Refusal> {
         let lowest = piece.lowest();
         let first = (self.grid.top - self.here.q) / self.increment - 1.0;
+        if first > LEVELS_MAX {
+            return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
+        }
         let mut count = self.grid.count.max(math::to_count(first));
         let mut depth = self.depth(count);
         while depth > piece.from.q {
@@ -220,12 +227,12 @@ impl Roughing {
         self.grid.count = count;
         if depth <= lowest {
             self.next = Next::Rest;
-            return None;
+            return Ok(None);
         }
         self.grid.count = count.saturating_add(1);
         let point = piece.falling_at(depth);
         self.next = Next::Cut(point);
-        self.follow(piece, point)
+        Ok(self.follow(piece, point))
     }
 
     fn depth(&self, count: u64) -> f64 {

@@ -38,14 +38,15 @@ pub(super) fn rounded(start: Vector, moves: &[ProfileMove]) -> Result<Vec<Piece>
     Ok(pieces)
 }
 
-/// Shortens two pieces for the fillet or the chamfer between them.
+/// Shortens two pieces for the fillet or the chamfer between them. The sign of its radius has no effect.
 fn joint(last: &mut Piece, next: &mut Piece, corner: Corner) -> Result<Option<Piece>, Refusal> {
     let radius = match corner {
         Corner::Sharp => return Ok(None),
         Corner::Fillet(radius) | Corner::Chamfer(radius) => radius,
     };
+    let radius = radius.abs();
     if !(radius > 0.0) {
-        return not_monotonic();
+        return Ok(None);
     }
     if last.as_arc().is_some() || next.as_arc().is_some() {
         return Err(Refusal::Unsupported("a fillet or chamfer next to an arc of a profile".into()));
@@ -57,7 +58,7 @@ fn joint(last: &mut Piece, next: &mut Piece, corner: Corner) -> Result<Option<Pi
     }
     let sense = if cross > 0.0 { 1.0 } else { -1.0 };
     let length = radius * cross.abs() / (1.0 + dot);
-    if length > last.chord() + ROUNDING || length > next.chord() + ROUNDING {
+    if length >= last.chord() || length >= next.chord() {
         return not_monotonic();
     }
     let corner_point = last.to;

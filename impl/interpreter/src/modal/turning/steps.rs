@@ -12,6 +12,7 @@ use super::finishing::Finishing;
 use super::motions::CycleMotion;
 use super::offset::Offset;
 use super::piece::Arc;
+use super::profile_words::Reading;
 use super::roughing::{Cut, Roughing};
 use super::state::{Contour, Kind, Stage, Turning};
 
@@ -74,9 +75,14 @@ impl Modal {
     }
 
     /// The profile is complete. Returns whether the cycle is over: too few moves, or no pass.
-    fn begin_cutting(&self, turning: &mut Turning) -> Result<bool, Refusal> {
+    fn begin_cutting(&mut self, turning: &mut Turning) -> Result<bool, Refusal> {
         let moves_max = self.profile_moves;
-        let Some(contour) = turning.contour(self.emulates_rs274)? else { return Ok(true) };
+        let contour = turning.contour(self.emulates_rs274)?;
+        let is_cut = !matches!(turning.cycle.kind, Kind::Finishing { passes, .. } if passes < 1.0);
+        let Some(contour) = contour.filter(|_| is_cut) else {
+            self.end_without_moves(&turning.reading)?;
+            return Ok(true);
+        };
         turning.contour = contour;
         let contour = &turning.contour;
         turning.stage = match turning.cycle.kind {
@@ -91,6 +97,19 @@ impl Modal {
             }
         };
         Ok(false)
+    }
+
+    /// The end of a cycle that cuts nothing. The documents leave open which mode it leaves; `rs274` goes on as if the
+    /// moves had been made.
+    fn end_without_moves(&mut self, reading: &Reading) -> Result<(), Refusal> {
+        if !self.emulates_rs274 {
+            let why = "the motion mode after a lathe cycle without a cut (11.5.38, 11.5.39)";
+            return Err(Refusal::Unspecified(why.into()));
+        }
+        if !reading.moves.is_empty() {
+            (self.position, self.motion) = (self.in_plane(reading.here), reading.motion);
+        }
+        Ok(())
     }
 
     /// A move of the cycle, as a block of the program would make it.
