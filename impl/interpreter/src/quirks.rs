@@ -22,6 +22,7 @@
 //! * `rs274.polar-repeated` and `rs274.semicolon-plain`: `syntax::block`.
 //! * `rs274.rounded-zero-sign`, `rs274.round-32-bits` and `rs274.absolute-negative-zero`: `syntax::arithmetic`. Sines,
 //!   cosines and tangents of right angles are off by the rounding of a number with 64 bits, whose sign is printed.
+//! * `rs274.message-small-value`: `control::message`.
 //! * `rs274.cancel-with-motion`: `modal::check`. `rs274.probe-same-point`: `modal::probe`.
 //! * `rs274.position-omitted-axes`: `modal::work_offsets`.
 //! * `rs274.blend-q-without-p` and `rs274.tool-offset-unit`: `modal::mode_select`.
@@ -134,6 +135,9 @@ pub(crate) fn at_distance(
     let angle = angle.map_or(from, |more| first + more.to_radians());
     [distance * math::cosine_of_radians(angle), distance * math::sine_of_radians(angle)]
 }
+
+/// The smallest value that a message does not print as zero.
+pub(crate) const PRINTED_MIN: f64 = 0.0001;
 
 /// By what lengths of the tool table are multiplied: `rs274` takes a millimetre for 0.03937007874016 inches.
 pub(crate) const TABLE_SCALE: f64 = 1.0 / (25.4 * 0.039_370_078_740_16);

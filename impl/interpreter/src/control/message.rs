@@ -10,6 +10,7 @@ use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::modal::{Modal, Refusal};
 use crate::parameters::Parameters;
+use crate::quirks;
 use crate::syntax::bytecode::{Act, CodeSegment, Comment, Piece};
 use crate::syntax::{AbsentName, LineCompiler};
 
@@ -141,6 +142,8 @@ impl View<'_> {
             });
             return;
         };
+        let near_zero = self.compiler.emulates_rs274 && value.abs() < quirks::PRINTED_MIN;
+        let value = if near_zero { 0.0 } else { value };
         let cut = decimals == 0 && planted(PlantedFault::IntegerCut);
         let value = if cut { math::truncate(value) } else { value };
         // An integer has no negative zero.

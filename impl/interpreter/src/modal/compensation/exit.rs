@@ -93,6 +93,13 @@ impl Modal {
         Ok(())
     }
 
+    /// The programmed point goes to where the cutter is, where compensation has ended and no move has led away yet.
+    pub(in super::super) fn to_cutter(&mut self) {
+        if let Some(exit) = &mut self.compensation.path_mut().exit {
+            self.position = self.position.plus(core::mem::take(&mut exit.gap));
+        }
+    }
+
     /// Where the last compensated move leads the cutter.
     fn cutter_point(&self) -> Coordinates {
         let Some(last) = &self.compensation.path.last else { return self.position };
