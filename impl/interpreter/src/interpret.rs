@@ -99,8 +99,6 @@ pub struct Interpreter {
     pub(crate) logs: Logs,
     /// The block of words that is not finished: its place, its line, and its kind.
     pub(crate) pending: Option<(Cursor, u32, BlockKind)>,
-    /// How many calls are open outside of the profile that is read.
-    pub(crate) profile_level: usize,
     /// How the run ended.
     ended: Option<Result<End, Error>>,
 }
@@ -162,8 +160,7 @@ impl Interpreter {
         // DEBUG speaks unless the program turns it off (11.4.3.1).
         numbered.set(5599, 1.0);
         let mut modal = Modal::new(&machine, dialect.modes.clone(), &mut numbered)?;
-        modal.limit_waiting(limits.waiting_effects);
-        modal.profile_moves = limits.profile_moves;
+        modal.set_limits(&limits);
         numbered.take_changes(|_, _| ());
         Ok(Self {
             compiler: LineCompiler::new(&machine, dialect.text.clone(), &limits),
@@ -201,7 +198,6 @@ impl Interpreter {
             code_bytes: 0,
             logs: Logs::default(),
             pending: None,
-            profile_level: 0,
             ended: None,
         })
     }

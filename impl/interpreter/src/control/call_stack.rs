@@ -104,12 +104,14 @@ pub(crate) struct CallStack {
     pub(crate) frames: Vec<Frame>,
     /// Level by level, those of the main program first; sorted by label within a level.
     definitions: Vec<Definition>,
+    /// How many levels are outside of the profile that is read.
+    pub(crate) outside_profile: usize,
 }
 
 impl CallStack {
     /// The main program, without labels.
     pub(crate) fn new() -> Self {
-        Self { frames: Vec::new(), definitions: Vec::new() }
+        Self { frames: Vec::new(), definitions: Vec::new(), outside_profile: 0 }
     }
 
     /// How many definitions there are at all levels.

@@ -40,7 +40,7 @@ impl Interpreter {
         self.parameters.numbered.resume_notes();
         match read {
             Ok(Progress::More) => {
-                if self.call_stack.frames.len() <= self.profile_level {
+                if self.call_stack.frames.len() <= self.call_stack.outside_profile {
                     self.modal.end_profile();
                     self.parameters.line = cycle.1;
                 }
@@ -59,7 +59,7 @@ impl Interpreter {
         number: f64,
         source: &mut S,
     ) -> Result<Progress, Error> {
-        self.profile_level = self.call_stack.frames.len();
+        self.call_stack.outside_profile = self.call_stack.frames.len();
         match self.call_by_number(number, source) {
             Ok(()) => {
                 self.modal.begin_profile();

@@ -26,6 +26,8 @@ use alloc::format;
 
 use gaugeblock_vocabulary::{Axis, Compensation, Plane};
 
+use crate::limits::Limits;
+
 use super::Modal;
 use super::coordinates::Coordinates;
 use super::refusal::Refusal;
@@ -91,9 +93,10 @@ impl Modal {
         self.compensation.lose_waiting();
     }
 
-    /// Sets how many settings and effects may wait.
-    pub(crate) fn limit_waiting(&mut self, limit: u32) {
-        self.compensation.queue = Queue::new(limit);
+    /// Sets how many settings and effects may wait, and how many moves a profile may have.
+    pub(crate) fn set_limits(&mut self, limits: &Limits) {
+        self.compensation.queue = Queue::new(limits.waiting_effects);
+        self.profile_moves = limits.profile_moves;
     }
 }
 

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use gaugeblock_vocabulary::{Effect, FaultKind, Settings, Tool};
 
 use crate::canon::{Reply, Sink, Waiting};
+use crate::limits::Limits;
 use crate::parameters::Numbered;
 
 use super::super::{Flow, Modal, Refusal};
@@ -291,7 +292,7 @@ fn an_error_loses_what_waits() {
 fn what_waits_is_bounded() {
     let mut numbered = Numbered::new();
     let mut modal = modal(&machine(), &Default::default(), &mut numbered).unwrap();
-    modal.limit_waiting(10);
+    modal.set_limits(&Limits { waiting_effects: 10, ..Limits::default() });
     let mut path = Path::default();
     for (line, text) in (1..).zip(["f10", "g41.1 d2", "g1 x5"]) {
         assert!(modal.execute(&words(line, text), &mut numbered, &mut path).is_ok());

@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::FaultKind::{
     AxisWords, MissingWord, ModalConflict, NoSuchAxis, TooManyMCodes, UnknownCode, UnusedWord,
 };
 
-use super::Expect::{After, Effects, Refused, Unsupported};
+use super::Expect::{After, Effects, Refused};
 use super::{check, check_on, machine};
 
 #[test]
@@ -73,8 +73,8 @@ fn codes_are_counted_and_known() {
     for program in ["m10", "m54", "m69", "m200", "m1000", "g1.1", "g12", "g85.5", "g99.9"] {
         check(program, Refused(UnknownCode));
     }
-    for program in ["g70", "g71", "g70 q1", "g71.2 q1", "g72"] {
-        check(program, Unsupported);
+    for program in ["g70", "g71", "g71.1", "g71.2", "g72", "g72.1", "g72.2"] {
+        check(program, Refused(MissingWord));
     }
 }
 

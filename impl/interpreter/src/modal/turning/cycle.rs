@@ -11,7 +11,8 @@ use super::super::check::Block;
 use super::super::letters::{X, Z};
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
-use super::state::{Cycle, Kind, Pockets, Turning};
+use super::numbers::{Cycle, Kind, Pockets};
+use super::state::Turning;
 
 /// P of G70 where it is not programmed.
 const PASSES: f64 = 1.0;
@@ -65,7 +66,7 @@ impl Modal {
             return refuse(FaultKind::NotAnInteger, "Q of a lathe cycle is not an integer");
         }
         if let Kind::Roughing { increment, .. } = kind
-            && !(increment > 0.0)
+            && increment <= 0.0
         {
             return refuse(FaultKind::WordOutOfRange, "I of a lathe cycle is not positive");
         }

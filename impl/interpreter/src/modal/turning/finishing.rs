@@ -3,8 +3,8 @@
 use crate::math;
 
 use super::motions::CycleMotion;
+use super::numbers::Contour;
 use super::offset::Offset;
-use super::state::Contour;
 
 /// G70 under way.
 #[derive(Clone, Debug)]

@@ -39,7 +39,7 @@ impl Offset {
 
     /// Makes a step; whether the offset is complete then.
     pub(super) fn step(&mut self) -> Result<bool, Refusal> {
-        if !(self.left > 0.0) {
+        if self.left <= 0.0 {
             return Ok(true);
         }
         self.steps = self.steps.saturating_add(1);
@@ -66,7 +66,7 @@ impl Offset {
             return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
         }
         self.pieces = joined;
-        Ok(!(self.left > 0.0))
+        Ok(self.left <= 0.0)
     }
 }
 

@@ -5,9 +5,10 @@ use alloc::vec::Vec;
 use super::super::refusal::Refusal;
 use super::super::vector::Vector;
 use super::frame::Frame;
+use super::numbers::{Contour, Kind};
 use super::piece::Piece;
 use super::rounding::{not_monotonic, rounded};
-use super::state::{Contour, Kind, Turning};
+use super::state::Turning;
 
 impl Turning {
     /// Makes a contour of the moves; none where they are too few.

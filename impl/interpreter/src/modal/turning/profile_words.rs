@@ -1,7 +1,5 @@
 //! The blocks of a profile's sub: their words become moves.
 
-use alloc::vec::Vec;
-
 use gaugeblock_vocabulary::{Distance, FaultKind, Lathe, Motion};
 
 use crate::limits::Limit;
@@ -15,42 +13,8 @@ use super::super::motion_codes::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::piece::{Arc, Curve};
+use super::reading::{Corner, ProfileMove, Reading};
 use super::state::{ProfileStage, Stage, Turning};
-
-/// A move of a profile as it is written: Z, X.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ProfileMove {
-    pub(super) to: Vector,
-    pub(super) curve: Curve,
-    pub(super) corner: Corner,
-}
-
-/// What a move has at its end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Corner {
-    Sharp,
-    /// A: a fillet of this radius.
-    Fillet(f64),
-    /// C: the chord of such a fillet.
-    Chamfer(f64),
-}
-
-/// A profile that is read.
-#[derive(Clone, Debug)]
-pub(super) struct Reading {
-    /// Where the last move ends: Z, X.
-    pub(super) here: Vector,
-    /// The motion mode within the sub.
-    pub(super) motion: Motion,
-    pub(super) moves: Vec<ProfileMove>,
-}
-
-impl Reading {
-    /// A profile before its first block.
-    pub(super) fn new(start: Vector) -> Self {
-        Self { here: start, motion: Motion::Feed, moves: Vec::new() }
-    }
-}
 
 impl Modal {
     /// What the cycle in progress needs from the control side; none where that is nothing.
@@ -106,10 +70,12 @@ impl Modal {
             return Ok(());
         }
         let to = self.profile_point(words, reading.here)?;
-        let curve = match reading.motion {
-            Motion::ArcClockwise => self.profile_arc(words, reading.here, to, -1.0)?,
-            Motion::ArcCounterclockwise => self.profile_arc(words, reading.here, to, 1.0)?,
-            _ => Curve::Line,
+        let curve = if reading.motion == Motion::ArcClockwise {
+            self.profile_arc(words, reading.here, to, -1.0)?
+        } else if reading.motion == Motion::ArcCounterclockwise {
+            self.profile_arc(words, reading.here, to, 1.0)?
+        } else {
+            Curve::Line
         };
         let corner = corner_of(words)?;
         if to == reading.here {

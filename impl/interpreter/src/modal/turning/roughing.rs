@@ -8,8 +8,8 @@ use crate::math;
 use super::super::refusal::Refusal;
 use super::super::vector::Vector;
 use super::motions::CycleMotion;
+use super::numbers::{Contour, Pockets};
 use super::piece::{Piece, ROUNDING};
-use super::state::{Contour, Pockets};
 
 /// Most levels: all of them differ as numbers.
 const LEVELS_MAX: f64 = 1e15;
@@ -51,6 +51,8 @@ enum Next {
     Start,
     /// A piece begins.
     Begin,
+    /// A falling piece that is not cut.
+    PassOver,
     /// A falling piece: the next level, or the rest of it.
     Level,
     /// The point of a level is reached: the level is cut.
@@ -133,6 +135,7 @@ impl Roughing {
                     Some(CycleMotion::Traverse(self.here))
                 }
                 Next::Begin => self.begin(&piece)?,
+                Next::PassOver => self.pass_over(&piece)?,
                 Next::Level => self.level(&piece)?,
                 Next::Cut(from) => self.cut(from)?,
                 Next::Lift(from, to) => {
@@ -176,7 +179,12 @@ impl Roughing {
         match self.pockets {
             Pockets::Cut if falls => self.next = Next::Level,
             Pockets::Left if falls && !climbed => self.next = Next::Level,
-            Pockets::Left if falls => return self.pass_over(piece),
+            Pockets::Left if falls => {
+                self.next = Next::PassOver;
+                if self.begins_at_top(piece) {
+                    return Ok(Some(CycleMotion::Feed(piece.from)));
+                }
+            }
             Pockets::Left => {
                 self.next = Next::Rest;
                 return Ok(Some(CycleMotion::Feed(piece.from)));
@@ -191,6 +199,15 @@ impl Roughing {
             Pockets::Cut | Pockets::Alone => self.next = Next::Rest,
         }
         Ok(None)
+    }
+
+    /// Whether a piece is an arc that begins at its highest point, and not the second half of one that was split.
+    fn begins_at_top(&self, piece: &Piece) -> bool {
+        let Some(arc) = piece.as_arc() else { return false };
+        let before = self.place.checked_sub(1).and_then(|place| self.path.get(place));
+        let is_split =
+            before.and_then(Piece::as_arc).is_some_and(|before| before.centre == arc.centre);
+        !is_split && (piece.from.p - arc.centre.p).abs() <= ROUNDING
     }
 
     /// G71.1 goes over a pocket, along a level to the first point that is as high as its edge.

@@ -7,7 +7,7 @@ use gaugeblock_vocabulary::FaultKind;
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::piece::{Arc, Curve, Piece, ROUNDING};
-use super::profile_words::{Corner, ProfileMove};
+use super::reading::{Corner, ProfileMove};
 
 /// A piece shorter than this is dropped; program units.
 pub(super) const SHORTEST: f64 = 0.001;
@@ -45,7 +45,7 @@ fn joint(last: &mut Piece, next: &mut Piece, corner: Corner) -> Result<Option<Pi
         Corner::Fillet(radius) | Corner::Chamfer(radius) => radius,
     };
     let radius = radius.abs();
-    if !(radius > 0.0) {
+    if radius <= 0.0 {
         return Ok(None);
     }
     if last.as_arc().is_some() || next.as_arc().is_some() {

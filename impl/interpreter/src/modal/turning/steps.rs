@@ -10,11 +10,12 @@ use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::finishing::Finishing;
 use super::motions::CycleMotion;
+use super::numbers::{Contour, Kind};
 use super::offset::Offset;
 use super::piece::Arc;
-use super::profile_words::Reading;
+use super::reading::Reading;
 use super::roughing::{Cut, Roughing};
-use super::state::{Contour, Kind, Stage, Turning};
+use super::state::{Stage, Turning};
 
 impl Modal {
     /// Performs the next move of a lathe cycle, or a part of the work before it. Returns whether it was the last one.
