@@ -107,6 +107,8 @@ quirks! {
     /// A file that is called may define further subs in addition to its own; the head of one within its own
     /// does nothing.
     FILE_WITH_TWO_SUBS = "rs274.file-with-two-subs",
+    /// G70 refuses a single arc towards greater Z that is not monotonic in X.
+    FINISHING_ONE_ARC = "rs274.finishing-one-arc",
     /// Only the first spindle's state is saved and restored.
     FIRST_SPINDLE_SAVED = "rs274.first-spindle-saved",
     /// A G code may be off by a ten-thousandth itself, not only ten times it.
@@ -356,6 +358,19 @@ quirks! {
     /// shifts the position, and G53, G28, G30, what G28.1 and G30.1 store, where M6 moves to and what G10 L10
     /// and L11 measure are off the point.
     TOOL_OFFSET_UNIT = "rs274.tool-offset-unit",
+    /// After the profile G71 and G72 go on along their depth axis as far as the position before the cycle.
+    TURNING_END = "rs274.turning-end",
+    /// Blocks of a profile are checked as blocks are, and the axes of G92 and G10 count as a move.
+    TURNING_PROFILE_CODES = "rs274.turning-profile-codes",
+    /// Under G91 the first traverse of a lathe cycle takes X and Z for a position, and the second one adds
+    /// them to the position before.
+    TURNING_START_INCREMENTAL = "rs274.turning-start-incremental",
+    /// The position before the profile becomes that of its start along the axis of travel where it lies
+    /// beyond the start in the direction of travel.
+    TURNING_START_TOO_FAR = "rs274.turning-start-too-far",
+    /// A lathe cycle without X and Z begins with a traverse in place, and a second traverse to the position
+    /// before the profile follows.
+    TURNING_TRAVERSE_IN_PLACE = "rs274.turning-traverse-in-place",
     /// Parameters that a call does not pass are zero in the sub.
     UNPASSED_ARGUMENTS_ZERO = "rs274.unpassed-arguments-zero",
     /// Q-1 is allowed in a block of which no code uses Q, and in a later block of a row of G73 or G83, where

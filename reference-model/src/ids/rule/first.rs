@@ -37,8 +37,9 @@ pub(super) const TEXT: u16 = 841;
 pub(super) const THREADING: u16 = 873;
 pub(super) const TOOL: u16 = 892;
 pub(super) const TRAJECTORY: u16 = 962;
-pub(super) const UNITS_PLANES: u16 = 979;
-pub(super) const USER_CODES: u16 = 999;
+pub(super) const TURNING: u16 = 979;
+pub(super) const UNITS_PLANES: u16 = 1006;
+pub(super) const USER_CODES: u16 = 1026;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 1012;
+pub(crate) const COUNT: u16 = 1039;

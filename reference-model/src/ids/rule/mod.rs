@@ -38,6 +38,7 @@ pub mod text;
 pub mod threading;
 pub mod tool;
 pub mod trajectory;
+pub mod turning;
 pub mod units_planes;
 pub mod user_codes;
 
@@ -82,6 +83,7 @@ pub(crate) const CHAPTERS: &[&[&str]] = &[
     threading::CHAPTER_IDS,
     tool::CHAPTER_IDS,
     trajectory::CHAPTER_IDS,
+    turning::CHAPTER_IDS,
     units_planes::CHAPTER_IDS,
     user_codes::CHAPTER_IDS,
 ];
