@@ -42,6 +42,7 @@ use super::execute::threading::ThreadingRules;
 use super::execute::tool_change::ToolChangeRules;
 use super::execute::tool_length::ToolLengthRules;
 use super::execute::tool_table::ToolTableRules;
+use super::execute::turning::TurningRules;
 use super::execute::units_planes::UnitsAndPlanesRules;
 use super::modes::ModesRules;
 use super::order::OrderRules;
@@ -93,6 +94,7 @@ pub(crate) trait Dialect:
     + ToolChangeRules
     + ToolLengthRules
     + ToolTableRules
+    + TurningRules
     + UnitsAndPlanesRules
     + WordRules
     + Debug
@@ -145,6 +147,7 @@ impl ThreadingRules for Documented {}
 impl ToolChangeRules for Documented {}
 impl ToolLengthRules for Documented {}
 impl ToolTableRules for Documented {}
+impl TurningRules for Documented {}
 impl UnitsAndPlanesRules for Documented {}
 impl WordRules for Documented {}
 impl Dialect for Documented {}

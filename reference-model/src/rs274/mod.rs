@@ -8,6 +8,7 @@
 //! | [`modes`] | the table of codes and modal groups; the modes in force |
 //! | [`parameters`] | numbered and named parameters, scopes, the predefined ones |
 //! | `planar` | lines and arcs in the plane, and the curves of a compensated tool along them |
+//! | `turning` | profiles of lathe cycles: pieces, corners, offsets |
 //! | [`state`] | the whole state, a sentence per field |
 //! | [`check`] | what is refused before anything of the block is done |
 //! | [`order`] | the fixed order of execution inside a block |
@@ -34,6 +35,7 @@ pub mod state;
 pub mod syntax;
 pub mod task;
 pub mod text;
+pub(crate) mod turning;
 
 use gaugeblock_vocabulary::{Outcome, Scenario};
 

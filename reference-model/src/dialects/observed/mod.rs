@@ -38,6 +38,7 @@ mod text;
 mod threading;
 mod tool_length;
 mod tools;
+mod turning;
 mod units_planes;
 mod values;
 mod words;

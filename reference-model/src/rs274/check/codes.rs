@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use gaugeblock_vocabulary::{Compensation, FaultKind};
+use gaugeblock_vocabulary::FaultKind;
 
 use crate::Choices;
 use crate::ids::{Rule, choice, rule};
@@ -15,28 +15,13 @@ use crate::rs274::state::State;
 /// Most M words of a block.
 const MOST_M_WORDS: usize = 4;
 
-/// Refuses unknown codes, too many of them, and codes that exclude each other; then codes of later issues.
+/// Refuses unknown codes, too many of them, and codes that exclude each other.
 pub(super) fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
     count(words, state)?;
     let codes = known(words, state)?;
     groups(words, &codes, state)?;
     state.dialect().check_axis_words(words, &codes, state)?;
-    length_off_alone(&codes, state)?;
-    no_lathe_cycle(words, state)?;
-    match codes.iter().find_map(|(text, code)| Some((text, code.later?))) {
-        Some((text, what)) => Err(StepError::Unsupported(format!("{text}: {what}"))),
-        None => Ok(()),
-    }
-}
-
-/// docs/compensation.md, "Codes under compensation": G71 and G72 are refused.
-fn no_lathe_cycle(words: &Words, state: &State) -> Result<(), StepError> {
-    let is_lathe_cycle = words.g_tenths.iter().any(|code| (710..=722).contains(code));
-    if is_lathe_cycle && state.modes.compensation != Compensation::Off {
-        let message = "a lathe cycle while cutter compensation is on";
-        return Err(refuse(rule::tool::COMPENSATION, FaultKind::CompensationActive, message));
-    }
-    Ok(())
+    length_off_alone(&codes, state)
 }
 
 /// Rule modal-groups.four-m-words. A block holds up to four M words.

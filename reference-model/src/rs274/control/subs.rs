@@ -239,7 +239,20 @@ impl Control {
         state: &mut State,
     ) -> Result<Next, StepError> {
         let arguments = arguments(&word.arguments, state)?;
-        let sub = self.found(label, &arguments, state)?;
+        self.call_with(label, &arguments, state)
+    }
+
+    /// Calls a sub with arguments that are evaluated.
+    ///
+    /// # Errors
+    /// The sub is not defined. Calls are nested too deep.
+    pub(crate) fn call_with(
+        &mut self,
+        label: &str,
+        arguments: &[f64],
+        state: &mut State,
+    ) -> Result<Next, StepError> {
+        let sub = self.found(label, arguments, state)?;
         deeper(rule::subroutines::LEVEL_LIMIT, state)?;
         state.dialect().clear_value_at_call(state);
         if state.call_level() > 0 {
@@ -256,7 +269,7 @@ impl Control {
         let back = Place { line: self.place.line + 1, ..self.place };
         let call = Call { label: label.to_owned(), back, style: Style::OWord };
         let frame =
-            Frame { arguments: passed(&arguments, state), call: Some(call), ..Frame::default() };
+            Frame { arguments: passed(arguments, state), call: Some(call), ..Frame::default() };
         let first = Place { line: sub.line + 1, ..sub };
         Ok(state.dialect().enter_call(self, frame, first, state))
     }

@@ -99,9 +99,10 @@ pub(crate) trait EvaluationRules {
     /// nothing is done.
     fn begin_setting(&self, _name: &Name, _state: &mut State) {}
 
-    /// Rule text.word-letters. E is not a letter of the table: only G76 and M66 to M68 have it.
+    /// Rule text.word-letters. E is not a letter of the table: only G70, G76 and M66 to M68 have it.
     fn takes_e(&self, words: &Words, _state: &State) -> bool {
-        words.m.iter().any(|code| (66..=68).contains(code)) || words.g_tenths.contains(&760)
+        words.m.iter().any(|code| (66..=68).contains(code))
+            || words.g_tenths.iter().any(|code| [700, 760].contains(code))
     }
 
     /// Rule modal-groups.code-close-to-integer. The integer that ten times the number of a G code means.

@@ -37,7 +37,6 @@ pub(super) fn perform(
     let axes = axes(state)?;
     let turns = turns(words, state)?;
     one_format(axes, words)?;
-    let start = programmed_point(state);
     let end = end_point(words, state)?;
     let clockwise = motion == Motion::ArcClockwise;
     let centre = match word(words, 'r') {
@@ -45,6 +44,37 @@ pub(super) fn perform(
         None => centre_of_offsets(axes, end, words, state)?,
     };
     let turns = if clockwise { -turns } else { turns };
+    cut(motion, axes, end, (centre, turns), state, record)
+}
+
+/// Moves along an arc whose end and centre are found already, less than a full turn.
+///
+/// # Errors
+/// Rules arcs.unequal-radii and arcs.zero-radius.
+pub(super) fn about(
+    centre: InPlane,
+    motion: Motion,
+    end: Position,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let axes = axes(state)?;
+    let start = axes.in_plane(programmed_point(state));
+    same_radius(start, centre, axes.in_plane(end), state)?;
+    let turns = if motion == Motion::ArcClockwise { -1 } else { 1 };
+    cut(motion, axes, end, (centre, turns), state, record)
+}
+
+/// Moves along an arc that is checked.
+fn cut(
+    motion: Motion,
+    axes: Axes,
+    end: Position,
+    (centre, turns): (InPlane, i32),
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let start = programmed_point(state);
     check_after_compensation(state)?;
     report_accepted(axes, start, end, state);
     if compensation::applies(state) {
@@ -359,6 +389,20 @@ fn centre_of_radius(
         let message = "an arc with a radius that ends where it starts";
         return Err(refuse(rule::arcs::RADIUS_SAME_POINT, FaultKind::BadArc, message));
     }
+    state.dialect().centre_from_radius(start, half_chord(start, end), radius, clockwise, state)
+}
+
+/// The centre of the arc with a radius from a start to another point.
+///
+/// # Errors
+/// Rule arcs.radius-too-small.
+pub(super) fn centre_through(
+    start: InPlane,
+    end: InPlane,
+    radius: f64,
+    clockwise: bool,
+    state: &mut State,
+) -> Result<InPlane, StepError> {
     state.dialect().centre_from_radius(start, half_chord(start, end), radius, clockwise, state)
 }
 

@@ -34,6 +34,7 @@ pub mod tool;
 pub mod tool_change;
 pub mod tool_length;
 pub(crate) mod tool_table;
+pub(crate) mod turning;
 pub mod units_planes;
 pub mod user_codes;
 mod word;

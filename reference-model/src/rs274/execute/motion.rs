@@ -8,7 +8,7 @@ use super::arc;
 use super::feed::check_feed_rate;
 use super::programmed_motion::{by_offsets_alone, is_arc, is_feed, is_spline, motion_of};
 use super::target::{end_point, machine_end_point};
-use super::{compensation, cycles, probe, splines, threading};
+use super::{compensation, cycles, probe, splines, threading, turning};
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
@@ -26,6 +26,9 @@ use crate::rs274::task::Record;
 pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     if !cycles::is_cycle(state.modes.motion) {
         state.series = None;
+    }
+    if turning::is_programmed(words) {
+        return turn(words, state, record);
     }
     let Some(motion) = motion_of(words, state) else { return Ok(()) };
     let programmed = words.g_tenths.iter().any(|code| motion_mode(*code).is_some());
@@ -70,6 +73,18 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     } else {
         without_axis_words(motion, words, state, record)
     }
+}
+
+/// A lathe cycle, which ends series of other cycles as any motion does.
+fn turn(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    if state.curve.open.is_some() {
+        return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
+    }
+    if state.series.take().is_some() {
+        state.coverage.accepted(rule::cycles::CANCELLED_BY_MOTION);
+    }
+    state.curve = Curve::default();
+    turning::perform(words, state, record)
 }
 
 /// Names the rule by which a block has its motion: by its own code, or by the mode in force.
@@ -252,6 +267,17 @@ fn move_to(
     } else {
         end_point(words, state)?
     };
+    lead_to(motion, end, words, state, record)
+}
+
+/// Leads straight to a point that is found already, with the tool compensated where that is on.
+pub(super) fn lead_to(
+    motion: Motion,
+    end: Position,
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
     let start = compensation::programmed_point(state);
     compensation::lead_away(end, state)?;
     state.dialect().straight_move_leads(motion, start, end, state);

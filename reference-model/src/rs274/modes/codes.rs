@@ -1,5 +1,4 @@
-//! The table of codes: the modal group of each code, the words that it uses, and what this model leaves to a later
-//! issue.
+//! The table of codes: the modal group of each code, and the words that it uses.
 
 use super::groups::ModalGroup;
 use super::groups::ModalGroup as Group;
@@ -15,28 +14,21 @@ pub struct Code {
     pub words: &'static str,
     /// Whether it uses axis words.
     pub axis_words: bool,
-    /// What it belongs to, when the model does not specify it yet.
-    pub later: Option<&'static str>,
 }
 
 /// A code of a modal group with the letters that it uses.
 const fn code(number: u32, group: ModalGroup, words: &'static str) -> Code {
-    Code { number, group: Some(group), words, axis_words: false, later: None }
+    Code { number, group: Some(group), words, axis_words: false }
 }
 
 /// A code of a modal group that uses axis words.
 const fn axes(number: u32, group: ModalGroup, words: &'static str) -> Code {
-    Code { number, group: Some(group), words, axis_words: true, later: None }
-}
-
-/// A code that is not specified yet.
-const fn later(number: u32, group: ModalGroup, what: &'static str) -> Code {
-    Code { number, group: Some(group), words: "", axis_words: true, later: Some(what) }
+    Code { number, group: Some(group), words, axis_words: true }
 }
 
 /// A code of no modal group.
 const fn alone(number: u32, words: &'static str) -> Code {
-    Code { number, group: None, words, axis_words: false, later: None }
+    Code { number, group: None, words, axis_words: false }
 }
 
 /// The letters of an arc: offsets of its centre, its radius, its turns.
@@ -97,13 +89,13 @@ pub const G_CODES: &[Code] = &[
     code(610, Group::Path, ""),
     code(611, Group::Path, ""),
     code(640, Group::Path, "pq"),
-    later(700, Group::Motion, "lathe cycles"),
-    later(710, Group::Motion, "lathe cycles"),
-    later(711, Group::Motion, "lathe cycles"),
-    later(712, Group::Motion, "lathe cycles"),
-    later(720, Group::Motion, "lathe cycles"),
-    later(721, Group::Motion, "lathe cycles"),
-    later(722, Group::Motion, "lathe cycles"),
+    axes(700, Group::Motion, "qdep"),
+    axes(710, Group::Motion, "qdir"),
+    axes(711, Group::Motion, "qdir"),
+    axes(712, Group::Motion, "qdir"),
+    axes(720, Group::Motion, "qdir"),
+    axes(721, Group::Motion, "qdir"),
+    axes(722, Group::Motion, "qdir"),
     axes(730, Group::Motion, "rql"),
     axes(740, Group::Motion, "rlp$"),
     axes(760, Group::Motion, "pzijrkqhel$"),

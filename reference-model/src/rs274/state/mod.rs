@@ -22,6 +22,7 @@ use super::environment::EnvironmentState;
 use super::modes::Modes;
 use super::parameters::Parameters;
 use super::syntax::Room;
+use super::turning::Move;
 use crate::Choices;
 use crate::RuleCoverage;
 use crate::dialects::Memory;
@@ -63,6 +64,8 @@ pub struct State {
     pub curve: Curve,
     /// The contour along which the cutter is compensated.
     pub contour: Contour,
+    /// The moves of the profile of the lathe cycle that is about to be executed; none at other times.
+    pub(crate) profile: Option<Vec<Move>>,
     /// What the dialect remembers; nothing by the documents.
     #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) memory: Memory,
@@ -234,6 +237,7 @@ impl State {
             series: None,
             curve: Curve::default(),
             contour: Contour::default(),
+            profile: None,
             panel: Panel::new(&Machine::default()),
             environment: EnvironmentState::new(
                 &gaugeblock_vocabulary::scenario::Environment::default(),

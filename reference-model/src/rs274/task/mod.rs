@@ -5,6 +5,7 @@
 //! | [`program`] | block after block: parsed, evaluated, checked, executed, recorded |
 //! | [`operator`] | what the operator does, and when |
 //! | [`mod@run`] | the state of a run |
+//! | [`profile`] | the subroutine with the profile of a lathe cycle |
 //! | [`moves`] | moves of a block that are held where they begin |
 //! | [`wait`] | the operator's events while the program waits, pauses or is stopped |
 //! | [`request`] | what the controller does with a request, or refuses, by its mode |
@@ -22,6 +23,7 @@ mod idle;
 mod moves;
 mod operator;
 mod pins;
+mod profile;
 mod program;
 mod record;
 mod request;
@@ -219,6 +221,7 @@ pub(super) fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rou
         series: None,
         curve: Curve::default(),
         contour: Contour::default(),
+        profile: None,
         pin_snapshot: None,
         room: Room::default(),
         coverage: RuleCoverage::default(),

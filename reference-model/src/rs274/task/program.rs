@@ -81,7 +81,7 @@ impl ModelRun<'_> {
     /// Rules program-end.missing, text.percent-unclosed. The file has ended, the program has not.
     ///
     /// Rule subroutines.missing-endsub. Nor has a sub that began in it.
-    fn missing_end(&self) -> StepError {
+    pub(super) fn missing_end(&self) -> StepError {
         if self.state.frame().is_sub() {
             let message = "the file ends without an endsub";
             return refuse(rule::subroutines::MISSING_ENDSUB, FaultKind::MissingEnd, message);
@@ -203,11 +203,7 @@ impl ModelRun<'_> {
             let mut began = self.state.environment.time();
             let may_break_off = may_take_time(phase) && self.operator.is_due();
             let before = may_break_off.then(|| self.without_coverage());
-            let executed = if self.is_watched(phase, words) {
-                self.watched(phase, words, &mut began)
-            } else {
-                order::execute_phase(phase, words, &mut self.state, &mut self.record)
-            };
+            let executed = self.perform_phase(phase, words, &mut began);
             let refused = match executed {
                 Ok(done) => {
                     after_phase = done;
@@ -256,6 +252,22 @@ impl ModelRun<'_> {
             control::assign(settings, &mut self.state)?;
         }
         Ok(after_phase)
+    }
+
+    /// Executes a phase; that of a lathe cycle needs its profile first. `began` becomes the time of the last wait.
+    fn perform_phase(
+        &mut self,
+        phase: Phase,
+        words: &Words,
+        began: &mut f64,
+    ) -> Result<AfterPhase, StepError> {
+        if phase == Phase::Motion && execute::turning::is_programmed(words) {
+            self.read_profile(words)?;
+        }
+        if self.is_watched(phase, words) {
+            return self.watched(phase, words, began);
+        }
+        order::execute_phase(phase, words, &mut self.state, &mut self.record)
     }
 
     /// A block waits for ever for one of its phases. Where a later one has a fault, no document says whether that is

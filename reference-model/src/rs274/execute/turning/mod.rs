@@ -1,0 +1,137 @@
+//! Lathe cycles, G70 to G72.2: each is rewritten into traverses, feeds and arcs along a profile.
+//!
+//! | room | what it settles |
+//! | --- | --- |
+//! | [`cycle`] | the numbers of a block: which cycle, where it starts, which subroutine has its profile |
+//! | [`profile`] | which blocks of the subroutine are moves, and where they lead |
+//! | [`finishing`] | G70: passes along the profile |
+//! | [`roughing`] | G71, G72 and their variants: layers down to the profile |
+//! | [`tool`] | the moves that a cycle is rewritten into |
+//!
+//! The facts are in docs/turning.md, the geometry of a profile in [`turning`](crate::rs274::turning). The run executes
+//! the subroutine, since blocks come next to it, and leaves the moves in the state.
+
+mod cycle;
+mod finishing;
+mod levels;
+mod profile;
+mod roughing;
+mod tool;
+
+use gaugeblock_vocabulary::{Axis, Position};
+
+pub(crate) use cycle::{called_label, is_programmed, start_of};
+pub(crate) use profile::Reading;
+pub(crate) use tool::traverse;
+
+use super::letter;
+use super::target::moved;
+use super::word;
+use crate::ids::rule;
+use crate::rs274::evaluate::Words;
+use crate::rs274::refusal::StepError;
+use crate::rs274::state::State;
+use crate::rs274::task::Record;
+use crate::rs274::turning::{Curve, Point, Travel, pieces};
+
+/// Operations on lathe cycles that a dialect can replace.
+pub(crate) trait TurningRules {
+    /// Rule turning.first-traverse. With an axis word a cycle begins with a traverse to its start.
+    fn traverse_to_start(
+        &self,
+        start: Position,
+        words: &Words,
+        state: &mut State,
+        record: &mut Record,
+    ) -> Result<(), StepError> {
+        if !has_start(words) {
+            return Ok(());
+        }
+        traverse(start, state, record)?;
+        state.coverage.accepted(rule::turning::FIRST_TRAVERSE);
+        Ok(())
+    }
+
+    /// Whether a traverse to the start comes before the path even if the tool is there already: between passes alone.
+    fn traverses_to_start_again(&self, _state: &State) -> bool {
+        false
+    }
+
+    /// Rule turning.finishing-path. The start of the cycle along its axis of travel, where it is kept even if it lies
+    /// beyond that of the profile in the direction of travel. Both are given in that direction.
+    fn start_along_travel(&self, start: f64, _of_profile: f64, _state: &State) -> f64 {
+        start
+    }
+
+    /// Rule turning.profile-ignored. What is checked of a block of a profile: nothing, as all but its moves is ignored.
+    fn check_profile_block(&self, _words: &Words, _state: &mut State) -> Result<(), StepError> {
+        Ok(())
+    }
+
+    /// Rule turning.profile-ignored. Whether the axis words of another code than a motion make a move: the code is
+    /// ignored, and they with it.
+    fn moves_by_other_codes(&self, _state: &State) -> bool {
+        false
+    }
+
+    /// Rule turning.finishing-monotonic. Whether G70 follows a profile along Z: it leads one way in Z.
+    fn finishes_along_z(&self, travel: Travel, _ends: [Point; 2], _state: &State) -> bool {
+        travel.is_monotonic()
+    }
+
+    /// Rule turning.roughing-end. Whether the tool goes on from the end of the profile to the depth where the cycle
+    /// starts: it stays there.
+    fn goes_on_to_start_depth(&self, _state: &State) -> bool {
+        false
+    }
+}
+
+/// Whether a block of a lathe cycle says where the cycle starts.
+pub(crate) fn has_start(words: &Words) -> bool {
+    Axis::ALL.iter().any(|axis| word(words, letter(*axis)).is_some())
+}
+
+/// The point that the axis words name as a position, whatever the distance mode is.
+pub(crate) fn absolute_start(words: &Words, state: &State) -> Position {
+    let mut start = state.position;
+    for (axis, value) in moved(words, state) {
+        *start.get_mut(axis) = value;
+    }
+    start
+}
+
+/// Executes a lathe cycle whose profile has been read.
+///
+/// Rule turning.first-traverse. It begins with a traverse to X and Z. A profile of fewer than two moves has nothing to
+/// cut.
+///
+/// # Errors
+/// What a profile is refused for. A profile that nothing has read.
+pub(crate) fn perform(
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let Some(moves) = state.profile.take() else {
+        let why = "a lathe cycle that is executed without its subroutine".to_owned();
+        return Err(StepError::Unspecified(why));
+    };
+    let cycle = cycle::find(words, state)?;
+    state.dialect().traverse_to_start(cycle.start, words, state, record)?;
+    let pieces = pieces(&moves)?;
+    if pieces.len() < 2 {
+        return Ok(());
+    }
+    if pieces[0].curve != Curve::Line {
+        let why = "a profile whose first move is an arc".to_owned();
+        return Err(StepError::Unspecified(why));
+    }
+    for rule in [rule::turning::PROFILE_SUBROUTINE, rule::turning::PROFILE_MOVES] {
+        state.coverage.accepted(rule);
+    }
+    if cycle.is_finishing() {
+        finishing::perform(&cycle, &moves, &pieces, state, record)
+    } else {
+        roughing::perform(&cycle, &moves, &pieces, state, record)
+    }
+}
