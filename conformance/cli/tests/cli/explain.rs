@@ -16,7 +16,6 @@ fn an_id_and_a_code_are_explained() {
     assert!(text.contains("saved-state.autorestore"), "{text}");
     refused(&["explain", "saved-state.fed"], 2, &["unknown", "saved-state.feed"]);
     refused(&["explain", "saved-state"], 2, &["is a chapter", "gaugeblock rules saved-state"]);
-    refused(&["explain", "G71"], 2, &["not specified yet", "unsupported"]);
     refused(&["explain", "M998"], 2, &["no document", "M998"]);
     for code in ["M999", "G1000"] {
         let used =

@@ -7,7 +7,8 @@ use crate::dialects::quirk;
 use crate::rs274::check;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::turning::{TurningRules, absolute_start, has_start, traverse};
+use crate::rs274::execute::target::end_point;
+use crate::rs274::execute::turning::{TurningRules, has_start, traverse};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -32,7 +33,7 @@ impl TurningRules for Observed {
         let is_twice = state.modes.distance == Distance::Incremental
             && state.has_quirk(quirk::rs274::TURNING_START_INCREMENTAL);
         if is_twice {
-            let position = absolute_start(words, state);
+            let position = absolute_start(words, state)?;
             traverse(position, state, record)?;
         }
         if is_twice && self.traverses_to_start_again(state) {
@@ -87,4 +88,12 @@ impl TurningRules for Observed {
     fn goes_on_to_start_depth(&self, state: &State) -> bool {
         state.has_quirk(quirk::rs274::TURNING_END)
     }
+}
+
+/// The point that the axis words name as a position, whatever the distance mode is.
+fn absolute_start(words: &Words, state: &mut State) -> Result<Position, StepError> {
+    let distance = std::mem::replace(&mut state.modes.distance, Distance::Absolute);
+    let position = end_point(words, state);
+    state.modes.distance = distance;
+    position
 }

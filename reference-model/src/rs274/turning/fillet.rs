@@ -24,7 +24,8 @@ impl Corner {
         }
     }
 
-    fn rule(self) -> Rule {
+    /// The rule that has it.
+    pub(crate) fn rule(self) -> Rule {
         match self {
             Self::Fillet(_) => rule::turning::PROFILE_FILLET,
             Self::Chamfer(_) => rule::turning::PROFILE_CHAMFER,

@@ -116,20 +116,19 @@ fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
         let rule = rule::offsets::MACHINE_NEEDS_MOTION;
         return Err(refuse(rule, FaultKind::ModalConflict, "G53 needs G0 or G1"));
     }
+    if kind_of(words) != Some(Kind::Finishing) {
+        if state.modes.compensation != Compensation::Off {
+            let message = "a roughing cycle while cutter compensation is on";
+            let rule = rule::turning::UNDER_COMPENSATION;
+            return Err(refuse(rule, FaultKind::CompensationActive, message));
+        }
+        state.coverage.accepted(rule::turning::UNDER_COMPENSATION);
+    }
     if state.modes.plane != Plane::Zx {
         let message = "a lathe cycle in another plane than ZX";
         return Err(refuse(rule::turning::PLANE, FaultKind::ModalConflict, message));
     }
     state.coverage.accepted(rule::turning::PLANE);
-    if kind_of(words) == Some(Kind::Finishing) {
-        return Ok(());
-    }
-    if state.modes.compensation != Compensation::Off {
-        let message = "a roughing cycle while cutter compensation is on";
-        let rule = rule::turning::UNDER_COMPENSATION;
-        return Err(refuse(rule, FaultKind::CompensationActive, message));
-    }
-    state.coverage.accepted(rule::turning::UNDER_COMPENSATION);
     Ok(())
 }
 

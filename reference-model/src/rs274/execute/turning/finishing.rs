@@ -71,19 +71,17 @@ pub(super) fn ends(moves: &[Move]) -> [Point; 2] {
 }
 
 /// Rule turning.finishing-passes. The distance of each pass: (pass - 1)(D - E)/P + E, from the greatest pass down to
-/// the first. A P below 1 makes no pass.
+/// the first.
 fn distances(
     cycle: &Cycle,
     state: &mut State,
 ) -> Result<impl Iterator<Item = f64> + use<>, StepError> {
     let Cycle { distance, last_distance, passes, .. } = *cycle;
-    let count = passes.floor().max(0.0);
+    let count = passes.floor();
     if !count.is_finite() {
         return Err(StepError::TooManyEffects);
     }
-    if count >= 1.0 {
-        state.coverage.accepted(rule::turning::FINISHING_PASSES);
-    }
+    state.coverage.accepted(rule::turning::FINISHING_PASSES);
     let mut pass = count;
     Ok(std::iter::from_fn(move || {
         (pass >= 1.0).then(|| {

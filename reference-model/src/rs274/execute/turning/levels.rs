@@ -168,6 +168,10 @@ impl Roughing<'_> {
             let why = "a layer of a lathe cycle without an end";
             return Err(StepError::Unspecified(why.to_owned()));
         };
+        if to.w < from.w {
+            let why = "a layer of a lathe cycle against the direction of travel";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
         if to != from {
             self.tool.feed(to)?;
             self.retract(from, to)?;

@@ -25,14 +25,13 @@ pub(crate) use profile::Reading;
 pub(crate) use tool::traverse;
 
 use super::letter;
-use super::target::moved;
 use super::word;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-use crate::rs274::turning::{Curve, Point, Travel, pieces};
+use crate::rs274::turning::{Curve, Move, Point, Travel, pieces};
 
 /// Operations on lathe cycles that a dialect can replace.
 pub(crate) trait TurningRules {
@@ -91,19 +90,10 @@ pub(crate) fn has_start(words: &Words) -> bool {
     Axis::ALL.iter().any(|axis| word(words, letter(*axis)).is_some())
 }
 
-/// The point that the axis words name as a position, whatever the distance mode is.
-pub(crate) fn absolute_start(words: &Words, state: &State) -> Position {
-    let mut start = state.position;
-    for (axis, value) in moved(words, state) {
-        *start.get_mut(axis) = value;
-    }
-    start
-}
-
 /// Executes a lathe cycle whose profile has been read.
 ///
-/// Rule turning.first-traverse. It begins with a traverse to X and Z. A profile of fewer than two moves has nothing to
-/// cut.
+/// Rule turning.first-traverse. It begins with a traverse to X and Z. What a profile of fewer than two moves leaves is
+/// open.
 ///
 /// # Errors
 /// What a profile is refused for. A profile that nothing has read.
@@ -119,9 +109,12 @@ pub(crate) fn perform(
     let cycle = cycle::find(words, state)?;
     state.dialect().traverse_to_start(cycle.start, words, state, record)?;
     let pieces = pieces(&moves)?;
-    if pieces.len() < 2 {
-        return Ok(());
+    let cuts_nothing = pieces.len() < 2 || cycle.is_finishing() && cycle.passes < 1.0;
+    if cuts_nothing {
+        let why = "position and motion mode after a lathe cycle that cuts nothing".to_owned();
+        return Err(StepError::Unspecified(why));
     }
+    accept_corners(&moves, state);
     if pieces[0].curve != Curve::Line {
         let why = "a profile whose first move is an arc".to_owned();
         return Err(StepError::Unspecified(why));
@@ -133,5 +126,13 @@ pub(crate) fn perform(
         finishing::perform(&cycle, &moves, &pieces, state, record)
     } else {
         roughing::perform(&cycle, &moves, &pieces, state, record)
+    }
+}
+
+/// Names the rules of the corners of a profile; at the last move a corner has no meaning.
+fn accept_corners(moves: &[Move], state: &mut State) {
+    let (_, before) = moves.split_last().expect("turning: a profile has moves");
+    for corner in before.iter().filter_map(|before| before.corner) {
+        state.coverage.accepted(corner.rule());
     }
 }
