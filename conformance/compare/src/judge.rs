@@ -38,12 +38,15 @@ pub fn judge(assertion: &Assertion, run: &Observed, observables: &Capabilities) 
         Claim::AtEnd(fields) => judge.at_end(fields),
         Claim::AtEffect(name, count, fields) => judge.at_effect(name, *count, fields),
         Claim::EffectsAt(_, _) if !observables.blocks => Finding::Masked("blocks".to_owned()),
-        Claim::EffectsAt(place, effects) => match judge.step(place) {
-            Some(step) => {
+        Claim::EffectsAt(place, lists) => match (judge.step(place), lists.as_slice()) {
+            (Some(step), [effects]) => {
                 let begin = judge.begin(step);
                 judge.effects(effects, &run.effects[step.effects.clone()], begin, true)
             }
-            None => Finding::Fails(format!("block {place} was not executed")),
+            (Some(step), lists) => {
+                judge.effects_with_gaps(lists, &run.effects[step.effects.clone()])
+            }
+            (None, _) => Finding::Fails(format!("block {place} was not executed")),
         },
         Claim::Unchanged(_, _) if !observables.blocks => Finding::Masked("blocks".to_owned()),
         Claim::Unchanged(place, changed) => match judge.step(place) {
@@ -278,11 +281,24 @@ impl Judge<'_> {
         if same && let Some((effect, _)) = expected.iter().zip(&found).find(is_hidden) {
             return Finding::Masked(hidden(effect.name()));
         }
-        ok(same, || {
-            let texts: Vec<_> =
-                found.iter().map(|observed| effect_text(&observed.effect)).collect();
-            if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
-        })
+        ok(same, || effect_texts(&found))
+    }
+
+    /// Lists of effects that a block has in this order: the first list begins it, the last one ends it, and there may be
+    /// other effects between them.
+    fn effects_with_gaps(&self, lists: &[Vec<Effect>], found: &[ObservedEffect]) -> Finding {
+        let observes = |effect: &Effect| self.observables.effects.contains(effect.name());
+        if let Some(hidden) = lists.iter().flatten().find(|effect| !observes(effect)) {
+            return Finding::Masked(hidden.name().to_owned());
+        }
+        let found: Vec<_> = found.iter().filter(|observed| observes(&observed.effect)).collect();
+        if fits(lists, &found, |a, b| self.match_effect(a, b) == Match::Equal) {
+            return Finding::Holds;
+        }
+        if fits(lists, &found, |a, b| self.match_effect(a, b) != Match::Different) {
+            return Finding::Masked(hidden("effects"));
+        }
+        Finding::Fails(effect_texts(&found))
     }
 
     /// Whether effects beyond the expected ones may be those of a refused block, because blocks are not reported.
@@ -367,6 +383,28 @@ impl Judge<'_> {
     }
 }
 
+/// Whether lists are in a sequence one after the other, the first at its begin and the last at its end.
+fn fits<Wanted, Found>(
+    lists: &[Vec<Wanted>],
+    found: &[Found],
+    same: impl Fn(&Wanted, &Found) -> bool,
+) -> bool {
+    let [first, between @ .., last] = lists else { return lists.len() == found.len() };
+    let is_at = |list: &[Wanted], place: usize| {
+        let part = found.get(place..place + list.len());
+        part.is_some_and(|part| list.iter().zip(part).all(|(wanted, found)| same(wanted, found)))
+    };
+    let Some(end) = found.len().checked_sub(last.len()) else { return false };
+    let mut place = first.len();
+    let are_inside = is_at(first, 0)
+        && between.iter().all(|list| {
+            let next = (place..=end).find(|begin| is_at(list, *begin));
+            place = next.map_or(place, |begin| begin + list.len());
+            next.is_some()
+        });
+    are_inside && place <= end && is_at(last, end)
+}
+
 /// Without straight moves that end where the one before ended.
 fn without_moves_in_place(effects: &[Effect], begin: Option<Position>) -> Vec<&Effect> {
     let mut point = begin;
@@ -421,6 +459,11 @@ fn expected_value(field: &Expected) -> Option<Value> {
         state.entries()
     };
     entries.into_iter().next().map(|entry| entry.value)
+}
+
+fn effect_texts(effects: &[&ObservedEffect]) -> String {
+    let texts: Vec<_> = effects.iter().map(|observed| effect_text(&observed.effect)).collect();
+    if texts.is_empty() { "no effects".to_owned() } else { texts.join("; ") }
 }
 
 fn effect_text(effect: &Effect) -> String {

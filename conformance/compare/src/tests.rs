@@ -212,3 +212,30 @@ fn frame_fails_by_a_field_that_changes_and_is_not_named() {
     let hidden = judged("unchanged at 3 but units, distance, #31", &partial);
     assert_eq!(hidden, Finding::Masked("flood".to_owned()));
 }
+
+#[test]
+fn effects_with_gaps_are_found_in_their_order_only() {
+    let program = "g98 f100 g0 z3\ng81 x1 z-1 r1 l2\nm2\n";
+    let run = Observed::of(&run(&Scenario::of(program)).0);
+    let judged = |text: &str| judge(&text.parse().expect("an assertion"), &run, &everything());
+    for holds in [
+        "effects at 2: ...; straight_feed end=(x1 z-1); straight_traverse end=(x1 z3)",
+        "effects at 2: straight_traverse end=(x1 z3); ...; straight_feed end=(x1 z-1); ...",
+        "effects at 2: ...; straight_feed end=(x1 z-1); ...; straight_feed end=(x1 z-1); ...",
+        "effects at 1: straight_traverse end=(z3); ...",
+    ] {
+        assert_eq!(judged(holds), Finding::Holds, "{holds}");
+    }
+    for fails in [
+        "effects at 2: ...; straight_feed end=(x1 z-1)",
+        "effects at 2: straight_feed end=(x1 z-1); ...",
+        "effects at 2: ...; straight_feed end=(x1 z-1); straight_feed end=(x1 z-1); ...",
+        "effects at 1: straight_traverse end=(z3); ...; straight_traverse end=(z3)",
+    ] {
+        assert!(matches!(judged(fails), Finding::Fails(_)), "{fails}");
+    }
+    let blind = Capabilities { effects: ["dwell".to_owned()].into(), ..everything() };
+    let text = "effects at 2: ...; straight_feed end=(x1 z-1); ...";
+    let masked = judge(&text.parse().expect("an assertion"), &run, &blind);
+    assert_eq!(masked, Finding::Masked("straight_feed".to_owned()));
+}

@@ -74,8 +74,8 @@ pub enum Claim {
     AtEnd(Vec<Expected>),
     /// Settings in force at the k-th effect of a name.
     AtEffect(String, u32, Vec<Expected>),
-    /// The effects of a block.
-    EffectsAt(Place, Vec<Effect>),
+    /// The effects of a block: one list, or several with any effects between them.
+    EffectsAt(Place, Vec<Vec<Effect>>),
     /// A block changes no other fields than these.
     Unchanged(Place, Vec<Field>),
     /// The effects of the whole run, without messages and the program's end.
@@ -171,7 +171,7 @@ fn claim(text: &str) -> Result<Claim, String> {
         "effects" => {
             let rest = rest.strip_prefix("at ").ok_or("`effects: …` or `effects at LINE: …`")?;
             let (place, list) = rest.split_once(": ").ok_or("`effects at LINE: …`")?;
-            Ok(Claim::EffectsAt(place_of(place)?, effects(list)?))
+            Ok(Claim::EffectsAt(place_of(place)?, effects_with_gaps(list)?))
         }
         "count" => {
             let (name, count) = rest.split_once('=').ok_or("`count EFFECT = K`")?;
@@ -335,6 +335,16 @@ fn effects(text: &str) -> Result<Vec<Effect>, String> {
     split(text, ';').into_iter().map(effect).collect()
 }
 
+/// The lists of effects before, between and after each `...`.
+fn effects_with_gaps(text: &str) -> Result<Vec<Vec<Effect>>, String> {
+    let parts = split(text, ';');
+    let lists = parts.split(|part| *part == "...");
+    if !parts.contains(&"...") {
+        return Ok(vec![effects(text)?]);
+    }
+    lists.map(|parts| parts.iter().map(|part| effect(part)).collect()).collect()
+}
+
 fn effect(text: &str) -> Result<Effect, String> {
     let (name, rest) = text.split_once(' ').unwrap_or((text, ""));
     Arguments::parse(rest)
@@ -378,6 +388,7 @@ mod tests {
             "at end plane = xy, #31 = 5, #<_a> = 2",
             "at straight_feed@2 feed_rate = 100",
             "effects at 4: straight_feed end=(x1 y2); dwell seconds=2",
+            "effects at 4: ...; straight_feed end=(x1 y2); ...; dwell seconds=2",
             "effects: none",
             "unchanged at 4",
             "unchanged at cave.ngc:4@2 but feed_rate, spindle[0], position, #31",
@@ -422,6 +433,8 @@ mod tests {
             "after 3 feed_rate = NaN",
             "at end position = (x1 yinf)",
             "effects: dwell seconds=inf",
+            "effects: ...; dwell seconds=1",
+            "effects at 4: ...; none",
             "unchanged",
             "unchanged at x",
             "unchanged at 4 but feed",
