@@ -3,6 +3,8 @@
 The messages carry no number, so a fragment of the text decides; the first one that is contained in the message wins. A message without a row is no
 fault but an error of this adapter: a wrong kind would be judged, an unknown one is seen.
 """
+import re
+
 from .plan import LONGEST_LINE, length
 from .text import code, last_comment
 
@@ -155,11 +157,15 @@ def refused_place(kind, said, echo, source, plan, following):
         return None
     if kind == "line_too_long":
         return too_long(source, following)
-    # The echo is the last line that a call sought through, or the definition that it found, or what a restore tried.
-    if kind in ("unknown_sub", "mixed_styles") or said.startswith("M7x:"):
+    # The echo is the last line that a call sought through, or the definition that it found, or what a restore tried, or the
+    # end of the profile that a lathe cycle has read.
+    after_profile = said.startswith("G7X error") and re.search("endsub|return", code(echo))
+    if kind in ("unknown_sub", "mixed_styles") or said.startswith("M7x:") or after_profile:
         return following
     is_next = echo.strip() in (source.line(following).strip(), plan.release)
-    return plan.tagged(echo) or (following if is_next else source.only_line(echo))
+    read = plan.tagged(echo) or (following if is_next else source.only_line(echo))
+    calls_profile = re.fullmatch("O.* CALL", echo)  # the line by which a lathe cycle calls its profile
+    return following if read is None and calls_profile else read
 
 
 def too_long(source, following):

@@ -43,9 +43,10 @@ pub(crate) fn fault(
         next.and_then(|next| too_long(source, next))
     } else if matches!(kind, FaultKind::UnknownSub | FaultKind::MixedStyles)
         || message.starts_with("M7x:")
+        || message.starts_with("G7X error") && ends_sub(echo)
     {
         // The echo is the last line that a call sought through, or the definition that it found, or what a restore
-        // tried.
+        // tried, or the end of the profile that a lathe cycle has read.
         next
     } else {
         refused_line(echo, source, plan, next)
@@ -57,6 +58,12 @@ pub(crate) fn fault(
         span: None,
         message: plan.untagged(message).to_owned(),
     })
+}
+
+/// Whether a line is the end of a sub or a return from it.
+fn ends_sub(line: &str) -> bool {
+    let code = code(line);
+    ["endsub", "return"].iter().any(|end| code.contains(end))
 }
 
 /// Whether the message is the same for two kinds, so that the controller does not report which: for a word's value and
@@ -88,6 +95,7 @@ pub(crate) fn message(stderr: &str) -> Option<&str> {
     known.next().or_else(|| lines.clone().next())
 }
 
+/// The line that is printed as the refused one. A lathe cycle calls its profile by a line of its own.
 fn refused_line(
     echo: &str,
     source: &Source,
@@ -97,7 +105,9 @@ fn refused_line(
     let releases = echo.trim() == plan.release();
     let is_next =
         |next: &(usize, u32)| releases || source.line(next.0, next.1).trim() == echo.trim();
-    plan.tagged(echo).or_else(|| next.filter(is_next)).or_else(|| source.only_line(echo))
+    let calls_profile = || next.filter(|_| echo.starts_with('O') && echo.ends_with(" CALL"));
+    let read = || next.filter(is_next).or_else(|| source.only_line(echo));
+    plan.tagged(echo).or_else(read).or_else(calls_profile)
 }
 
 /// The text of (ABORT,…), if it is what the line ends in.
@@ -167,6 +177,18 @@ mod tests {
         assert_eq!(at(&read("g0\n", stderr, 2).unwrap()), None);
         let stderr = "executing\nEOF in file:main.ngc seeking o-word: o<9> from line: 1\nm2\n";
         assert_eq!(at(&read("o9 call\nm2\n", stderr, 1).unwrap()), Some(1));
+    }
+
+    #[test]
+    fn an_error_after_a_profile_is_one_of_its_cycle() {
+        let main = "o1 sub\ng1 x8 w-1 z0\no1 endsub\ng18\ng70 q1\nm2\n";
+        let of = |message: &str, echo: &str| {
+            at(&read(main, &format!("executing\n{message}\n{echo}\n"), 5).unwrap())
+        };
+        assert_eq!(of("G7X error: Not monotonic", "o1 endsub"), Some(5));
+        let in_a_block = "G7x error: Cannot use W and Z in the same block";
+        assert_eq!(of(in_a_block, "g1 x8 w-1 z0"), Some(2));
+        assert_eq!(of("Non integer value for integer", "O1.500000 CALL"), Some(5));
     }
 
     #[test]
