@@ -1,6 +1,6 @@
 //! Quirks of the lathe cycles G70 to G72.2.
 
-use gaugeblock_vocabulary::{Distance, Position};
+use gaugeblock_vocabulary::{Distance, FaultKind, Position};
 
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
@@ -9,10 +9,10 @@ use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::end_point;
 use crate::rs274::execute::turning::{TurningRules, has_start, traverse};
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-use crate::rs274::turning::{Point, Travel};
+use crate::rs274::turning::{Curve, Piece, Point, ROUNDING, Travel};
 
 impl TurningRules for Observed {
     /// Quirk rs274.turning-traverse-in-place. Without an axis word the first motion is a traverse in place.
@@ -82,6 +82,28 @@ impl TurningRules for Observed {
         }
         let [of_first, of_last] = ends;
         travel.never_forth || travel.never_back && of_last.w > of_first.w
+    }
+
+    /// Quirk rs274.turning-parallel-pieces. Two lines in a row in the direction of travel do not intersect, and are
+    /// refused. In other directions rounding may hide that they are parallel.
+    fn check_distance(&self, pieces: &[Piece], state: &State) -> Result<(), StepError> {
+        if !state.has_quirk(quirk::rs274::TURNING_PARALLEL_PIECES) {
+            return Documented.check_distance(pieces, state);
+        }
+        let are_lines = |pair: &&[Piece]| pair.iter().all(|piece| piece.curve == Curve::Line);
+        for pair in pieces.windows(2).filter(are_lines) {
+            let (along, other) = (pair[0].leaves(), pair[1].leaves());
+            if along == other && along.u == 0.0 {
+                let message = "two pieces in one direction, at a distance from the profile";
+                let quirk = quirk::rs274::TURNING_PARALLEL_PIECES;
+                return Err(refuse(quirk, FaultKind::Gouging, message));
+            }
+            if along.turn_to(other).abs() <= ROUNDING {
+                let why = "two pieces in one direction but for rounding, with a distance";
+                return Err(StepError::Unspecified(why.to_owned()));
+            }
+        }
+        Ok(())
     }
 
     /// Quirk rs274.turning-end. The tool goes on to the depth where the cycle starts.

@@ -107,7 +107,9 @@ quirks! {
     /// A file that is called may define further subs in addition to its own; the head of one within its own
     /// does nothing.
     FILE_WITH_TWO_SUBS = "rs274.file-with-two-subs",
-    /// G70 refuses a single arc towards greater Z that is not monotonic in X.
+    /// Where the first piece of a profile ends at its greatest Z, be it the only one, X is the axis of travel
+    /// of G70: an arc or a line that goes back along X is refused, and a positive distance can be on the side
+    /// without the tool.
     FINISHING_ONE_ARC = "rs274.finishing-one-arc",
     /// Only the first spindle's state is saved and restored.
     FIRST_SPINDLE_SAVED = "rs274.first-spindle-saved",
@@ -360,6 +362,9 @@ quirks! {
     TOOL_OFFSET_UNIT = "rs274.tool-offset-unit",
     /// After the profile G71 and G72 go on along their depth axis as far as the position before the cycle.
     TURNING_END = "rs274.turning-end",
+    /// A profile with two lines in a row in the direction of travel is refused at a distance: their parallels
+    /// do not intersect.
+    TURNING_PARALLEL_PIECES = "rs274.turning-parallel-pieces",
     /// Blocks of a profile are checked as blocks are, and the axes of G92 and G10 count as a move.
     TURNING_PROFILE_CODES = "rs274.turning-profile-codes",
     /// Under G91 the first traverse of a lathe cycle takes X and Z for a position, and the second one adds

@@ -38,8 +38,8 @@ pub(super) const THREADING: u16 = 873;
 pub(super) const TOOL: u16 = 892;
 pub(super) const TRAJECTORY: u16 = 962;
 pub(super) const TURNING: u16 = 979;
-pub(super) const UNITS_PLANES: u16 = 1006;
-pub(super) const USER_CODES: u16 = 1026;
+pub(super) const UNITS_PLANES: u16 = 1005;
+pub(super) const USER_CODES: u16 = 1025;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 1039;
+pub(crate) const COUNT: u16 = 1038;

@@ -17,8 +17,6 @@ rules! {
     FINISHING_SIDE = "turning.finishing-side",
     /// With X or Z a lathe cycle begins with a traverse to them; a missing word keeps its axis.
     FIRST_TRAVERSE = "turning.first-traverse",
-    /// Two offset pieces that are parallel where they have to intersect are refused.
-    PARALLEL_PIECES = "turning.parallel-pieces",
     /// A lathe cycle is refused in another plane than ZX.
     PLANE = "turning.plane",
     /// C in a block of a profile inserts the chord of a fillet with this radius.

@@ -24,7 +24,7 @@ pub(crate) use piece::{Curve, Piece, is_tied};
 pub(crate) use point::{Frame, Point};
 
 /// Distance, active length unit, up to which two values are equal but for rounding.
-const ROUNDING: f64 = 1e-9;
+pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// Shortest piece of a profile, active length unit: a shorter one is dropped.
 const SHORTEST: f64 = 0.001;

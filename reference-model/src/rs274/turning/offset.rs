@@ -1,13 +1,10 @@
 //! The profile at a distance: each piece parallel to its own, corners joined.
 
-use gaugeblock_vocabulary::FaultKind;
-
 use super::piece::{Curve, Piece};
 use super::point::Point;
 use super::{ROUNDING, SHORTEST, SHORTEST_JOIN, open};
-use crate::ids::rule;
 use crate::math;
-use crate::rs274::refusal::{StepError, refuse};
+use crate::rs274::refusal::StepError;
 
 /// The most steps in which a distance is applied.
 const MOST_STEPS: u32 = 10_000;
@@ -38,8 +35,7 @@ pub(crate) fn left_of(lead: &Piece, pieces: &[Piece], rises: bool) -> Result<boo
 /// arc. The pieces that result from a step are those of the next one.
 ///
 /// # Errors
-/// Rule turning.parallel-pieces. What is open: pieces that a step turns over, corners of two arcs, arcs that do not end
-/// on their circle.
+/// What is open: pieces that a step turns over, corners of two arcs, arcs that do not end on their circle.
 pub(crate) fn offset(pieces: &[Piece], distance: f64) -> Result<Vec<Piece>, StepError> {
     let mut pieces = pieces.to_vec();
     let mut left = distance.abs();
@@ -132,17 +128,13 @@ fn meeting(before: &Piece, next: &Piece, corner: Point) -> Result<Point, StepErr
     }
 }
 
-/// Rule turning.parallel-pieces. The point where two lines intersect; two in the direction of travel have none. In other
-/// directions rounding may hide that they are parallel.
+/// The point where two lines intersect; where one goes on in the direction of the other, the point where they meet.
 fn crossing(before: &Piece, next: &Piece) -> Result<Point, StepError> {
     let (along, other) = (before.leaves(), next.leaves());
     let turn = along.turn_to(other);
-    if turn == 0.0 && along == other && along.u == 0.0 {
-        let message = "two pieces in one direction, at a distance from the profile";
-        return Err(refuse(rule::turning::PARALLEL_PIECES, FaultKind::BadArc, message));
-    }
     if turn.abs() <= ROUNDING {
-        return Err(open("two pieces in one direction but for rounding, with a distance"));
+        let meet = before.end.distance(next.start) <= LEAST_CORNER;
+        return if meet { Ok(before.end) } else { Err(open("parallel pieces, with a distance")) };
     }
     let way = before.start.to(next.start).turn_to(other) / turn;
     Ok(before.start.plus(way, along))

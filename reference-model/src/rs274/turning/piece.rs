@@ -49,7 +49,7 @@ impl Piece {
     }
 
     /// The direction of the piece at its start.
-    pub(super) fn leaves(&self) -> Point {
+    pub(crate) fn leaves(&self) -> Point {
         self.direction_at(self.start)
     }
 

@@ -49,7 +49,7 @@ impl Point {
     }
 
     /// Positive if the other displacement turns left from this one, negative if it turns right.
-    pub(super) fn turn_to(self, other: Self) -> f64 {
+    pub(crate) fn turn_to(self, other: Self) -> f64 {
         self.w * other.u - self.u * other.w
     }
 

@@ -106,5 +106,6 @@ fn at_distance(
     let (from, to) = (pieces[0].start, pieces[pieces.len() - 1].end);
     let is_left = left_of(lead, pieces, to.u >= from.u)?;
     state.coverage.accepted(rule::turning::FINISHING_SIDE);
+    state.dialect().check_distance(pieces, state)?;
     offset(pieces, if is_left { distance } else { -distance })
 }

@@ -31,7 +31,7 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-use crate::rs274::turning::{Curve, Move, Point, Travel, pieces};
+use crate::rs274::turning::{Curve, Move, Piece, Point, Travel, pieces};
 
 /// Operations on lathe cycles that a dialect can replace.
 pub(crate) trait TurningRules {
@@ -76,6 +76,15 @@ pub(crate) trait TurningRules {
     /// Rule turning.finishing-monotonic. Whether G70 follows a profile along Z: it leads one way in Z.
     fn finishes_along_z(&self, travel: Travel, _ends: [Point; 2], _state: &State) -> bool {
         travel.is_monotonic()
+    }
+
+    /// Rules turning.finishing-passes and turning.roughing-distance. Whether the pieces after the lead have a profile at
+    /// a distance: all have.
+    ///
+    /// # Errors
+    /// Pieces that have none.
+    fn check_distance(&self, _pieces: &[Piece], _state: &State) -> Result<(), StepError> {
+        Ok(())
     }
 
     /// Rule turning.roughing-end. Whether the tool goes on from the end of the profile to the depth where the cycle

@@ -108,6 +108,7 @@ fn at_distance(
     let rises = frame.depth * to.u >= frame.depth * from.u;
     let is_left = left_of(lead, pieces, rises == (frame.depth > 0.0))?;
     state.coverage.accepted(rule::turning::ROUGHING_DISTANCE);
+    state.dialect().check_distance(pieces, state)?;
     offset(pieces, if is_left { cycle.distance } else { -cycle.distance })
 }
 
