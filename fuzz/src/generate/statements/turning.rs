@@ -5,14 +5,14 @@ use super::super::state::State;
 use super::super::writer::{Statement, Writer};
 
 pub(in super::super) const STATEMENTS: &[Statement] = &[
-    Statement::when("turning.finish", StatementKind::Turning, 60, is_possible, |w| {
+    Statement::when("turning.finish", StatementKind::Turning, 30, is_possible, |w| {
         let axes = *w.entropy.pick(&[&ALONG_Z, &ALONG_X]);
         let label = profile(w, axes);
         let passes =
             *w.entropy.pick(&["", "", " p1", " p2", " p2.5 d1", " p3 d2 e0.5", " e0.5", " e-1"]);
         cut(w, axes, &format!("g70 q{label}{passes}"));
     }),
-    Statement::when("turning.rough", StatementKind::Turning, 120, is_possible, |w| {
+    Statement::when("turning.rough", StatementKind::Turning, 70, is_possible, |w| {
         let (code, axes) = *w.entropy.pick(&[
             ("g71", &ALONG_Z),
             ("g71.1", &ALONG_Z),

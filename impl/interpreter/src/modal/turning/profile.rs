@@ -14,10 +14,10 @@ impl Turning {
     /// Makes a contour of the moves; none where they are too few.
     pub(super) fn contour(&self, emulates_rs274: bool) -> Result<Option<Contour>, Refusal> {
         let start = self.cycle.start;
-        if self.reading.moves.len() < 2 {
-            return Ok(None);
-        }
-        let pieces = rounded(start, &self.reading.moves)?;
+        let moves = &self.reading.moves;
+        // Direction and side of turning are those of the points before corners are rounded.
+        let Some(programmed) = moves.first().filter(|_| moves.len() > 1) else { return Ok(None) };
+        let pieces = rounded(start, moves)?;
         let (Some(first), Some(last)) = (pieces.get(1), pieces.last()) else { return Ok(None) };
         let (first, last) = (first.from, last.to);
         let after_lead = pieces.get(1..).unwrap_or(&[]);
@@ -25,7 +25,7 @@ impl Turning {
             Kind::Finishing { .. } => finishing_frame(after_lead, emulates_rs274),
             Kind::Roughing { faces, .. } => Frame::unturned(faces),
         };
-        frame.along = if frame.of(last).p > frame.of(first).p { 1.0 } else { -1.0 };
+        frame.along = if frame.of(last).p > frame.of(programmed.to).p { 1.0 } else { -1.0 };
         if !after_lead.iter().all(|piece| frame.piece(piece).travels()) {
             return not_monotonic();
         }
@@ -35,7 +35,7 @@ impl Turning {
             at.p = at.p.min(frame.of(first).p);
         }
         let side = side(&frame, at, after_lead);
-        let sinks = frame.of(last).q - frame.of(first).q;
+        let sinks = frame.of(last).q - frame.of(programmed.to).q;
         let inside = match self.cycle.kind {
             Kind::Finishing { .. } => false,
             Kind::Roughing { faces, .. } => sinks < 0.0 || faces && sinks <= 0.0,
