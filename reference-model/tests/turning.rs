@@ -25,13 +25,20 @@ fn outcome_from(start: &str, profile: &str, cycle: &str) -> Outcome {
 /// The moves of an outcome after the traverse to the start.
 fn moves(outcome: &Outcome) -> Vec<Move> {
     let events = outcome.steps.iter().flat_map(|step| &step.events);
-    let moves = events.filter_map(|event| match event {
-        Event::Do(Effect::StraightTraverse { end }) => Some(('T', vec![end.x, end.z])),
-        Event::Do(Effect::StraightFeed { end }) => Some(('F', vec![end.x, end.z])),
-        Event::Do(Effect::ArcFeed { end, first_centre, second_centre, .. }) => {
+    let effects = events.filter_map(|event| match event {
+        Event::Do(effect) => Some(effect),
+        Event::Set(_) | Event::Unknown(_) => None,
+    });
+    let moves = effects.filter_map(|effect| {
+        if let Effect::StraightTraverse { end } = effect {
+            Some(('T', vec![end.x, end.z]))
+        } else if let Effect::StraightFeed { end } = effect {
+            Some(('F', vec![end.x, end.z]))
+        } else if let Effect::ArcFeed { end, first_centre, second_centre, .. } = effect {
             Some(('C', vec![end.x, end.z, *second_centre, *first_centre]))
+        } else {
+            None
         }
-        _ => None,
     });
     moves.skip(1).collect()
 }
