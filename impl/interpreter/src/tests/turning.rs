@@ -18,15 +18,14 @@ impl Sink for Path {
 
     fn perform(&mut self, _line: u32, effect: &Effect) -> Reply {
         let point = |x: f64, z: f64| format!("{},{}", rounded(x), rounded(z));
-        self.0.extend(match effect {
-            Effect::StraightTraverse { end } => Some(format!("T({})", point(end.x, end.z))),
-            Effect::StraightFeed { end } => Some(format!("F({})", point(end.x, end.z))),
-            Effect::ArcFeed { end, first_centre, second_centre, .. } => {
-                let centre = point(*second_centre, *first_centre);
-                Some(format!("C({};{centre})", point(end.x, end.z)))
-            }
-            _ => None,
-        });
+        if let Effect::StraightTraverse { end } = effect {
+            self.0.push(format!("T({})", point(end.x, end.z)));
+        } else if let Effect::StraightFeed { end } = effect {
+            self.0.push(format!("F({})", point(end.x, end.z)));
+        } else if let Effect::ArcFeed { end, first_centre, second_centre, .. } = effect {
+            let centre = point(*second_centre, *first_centre);
+            self.0.push(format!("C({};{centre})", point(end.x, end.z)));
+        }
         Reply::Done
     }
 }
