@@ -40,7 +40,7 @@ impl Finishing {
     ) -> Self {
         let passes = math::to_count(distances.2);
         let place = if at_start { Place::Profile } else { Place::Start };
-        let offset = Offset::new(&[], 0.0, pieces_max);
+        let offset = Offset::new(&[], 0.0, (pieces_max, contour.joins_parallels));
         let mut finishing = Self { distances, passes, offset, is_ready: false, place };
         finishing.begin_pass(contour, pieces_max);
         finishing
@@ -54,7 +54,8 @@ impl Finishing {
 
     fn begin_pass(&mut self, contour: &Contour, pieces_max: u32) {
         let distance = self.distance() * contour.side.unwrap_or(1.0);
-        self.offset = Offset::new(&contour.pieces, distance, pieces_max);
+        let bounds = (pieces_max, contour.joins_parallels);
+        self.offset = Offset::new(&contour.pieces, distance, bounds);
         self.is_ready = false;
     }
 

@@ -62,4 +62,6 @@ pub(super) struct Contour {
     /// 1 where an offset is to the left of the direction of travel, -1 where it is to the right; none where that is
     /// open.
     pub(super) side: Option<f64>,
+    /// Whether two lines in one direction keep their common end at a distance.
+    pub(super) joins_parallels: bool,
 }

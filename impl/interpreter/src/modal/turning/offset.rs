@@ -27,14 +27,26 @@ pub(super) struct Offset {
     left: f64,
     steps: u32,
     pieces_max: usize,
+    joins_parallels: bool,
 }
 
 impl Offset {
     /// An offset to the left, or with a negative distance to the right.
-    pub(super) fn new(pieces: &[Piece], distance: f64, pieces_max: u32) -> Self {
+    pub(super) fn new(
+        pieces: &[Piece],
+        distance: f64,
+        (pieces_max, joins_parallels): (u32, bool),
+    ) -> Self {
         let side = if distance < 0.0 { -1.0 } else { 1.0 };
         let pieces_max = usize::try_from(pieces_max).unwrap_or(usize::MAX).saturating_mul(2);
-        Self { pieces: pieces.to_vec(), side, left: distance.abs(), steps: 0, pieces_max }
+        Self {
+            pieces: pieces.to_vec(),
+            side,
+            left: distance.abs(),
+            steps: 0,
+            pieces_max,
+            joins_parallels,
+        }
     }
 
     /// Makes a step; whether the offset is complete then.
@@ -53,7 +65,8 @@ impl Offset {
         for (before, next) in self.pieces.iter().zip(&shifted) {
             let mut next = *next;
             if let Some(last) = joined.last_mut()
-                && let Some(joint) = join(last, &mut next, (before.from, step * self.side))?
+                && let Some(joint) =
+                    join(last, &mut next, (before.from, step * self.side), self.joins_parallels)?
             {
                 joined.push(joint);
             }
@@ -61,7 +74,7 @@ impl Offset {
         }
         self.left -= step;
         check_turned_over(&joined)?;
-        drop_short(&mut joined)?;
+        drop_short(&mut joined, self.joins_parallels)?;
         if joined.len() > self.pieces_max {
             return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
         }
@@ -99,6 +112,7 @@ fn join(
     last: &mut Piece,
     next: &mut Piece,
     (corner, distance): (Vector, f64),
+    joins_parallels: bool,
 ) -> Result<Option<Piece>, Refusal> {
     let (ends, begins) = (last.end_direction(), next.start_direction());
     let is_outer = ends.cross(begins) * distance < 0.0;
@@ -107,15 +121,20 @@ fn join(
         let curve = Curve::Arc(Arc { centre: corner, sense });
         return Ok(Some(Piece { from: last.to, to: next.from, curve }));
     }
-    let point = intersection(last, next, corner)?;
+    let point = intersection(last, next, corner, joins_parallels)?;
     (last.to, next.from) = (point, point);
     Ok(None)
 }
 
 /// The intersection of two curves next to a point.
-fn intersection(first: &Piece, second: &Piece, near: Vector) -> Result<Vector, Refusal> {
+fn intersection(
+    first: &Piece,
+    second: &Piece,
+    near: Vector,
+    joins_parallels: bool,
+) -> Result<Vector, Refusal> {
     match (first.as_arc(), second.as_arc()) {
-        (None, None) => two_lines(first, second),
+        (None, None) => two_lines(first, second, joins_parallels),
         (None, Some(_)) => line_and_arc(first, second, near),
         (Some(_), None) => line_and_arc(second, first, near),
         (Some(_), Some(_)) => {
@@ -127,11 +146,14 @@ fn intersection(first: &Piece, second: &Piece, near: Vector) -> Result<Vector, R
     }
 }
 
-fn two_lines(first: &Piece, second: &Piece) -> Result<Vector, Refusal> {
+fn two_lines(first: &Piece, second: &Piece, joins_parallels: bool) -> Result<Vector, Refusal> {
     let (along, across) = (first.start_direction(), second.start_direction());
     let turn = along.cross(across);
     if turn.abs() <= 1e-12 && along.dot(across) < 0.0 {
         return Err(Refusal::Unsupported("an offset of moves that go back on themselves".into()));
+    }
+    if turn.abs() <= 1e-12 && joins_parallels && first.to.minus(second.from).length() <= 1e-6 {
+        return Ok(first.to);
     }
     if turn.abs() <= 1e-12 {
         return refuse(FaultKind::Gouging, "lines of a profile that are parallel");
@@ -167,7 +189,7 @@ fn check_turned_over(pieces: &[Piece]) -> Result<(), Refusal> {
 }
 
 /// Drops pieces that are too short; their neighbours end and begin at their intersection.
-fn drop_short(pieces: &mut Vec<Piece>) -> Result<(), Refusal> {
+fn drop_short(pieces: &mut Vec<Piece>, joins_parallels: bool) -> Result<(), Refusal> {
     let mut place = 0;
     while let Some(piece) = pieces.get(place).copied() {
         if piece.chord() >= SHORTEST {
@@ -177,7 +199,8 @@ fn drop_short(pieces: &mut Vec<Piece>) -> Result<(), Refusal> {
         pieces.remove(place);
         let Some(before) = place.checked_sub(1) else { continue };
         if let Some([last, next]) = pieces.get_mut(before..).and_then(|rest| rest.get_mut(..2)) {
-            let point = intersection(last, next, piece.from.plus(piece.to).times(0.5))?;
+            let middle = piece.from.plus(piece.to).times(0.5);
+            let point = intersection(last, next, middle, joins_parallels)?;
             (last.to, next.from) = (point, point);
         }
     }

@@ -46,12 +46,13 @@ impl Turning {
         }
         let side = side.map(|side| side * frame.outward);
         let pieces: Vec<Piece> = after_lead.iter().map(|piece| frame.piece(piece)).collect();
-        Ok(Some(Contour { frame, start: at, pieces, side }))
+        // Quirk rs274.turning-parallel-pieces.
+        let joins_parallels = !emulates_rs274;
+        Ok(Some(Contour { frame, start: at, pieces, side, joins_parallels }))
     }
 }
 
-/// The axes of G70. It travels along Z where Z does not grow anywhere, or does not shrink and has grown; or else
-/// along X.
+/// The axes of G70. It travels along Z where the profile is monotonic in Z, or else along X.
 fn finishing_frame(pieces: &[Piece], emulates_rs274: bool) -> Frame {
     let along = |sign: f64| {
         let frame = Frame { along: sign, ..Frame::unturned(false) };
@@ -63,9 +64,9 @@ fn finishing_frame(pieces: &[Piece], emulates_rs274: bool) -> Frame {
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
         return Frame::unturned(false);
     };
-    // Quirk rs274.finishing-one-arc: the end of the first piece counts where that is the only one, too.
-    let from = if pieces.len() > 1 || emulates_rs274 { first.to } else { first.from };
-    Frame::unturned(!(along(1.0) && last.to.p > from.p))
+    // Quirk rs274.finishing-one-arc: Z has to grow after the first piece.
+    let grows = !emulates_rs274 || last.to.p > first.to.p;
+    Frame::unturned(!(along(1.0) && grows))
 }
 
 /// On which side of the direction of travel an offset is: 1 for greater depths, -1 for smaller ones. It is open with

@@ -55,6 +55,7 @@ impl Turning {
                 start: cycle.start,
                 pieces: Vec::new(),
                 side: None,
+                joins_parallels: true,
             },
         }
     }

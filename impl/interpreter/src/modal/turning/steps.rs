@@ -94,7 +94,11 @@ impl Modal {
             Kind::Roughing { distance, .. } => {
                 check_side(contour, distance)?;
                 let distance = distance * contour.side.unwrap_or(1.0);
-                Stage::Offset(Offset::new(&contour.pieces, distance, moves_max))
+                Stage::Offset(Offset::new(
+                    &contour.pieces,
+                    distance,
+                    (moves_max, contour.joins_parallels),
+                ))
             }
         };
         Ok(false)
