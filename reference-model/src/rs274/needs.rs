@@ -109,7 +109,7 @@ impl Reader {
         for index in source.first.. {
             match source.line(index, block_delete, &mut self.state) {
                 None | Some(Line::End) => break,
-                Some(Line::Nothing) => {}
+                Some(Line::Nothing | Line::Skipped(_)) => {}
                 Some(Line::Block(line)) => self.line(line),
             }
         }

@@ -17,6 +17,10 @@ macro_rules! choices {
             pub(crate) initial_motion: InitialMotion,
             /// `motion.without-axis-words`.
             pub(crate) without_axis_words: WithoutAxisWords,
+            /// `cycles.tap-without-dwell`.
+            pub(crate) tap_without_dwell: TapWithoutDwell,
+            /// `program-end.feed-after-mode-change`.
+            pub(crate) feed_at_end: FeedAtEnd,
         }
 
         impl Choices {
@@ -27,6 +31,8 @@ macro_rules! choices {
                     arc_tolerance: ArcTolerance::Coarse,
                     initial_motion: InitialMotion::None,
                     without_axis_words: WithoutAxisWords::Nothing,
+                    tap_without_dwell: TapWithoutDwell::Refused,
+                    feed_at_end: FeedAtEnd::Zero,
                 };
                 for (id, option) in &options.0 {
                     match id.as_str() {
@@ -43,6 +49,12 @@ macro_rules! choices {
                         }
                         "motion.without-axis-words" => {
                             choices.without_axis_words = WithoutAxisWords::of(option)?;
+                        }
+                        "cycles.tap-without-dwell" => {
+                            choices.tap_without_dwell = TapWithoutDwell::of(option)?;
+                        }
+                        "program-end.feed-after-mode-change" => {
+                            choices.feed_at_end = FeedAtEnd::of(option)?;
                         }
                         _ => {}
                     }
@@ -89,10 +101,18 @@ choices! {
     tap_as_cut: "cycles.tap-direction", "any", "as-cut";
     /// The spindle turns as before after G84 and G74.
     tap_turns_back: "cycles.tap-return", "reversed", "as-before";
-    /// G84 and G74 without P dwell for zero seconds.
-    tap_without_dwell: "cycles.tap-without-dwell", "refused", "zero";
+    /// A canned cycle needs no feed rate.
+    cycle_feed_any: "cycles.feed-rate", "needed", "any";
+    /// G98 returns to where the point was before each cycle, not before the row.
+    level_of_cycle: "cycles.old-level", "row", "cycle";
+    /// A canned cycle moves in exact path mode.
+    cycle_exact_path: "cycles.path-mode", "as-programmed", "exact-path";
+    /// G84 and G74 leave the overrides alone.
+    tap_keeps_overrides: "cycles.tap-override-switches", "disabled", "kept";
     /// Under G93 F holds for its own block only.
     feed_for_one_block: "feed.after-inverse-time", "kept", "zero";
+    /// After G93 the feed rate of the last move counts under G94.
+    feed_of_last_move: "feed.after-mode-change", "none", "of-last-move";
     /// M66 is refused under cutter compensation.
     input_uncompensated: "inputs.under-compensation", "accepted", "refused";
     /// M66 without Q waits for ever.
@@ -111,6 +131,11 @@ choices! {
     offset_uncompensated: "offsets.change-under-compensation", "accepted", "refused";
     /// G92 leaves the offset of axes that have no word.
     position_keeps_other_axes: "offsets.position-other-axes", "cleared", "kept";
+    /// No parameter says whether the offset of G92 applies or how a system is turned, and offsets are those of the
+    /// machine's axes.
+    offsets_of_axes: "offsets.flag-and-rotation", "stored", "none";
+    /// Offsets, positions and tools are stored and read as numbers of the active unit.
+    stored_as_programmed: "offsets.stored-unit", "machine", "as-programmed";
     /// P0 of G10 L2 is refused.
     no_system_zero: "offsets.set-active-number", "active", "refused";
     /// G10 L2 needs an axis word.
@@ -151,8 +176,6 @@ choices! {
     position_program_axes: "positions.rotated-axes", "machine", "program";
     /// G96 holds for probing too: the spindle must turn.
     probe_turning: "probe.standing-spindle", "accepted", "refused";
-    /// F stays when the program end changes the feed mode.
-    feed_kept_at_end: "program-end.feed-after-mode-change", "zero", "kept";
     /// The program end cancels the offset of G92.
     end_suspends_offset: "program-end.local-offset", "kept", "suspended";
     /// The program end stops spindle 0 only.
@@ -187,6 +210,8 @@ choices! {
     change_unselected: "tool.change-without-selection", "refused", "accepted";
     /// A T that names no tool is refused.
     tool_must_exist: "tool.empty-slot", "accepted", "refused";
+    /// The cutter is compensated in the XY plane alone.
+    compensation_in_xy_only: "tool.compensation-in-zx", "accepted", "refused";
     /// G10 L1, L10 and L11 need something to set.
     entry_needs_words: "tool.entry-without-words", "accepted", "refused";
     /// G49 is refused in a block with a code that uses axis words.
@@ -213,6 +238,8 @@ choices! {
     feed_number_kept: "units-planes.feed-over-unit-change", "rescaled", "kept";
     /// The machine's own unit is in force at the start.
     initial_machine_unit: "units-planes.initial-unit", "millimetre", "machine";
+    /// G20 and G21 are refused under cutter compensation.
+    units_uncompensated: "units-planes.units-under-compensation", "accepted", "refused";
     /// G17, G18 and G19 do not change the plane under cutter compensation.
     plane_uncompensated: "units-planes.plane-under-compensation", "accepted", "refused";
     /// A missing argument of a user-defined code is an empty text.
@@ -284,6 +311,50 @@ impl InitialMotion {
             "feed" => Ok(Self::Feed),
             "traverse" => Ok(Self::Traverse),
             _ => Err(Error::Configuration("no such option of modal-groups.initial-motion")),
+        }
+    }
+}
+
+/// Options of `cycles.tap-without-dwell`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TapWithoutDwell {
+    /// G84 and G74 need P.
+    Refused,
+    /// Without P they dwell for zero seconds.
+    Zero,
+    /// Without P they do not dwell.
+    NoDwell,
+}
+
+impl TapWithoutDwell {
+    fn of(option: &str) -> Result<Self, Error> {
+        match option {
+            "refused" => Ok(Self::Refused),
+            "zero" => Ok(Self::Zero),
+            "none" => Ok(Self::NoDwell),
+            _ => Err(Error::Configuration("no such option of cycles.tap-without-dwell")),
+        }
+    }
+}
+
+/// Options of `program-end.feed-after-mode-change`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FeedAtEnd {
+    /// No feed rate is set.
+    Zero,
+    /// The number of F stays.
+    Kept,
+    /// That of the last feed move, per minute.
+    OfLastMove,
+}
+
+impl FeedAtEnd {
+    fn of(option: &str) -> Result<Self, Error> {
+        match option {
+            "zero" => Ok(Self::Zero),
+            "kept" => Ok(Self::Kept),
+            "of-last-move" => Ok(Self::OfLastMove),
+            _ => Err(Error::Configuration("no such option of program-end.feed-after-mode-change")),
         }
     }
 }

@@ -9,8 +9,9 @@ use crate::faults::{PlantedFault, planted};
 use crate::parameters::Numbered;
 
 use super::Modal;
+use super::choices::FeedAtEnd;
 use super::compensation::Cutter;
-use super::modes::FIRST;
+use super::modes::{FIRST, Modes};
 use super::refusal::Refusal;
 
 impl Modal {
@@ -68,13 +69,18 @@ impl Modal {
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
         self.reset_offsets(numbered);
-        let feed = self.active.now().feed_rate;
+        let Modes { feed_rate: feed, feed_mode, .. } = *self.active.now();
+        let rate = self.rate_of_move;
         let per_revolution = self.active.now().feed_mode == FeedMode::PerRevolution;
         if !(per_revolution && planted(PlantedFault::PerRevolutionStays)) {
             self.select_feed_mode(940);
         }
-        if self.choices.feed_kept_at_end {
-            self.active.set_feed_rate(feed);
+        match self.choices.feed_at_end {
+            _ if self.active.now().feed_mode == feed_mode => {}
+            FeedAtEnd::Zero if planted(PlantedFault::FeedKeptOverMode) => {}
+            FeedAtEnd::Zero => self.active.set_feed_rate(0.0),
+            FeedAtEnd::Kept => self.active.set_feed_rate(feed),
+            FeedAtEnd::OfLastMove => self.active.set_feed_rate(rate),
         }
         self.cutter = Cutter::NONE;
         if !planted(PlantedFault::MotionStays) {

@@ -153,7 +153,7 @@ impl Modal {
             self.length_offset(block)?;
         }
         if let Some(code) = block.g(UNITS) {
-            self.select_units(code);
+            self.select_units(code)?;
             self.read_feed_again(block);
         }
         if let Some(code) = block.g(LATHE) {

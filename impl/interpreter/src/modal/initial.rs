@@ -15,6 +15,7 @@ use super::compensation::path::CompensationState;
 use super::compensation::plane::Cutter;
 use super::coordinates::{Conversion, Coordinates};
 use super::cycles::MotionSeries;
+use super::letters::AXES;
 use super::modes::{ActiveSettings, Modes, SPINDLES};
 use super::saved_states::SavedStates;
 use super::tool::number_of;
@@ -75,6 +76,7 @@ impl Modal {
             tool_change: machine.tool_change,
             random_tool_changer: machine.random_tool_changer,
             machine_unit: machine.length_unit,
+            rate_of_move: 0.0,
             choices,
         };
         // The machine is at its origin (11.1.2).
@@ -96,18 +98,23 @@ impl Modal {
 fn initial_modes(machine: &Machine, choices: &Choices, numbered: &mut Numbered) -> Modes {
     let units =
         if choices.initial_machine_unit { machine.length_unit } else { LengthUnit::Millimetre };
-    let conversion = Conversion::between(machine.length_unit, units);
+    let stored = if choices.stored_as_programmed { units } else { machine.length_unit };
+    let conversion = Conversion::between(stored, units);
+    let of_axes = choices.offsets_of_axes;
     let system = offsets::system_of(numbered.get(offsets::WORK_OFFSET));
     numbered.set(offsets::WORK_OFFSET, f64::from(system));
+    let origin = offsets::origin(numbered, system);
     let mut modes = Modes {
         units,
         work_offset: system,
-        g5x_offset: offsets::origin(numbered, system).converted(conversion),
-        rotation: offsets::rotation(numbered, system),
+        g5x_offset: Coordinates::default()
+            .taking(if of_axes { axis_letters(&machine.axes) } else { AXES }, origin)
+            .converted(conversion),
+        rotation: if of_axes { 0.0 } else { offsets::rotation(numbered, system) },
         retract: if choices.initial_old_z { ReturnMode::OldZ } else { ReturnMode::RPlane },
         ..Modes::default()
     };
-    if numbered.get(offsets::G92_APPLIED).abs() > 0.0 {
+    if numbered.get(offsets::G92_APPLIED).abs() > 0.0 && !of_axes {
         modes.g92_offset = offsets::g92_offset(numbered).converted(conversion);
     }
     modes

@@ -24,6 +24,7 @@ mod end;
 mod end_point;
 mod execute;
 mod fast_path;
+mod feed_length;
 mod initial;
 mod io;
 pub(crate) mod letters;

@@ -1,14 +1,15 @@
 //! Selecting: planes, units, distance modes, feed modes, return modes, path control, diameter mode.
 
 use gaugeblock_vocabulary::{
-    Distance, FaultKind, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
+    Distance, Effect, FaultKind, FeedMode, Lathe, LengthUnit, PathControlMode, Plane, ReturnMode,
 };
 
 use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::Modal;
-use super::coordinates::Conversion;
+use super::coordinates::{Conversion, Coordinates};
+use super::feed_length::feed_length;
 use super::refusal::{Refusal, refuse};
 use super::values::not_negative;
 
@@ -33,12 +34,27 @@ impl Modal {
             _ => FeedMode::PerRevolution,
         };
         if self.active.now().feed_mode != mode {
+            if self.active.now().feed_mode == FeedMode::PerMinute {
+                self.rate_of_move = self.active.now().feed_rate;
+            }
+            let of_move = self.choices.feed_of_last_move && mode == FeedMode::PerMinute;
+            let rate = if of_move { self.rate_of_move } else { 0.0 };
             let modes = self.active.set();
             modes.feed_mode = mode;
             // A switch to G94 or G95 requires a new rate, one to G93 requires a rate in each block (11.5.59).
             if mode != FeedMode::InverseTime && !planted(PlantedFault::FeedKeptOverMode) {
-                modes.feed_rate = 0.0;
+                modes.feed_rate = rate;
             }
+        }
+    }
+
+    /// Notes the feed rate per minute of a feed move under inverse time.
+    pub(super) fn note_rate(&mut self, start: Coordinates, effect: &Effect) {
+        let now = self.active.now();
+        if now.feed_mode == FeedMode::InverseTime
+            && let Some(length) = feed_length(start, effect, now.plane)
+        {
+            self.rate_of_move = length * now.feed_rate;
         }
     }
 
@@ -62,8 +78,12 @@ impl Modal {
     }
 
     /// G20, G21.
-    pub(super) fn select_units(&mut self, code: u16) {
+    pub(super) fn select_units(&mut self, code: u16) -> Result<(), Refusal> {
+        if self.choices.units_uncompensated {
+            self.refuse_under_compensation("a length unit")?;
+        }
         self.change_units(unit_of(code));
+        Ok(())
     }
 
     /// Converts every length to another unit.
@@ -79,6 +99,9 @@ impl Modal {
         self.cutter = self.cutter.converted(conversion);
         self.compensation.convert(conversion);
         let keep_feed = self.choices.feed_number_kept || planted(PlantedFault::FeedNumber);
+        if !keep_feed {
+            self.rate_of_move = conversion.of(self.rate_of_move);
+        }
         let keep_tool_offset = self.emulates_rs274;
         let modes = self.active.set();
         modes.units = units;

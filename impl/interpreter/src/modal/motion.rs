@@ -91,6 +91,7 @@ impl Modal {
         } else {
             self.arc(block.words, self.motion, &start)?
         };
+        self.note_rate(start, &effect);
         self.perform_move(block.words.line, start, &effect, sink)
     }
 

@@ -46,13 +46,13 @@ impl Modal {
         self.motion = mode_of(code);
         let effect = Effect::StraightProbe { end: end.position(), contact: None };
         let now = *self.active.now();
-        let to_stored = self.active_to_stored();
+        let to_machine = self.active_to_machine();
         let probing = ProbeMove {
             toward: matches!(code, 382 | 383) || planted(PlantedFault::TowardOnly),
-            from: now.machine_of(self.position).converted(to_stored),
-            to: now.machine_of(end).converted(to_stored),
+            from: now.machine_of(self.position).converted(to_machine),
+            to: now.machine_of(end).converted(to_machine),
             modes: now,
-            stored_to_active: self.stored_to_active(),
+            stored_to_active: self.machine_to_active(),
         };
         // Only the sink can see that the probe is in the target state already; it refuses then.
         self.report(words.line, sink);

@@ -16,7 +16,7 @@ impl Modal {
             return;
         }
         self.machine_snapshot = Some(Box::new(MachineSnapshot {
-            point: self.active.now().machine_of(point).converted(self.active_to_stored()),
+            point: self.active.now().machine_of(point).converted(self.active_to_machine()),
             tool: self.tool,
             prepared: self.prepared,
             selected: self.selected,
@@ -33,7 +33,7 @@ impl Modal {
     pub(crate) fn end_read_ahead(&mut self, numbered: &mut Numbered) {
         let Some(snapshot) = self.machine_snapshot.take() else { return };
         self.forget_compensated_path();
-        let point = snapshot.point.converted(self.stored_to_active());
+        let point = snapshot.point.converted(self.machine_to_active());
         self.position = self.active.now().program_of(point);
         self.tool = snapshot.tool;
         self.prepared = snapshot.prepared;

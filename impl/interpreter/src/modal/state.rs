@@ -87,8 +87,10 @@ pub(crate) struct Modal {
     pub(super) tool_change: ToolChange,
     /// Whether tools change places in the changer.
     pub(super) random_tool_changer: bool,
-    /// Length unit of stored data.
+    /// Length unit of the machine.
     pub(super) machine_unit: LengthUnit,
+    /// Feed rate per minute of the last feed move, active unit.
+    pub(super) rate_of_move: f64,
     /// The choices of the dialect.
     pub(super) choices: Choices,
 }
@@ -124,7 +126,7 @@ impl Modal {
 
     /// The controlled point in machine coordinates, machine unit.
     pub(crate) fn machine_point(&self) -> Coordinates {
-        self.active.now().machine_of(self.position).converted(self.active_to_stored())
+        self.active.now().machine_of(self.position).converted(self.active_to_machine())
     }
 
     /// The tool table as the program has changed it.
@@ -142,13 +144,28 @@ impl Modal {
         offsets::publish(numbered, self.position);
     }
 
+    /// The unit of stored lengths: that of the machine, or by a choice the active one.
+    fn stored_unit(&self) -> LengthUnit {
+        if self.choices.stored_as_programmed { self.active.now().units } else { self.machine_unit }
+    }
+
     /// From the unit of stored lengths to the active one.
     pub(super) fn stored_to_active(&self) -> Conversion {
-        Conversion::between(self.machine_unit, self.active.now().units)
+        Conversion::between(self.stored_unit(), self.active.now().units)
     }
 
     /// From the active unit to that of stored lengths.
     pub(super) fn active_to_stored(&self) -> Conversion {
+        Conversion::between(self.active.now().units, self.stored_unit())
+    }
+
+    /// From the unit of the machine to the active one.
+    pub(super) fn machine_to_active(&self) -> Conversion {
+        Conversion::between(self.machine_unit, self.active.now().units)
+    }
+
+    /// From the active unit to that of the machine.
+    pub(super) fn active_to_machine(&self) -> Conversion {
         Conversion::between(self.active.now().units, self.machine_unit)
     }
 }

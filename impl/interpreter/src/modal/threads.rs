@@ -98,7 +98,7 @@ impl Modal {
         let way = if planted(PlantedFault::LimitNumber) {
             way
         } else {
-            way.converted(self.active_to_stored())
+            way.converted(self.active_to_machine())
         };
         let too_fast = |(way, limit): (f64, f64)| way.abs() / seconds > limit * (1.0 + 1e-9);
         if way.0.into_iter().zip(self.velocities.0).any(too_fast) {

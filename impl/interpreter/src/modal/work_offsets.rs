@@ -13,7 +13,7 @@ use crate::words::Words;
 use super::Modal;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
-use super::letters::{X, Y, Z};
+use super::letters::{AXES, X, Y, Z};
 use super::modes::Modes;
 use super::offsets;
 use super::refusal::{Refusal, refuse};
@@ -68,13 +68,38 @@ impl Modal {
     /// Puts a work coordinate system into force, as it is stored.
     pub(super) fn use_work_offset(&mut self, system: u32, numbered: &mut Numbered) {
         let origin = offsets::origin(numbered, system).converted(self.stored_to_active());
-        let rotation = offsets::rotation(numbered, system);
+        let (origin, rotation) = self.applying(origin, offsets::rotation(numbered, system));
         self.offset_by(|modes| {
             modes.work_offset = system;
             modes.g5x_offset = origin;
             modes.rotation = rotation;
         });
         numbered.set(offsets::WORK_OFFSET, f64::from(system));
+    }
+
+    /// The axes that have offsets: by a choice those of the machine alone.
+    fn offset_axes(&self) -> u32 {
+        if self.choices.offsets_of_axes { self.axes } else { AXES }
+    }
+
+    /// What of a stored origin and rotation applies.
+    fn applying(&self, origin: Coordinates, rotation: f64) -> (Coordinates, f64) {
+        let rotation = if self.choices.offsets_of_axes { 0.0 } else { rotation };
+        (Coordinates::default().taking(self.offset_axes(), origin), rotation)
+    }
+
+    /// Stores the offset of G92, active unit.
+    fn store_g92(&self, offset: Coordinates, numbered: &mut Numbered) {
+        let stored = offset.converted(self.active_to_stored());
+        let kept = offsets::g92_offset(numbered);
+        offsets::store_g92(numbered, kept.taking(self.offset_axes(), stored));
+    }
+
+    /// Stores whether the offset of G92 applies: by a choice nowhere.
+    fn store_flag(&self, applies: bool, numbered: &mut Numbered) {
+        if !self.choices.offsets_of_axes {
+            numbered.set(offsets::G92_APPLIED, f64::from(u8::from(applies)));
+        }
     }
 
     /// G52 and G92 to G92.3.
@@ -101,7 +126,7 @@ impl Modal {
             920 => self.set_g92(self.new_g92_offset(words), numbered),
             921 | 922 => {
                 if code == 921 {
-                    offsets::store_g92(numbered, Coordinates::default());
+                    self.store_g92(Coordinates::default(), numbered);
                 }
                 self.suspend_g92(numbered);
             }
@@ -113,8 +138,9 @@ impl Modal {
                     stored.converted(self.stored_to_active())
                 };
                 if !planted(PlantedFault::RestoredUnflagged) {
-                    numbered.set(offsets::G92_APPLIED, 1.0);
+                    self.store_flag(true, numbered);
                 }
+                let offset = Coordinates::default().taking(self.offset_axes(), offset);
                 self.offset_by(|modes| modes.g92_offset = offset);
             }
             _ => {}
@@ -124,7 +150,7 @@ impl Modal {
 
     /// Cancels the offset of G92 and keeps its parameters.
     pub(super) fn suspend_g92(&mut self, numbered: &mut Numbered) {
-        numbered.set(offsets::G92_APPLIED, 0.0);
+        self.store_flag(false, numbered);
         self.offset_by(|modes| modes.g92_offset = Coordinates::default());
     }
 
@@ -153,8 +179,8 @@ impl Modal {
     }
 
     fn set_g92(&mut self, offset: Coordinates, numbered: &mut Numbered) {
-        offsets::store_g92(numbered, offset.converted(self.active_to_stored()));
-        numbered.set(offsets::G92_APPLIED, 1.0);
+        self.store_g92(offset, numbered);
+        self.store_flag(true, numbered);
         self.offset_by(|modes| modes.g92_offset = offset);
     }
 
@@ -217,6 +243,7 @@ impl Modal {
         offsets::store(numbered, system, stored, rotation);
         if system == active && !planted(PlantedFault::ActiveWaits) {
             let clears = kind == 2 && planted(PlantedFault::SetClearsLocal);
+            let (origin, rotation) = self.applying(origin, rotation);
             self.offset_by(|modes| {
                 (modes.g5x_offset, modes.rotation) = (origin, rotation);
                 if clears {

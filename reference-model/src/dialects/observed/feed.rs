@@ -39,6 +39,19 @@ impl FeedRules for Observed {
         !ignored && Documented.takes_feed_rate(motion, state)
     }
 
+    /// Quirk nist.inverse-time-at-least-a-tenth. A feed move under inverse time has a feed rate of at least 0.1 length
+    /// units per minute; its F becomes the one of that rate.
+    fn rate_of_move(&self, length: f64, state: &mut State) -> f64 {
+        let rate = Documented.rate_of_move(length, state);
+        if rate >= 0.1 || !state.has_quirk(quirk::nist::INVERSE_TIME_AT_LEAST_A_TENTH) {
+            return rate;
+        }
+        if length > 0.0 {
+            state.modes.feed_rate = 0.1 / length;
+        }
+        0.1
+    }
+
     /// Quirk rs274.feed-name-inverse-time. In inverse time mode `_feed` becomes the feed rate that the move had, not F.
     fn use_feed_rate(&self, rate: f64, state: &mut State) {
         Documented.use_feed_rate(rate, state);

@@ -8,10 +8,10 @@ use crate::math;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::compensation::programmed_point;
+use crate::rs274::execute::feed::length_for_feed;
 use crate::rs274::execute::motion::MotionRules;
 use crate::rs274::execute::programmed_motion::{is_arc, is_spline, motion_of};
 use crate::rs274::execute::word;
-use crate::rs274::modes::each;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -24,7 +24,6 @@ impl MotionRules for Observed {
         state: &mut State,
     ) {
         feed_of_move(motion, start, end, state);
-        at_least_a_tenth(motion, start, end, state);
     }
 
     /// Quirk rs274.nurbs-machine-coordinates. G53 can be in the block of G5.2, but not in those of the points after
@@ -168,27 +167,4 @@ fn feed_of_move(motion: Motion, start: Position, end: Position, state: &mut Stat
     let length = length_for_feed(start, end);
     let modes = &mut state.modes;
     modes.memory.get_mut().feed_number = (length * modes.feed_rate).max(0.1);
-}
-
-/// Quirk nist.inverse-time-at-least-a-tenth. A straight feed under inverse time has a feed rate of at least 0.1 length
-/// units per minute; its F becomes the one of that rate.
-fn at_least_a_tenth(motion: Motion, start: Position, end: Position, state: &mut State) {
-    if motion != Motion::Feed || state.modes.feed_mode != FeedMode::InverseTime {
-        return;
-    }
-    let length = length_for_feed(start, end);
-    let rate = length * state.modes.feed_rate;
-    let is_slower = length > 0.0 && rate < 0.1;
-    if is_slower && state.has_quirk(quirk::nist::INVERSE_TIME_AT_LEAST_A_TENTH) {
-        state.modes.feed_rate = 0.1 / length;
-    }
-}
-
-/// The length of a move that its feed rate counts for: that of X, Y and Z if one of these axes moves, else that of
-/// U, V and W, else that of A, B and C.
-fn length_for_feed(start: Position, end: Position) -> f64 {
-    let way = each(end, start, |end, start| end - start);
-    let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
-    let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
-    lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default()
 }

@@ -239,7 +239,8 @@ fn restore_local_offset(saved: &Modes, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     state.parameters.store(5210, if saved.local_applies { 1.0 } else { 0.0 });
     let parameters = &state.parameters;
-    state.modes.load_local_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let unit = state.stored_unit();
+    state.modes.load_local_offset(|number| parameters.stored(number), unit);
     state.position = state.modes.program_point(machine);
 }
 

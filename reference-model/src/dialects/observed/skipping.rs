@@ -60,7 +60,7 @@ fn read_over(
         let place = Place { line, ..start };
         match control.files.line(place, state) {
             None | Some(Line::End) => break,
-            Some(Line::Nothing) => {}
+            Some(Line::Nothing | Line::Skipped(_)) => {}
             Some(Line::Block(text)) => {
                 check_skipped_line(text, target, state).inspect_err(|_| control.place = place)?;
             }

@@ -6,10 +6,11 @@ use super::{HasQuirk, Observed};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Comment, Parser, SyntaxRules};
 use crate::rs274::text::{Line, Source, TextRules, within};
+use crate::rs274::{check, evaluate, syntax};
 
 impl TextRules for Observed {
     /// Quirk rs274.shorter-lines. A line has at most 252 bytes without its line end.
@@ -40,6 +41,21 @@ impl TextRules for Observed {
         Documented.percent_line(line, source, state)
     }
 
+    /// Quirk nist.skipped-line-is-read. A line that block delete skips is read and checked. NIST's language has no
+    /// O-words.
+    fn pass_over_skipped(&self, text: &str, state: &mut State) -> Result<(), StepError> {
+        let quirk = quirk::nist::SKIPPED_LINE_IS_READ;
+        if !state.has_quirk(quirk) {
+            return Documented.pass_over_skipped(text, state);
+        }
+        let block = syntax::parse(text, state)?;
+        if block.o_word.is_some() {
+            return Err(refuse(quirk, FaultKind::BadCharacter, "an O-word in a skipped line"));
+        }
+        let words = evaluate::words(&block, state)?;
+        check::check(&words, state)
+    }
+
     /// Quirk rs274.percent-in-file. If the main program begins with a percent line, the first percent line of a called
     /// file ends that file.
     fn begin_called_file(&self, called: &mut Source, main: &Source, choices: &Choices) {
@@ -61,10 +77,12 @@ impl SyntaxRules for Observed {
         Documented.is_above_greatest_line_number(number, choices)
     }
 
-    /// Quirk nist.five-digits. A number above 99999 has too many digits; leading zeros do not count.
+    /// Quirk nist.five-digits. A number above 99999 has too many digits; leading zeros do not count. Of the number, 64
+    /// bits are read and 32 kept, with a sign.
     fn has_too_many_digits(&self, digits: &str, choices: &Choices) -> bool {
         if choices.has_quirk(quirk::nist::FIVE_DIGITS) {
-            return digits.parse::<f64>().is_ok_and(|number| number > 99_999.0);
+            let [a, b, c, d, ..] = digits.parse().unwrap_or(i64::MAX).to_le_bytes();
+            return i32::from_le_bytes([a, b, c, d]) > 99_999;
         }
         Documented.has_too_many_digits(digits, choices)
     }

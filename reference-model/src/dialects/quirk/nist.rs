@@ -8,7 +8,8 @@ quirks! {
     CYCLE_REPEATS_LAST_WORD = "nist.cycle-repeats-last-word",
     /// A canned cycle is accepted while the cutter is compensated.
     CYCLE_UNDER_COMPENSATION = "nist.cycle-under-compensation",
-    /// A line number may have any number of digits if it is not above 99999.
+    /// A line number may have any number of digits if the lowest 32 bits of its value, the highest being the
+    /// sign, are not above 99999.
     FIVE_DIGITS = "nist.five-digits",
     /// G28 and G30 do not move the rotary axes. Their coordinates are nevertheless those of the stored
     /// position.
@@ -23,6 +24,8 @@ quirks! {
     OFFSET_KEPT_AT_END = "nist.offset-kept-at-end",
     /// A line has at most 253 bytes without its line end, not 256 characters.
     SHORTER_LINES = "nist.shorter-lines",
+    /// A line that block delete skips is read, and refused where it is wrong; it is not executed.
+    SKIPPED_LINE_IS_READ = "nist.skipped-line-is-read",
     /// A coordinate system is selected while the cutter is compensated.
     SYSTEMS_UNDER_COMPENSATION = "nist.systems-under-compensation",
     /// G43 with an offset of zero is reported as G49.

@@ -21,6 +21,33 @@ choices! {
         ReturnLevel = "return-level",
     }
 
+    /// Whether a canned cycle needs a feed rate: LinuxCNC's manual refuses a feed move without one, NIST's
+    /// list of errors in cycles has no feed rate.
+    FeedRate = "cycles.feed-rate" {
+        /// without one it is refused
+        Needed = "needed",
+        /// it is accepted without one
+        Any = "any",
+    }
+
+    /// Which level G98 returns to: in LinuxCNC where the normal axis was before the first of a row of canned
+    /// cycles, in NIST where it was before each cycle.
+    OldLevel = "cycles.old-level" {
+        /// that before the row of cycles
+        Row = "row",
+        /// that before the cycle
+        Cycle = "cycle",
+    }
+
+    /// In which path control mode a canned cycle moves: by LinuxCNC's manual in that of the program, NIST's
+    /// report does not say, and its program takes the exact path.
+    PathMode = "cycles.path-mode" {
+        /// the mode of the program holds
+        AsProgrammed = "as-programmed",
+        /// exact path mode holds from its first move in the plane to its end
+        ExactPath = "exact-path",
+    }
+
     /// Where G83 goes between two pecks: in LinuxCNC to R, in NIST to the clear height, which under G98 can
     /// be above R.
     PeckReturn = "cycles.peck-return" {
@@ -48,6 +75,15 @@ choices! {
         AsCut = "as-cut",
     }
 
+    /// Whether G84 and G74 disable the overrides: LinuxCNC disables them until the end of the cycle, in NIST
+    /// the lower one counts for feed and speed.
+    TapOverrideSwitches = "cycles.tap-override-switches" {
+        /// they are disabled while it cuts and feeds out
+        Disabled = "disabled",
+        /// they stay as they are
+        Kept = "kept",
+    }
+
     /// Whether the spindle turns as before after G84 and G74. The list of what they do ends with the
     /// overrides.
     TapReturn = "cycles.tap-return" {
@@ -57,11 +93,13 @@ choices! {
         AsBefore = "as-before",
     }
 
-    /// Whether G84 and G74 need P. Both dwell for P seconds.
+    /// Whether G84 and G74 need P. In LinuxCNC both dwell for P seconds, in NIST G84 has no dwell.
     TapWithoutDwell = "cycles.tap-without-dwell" {
         /// they need it
         Refused = "refused",
         /// without it they dwell for zero seconds
         Zero = "zero",
+        /// they do not dwell
+        None = "none",
     }
 }

@@ -11,4 +11,13 @@ choices! {
         /// none
         Zero = "zero",
     }
+
+    /// Which feed rate is in force after a switch from inverse time to feed per minute: LinuxCNC needs a new
+    /// one, NIST's report does not say, and its program has that of the last move.
+    AfterModeChange = "feed.after-mode-change" {
+        /// none
+        None = "none",
+        /// the rate per minute at which the last feed move was made
+        OfLastMove = "of-last-move",
+    }
 }

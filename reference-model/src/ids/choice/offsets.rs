@@ -12,6 +12,15 @@ choices! {
         Refused = "refused",
     }
 
+    /// Whether parameters say if the offset of G92 applies, and how coordinate systems are turned: in
+    /// LinuxCNC `#5210`, `#5230` and so on do, in NIST these are parameters like any other.
+    FlagAndRotation = "offsets.flag-and-rotation" {
+        /// they do
+        Stored = "stored",
+        /// they are not used
+        None = "none",
+    }
+
     /// What G92 does to the local offset of an axis for which it has no word: LinuxCNC takes it away, Grbl
     /// changes only axes that have a word.
     PositionOtherAxes = "offsets.position-other-axes" {
@@ -36,6 +45,15 @@ choices! {
         Accepted = "accepted",
         /// a word is missing
         Refused = "refused",
+    }
+
+    /// In which length unit stored offsets, positions and tools are: in LinuxCNC in the machine's; NIST's
+    /// report does not say, and its program stores and reads the numbers as they are.
+    StoredUnit = "offsets.stored-unit" {
+        /// in that of the machine
+        Machine = "machine",
+        /// in that of the program when they are stored or read
+        AsProgrammed = "as-programmed",
     }
 
     /// How many coordinate systems there are: nine from G54 to G59.3, or six from G54 to G59.

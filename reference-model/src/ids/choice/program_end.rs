@@ -10,6 +10,8 @@ choices! {
         Zero = "zero",
         /// the number stays and counts per minute
         Kept = "kept",
+        /// it is the rate per minute at which the last feed move was made
+        OfLastMove = "of-last-move",
     }
 
     /// What the program end does to the offset of G92: in LinuxCNC it stays, in NIST it is cancelled as by

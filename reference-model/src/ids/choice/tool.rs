@@ -29,6 +29,14 @@ choices! {
         Accepted = "accepted",
     }
 
+    /// Whether the cutter can be compensated in the ZX plane: LinuxCNC has XY and ZX, NIST has XY alone.
+    CompensationInZx = "tool.compensation-in-zx" {
+        /// it can
+        Accepted = "accepted",
+        /// the XY plane has to be selected
+        Refused = "refused",
+    }
+
     /// Whether a T that names no tool may be selected. One sentence has the spindle empty after a change to
     /// an empty slot, another one refuses a number that is not in the tool table.
     EmptySlot = "tool.empty-slot" {
@@ -48,7 +56,7 @@ choices! {
     }
 
     /// What G43 does with H0, and without H: in LinuxCNC it applies the offset of the tool in the spindle, in
-    /// NIST H0 is an offset of zero, and H is required.
+    /// NIST H0 is an offset of zero, and H is required. D0 of G41 is the same with the radius.
     LengthNumberZero = "tool.length-number-zero" {
         /// the tool in the spindle
         Spindle = "spindle",
@@ -84,7 +92,7 @@ choices! {
     }
 
     /// What the number of T is: that of a slot of the changer, or that of a tool. The older text says slot;
-    /// the last one says pocket in one place, and tool in another.
+    /// the last one says pocket in one place, and tool in another. D and H name what T names.
     SelectedBy = "tool.selected-by" {
         /// the number of a tool in the tool table
         Number = "number",

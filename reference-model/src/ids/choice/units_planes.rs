@@ -37,4 +37,13 @@ choices! {
         /// it cannot
         Refused = "refused",
     }
+
+    /// Whether G20 and G21 are accepted while cutter compensation is on. LinuxCNC's section on them names no
+    /// error; NIST's program refuses them.
+    UnitsUnderCompensation = "units-planes.units-under-compensation" {
+        /// they are
+        Accepted = "accepted",
+        /// they are refused, in force or not
+        Refused = "refused",
+    }
 }

@@ -69,8 +69,9 @@ rules! {
     REPEATS_ITSELF = "cycles.repeats-itself",
     /// A canned cycle whose R is below the bottom of its hole is refused.
     RETRACT_BELOW_BOTTOM = "cycles.retract-below-bottom",
-    /// Each repeat of a canned cycle ends at R under G99. Under G98 it ends at the level before the row of
-    /// cycles if that is above R, and at R if not.
+    /// Each repeat of a canned cycle ends at R under G99. Under G98 it ends at the level before the cycles if
+    /// that is above R, and at R if not. Whether that is the level before a row of them or before each is a
+    /// choice.
     RETURN_LEVEL = "cycles.return-level",
     /// A canned cycle takes no word of a rotary axis, not even where it would not move.
     ROTARY_WORDS = "cycles.rotary-words",

@@ -40,7 +40,7 @@ rules! {
     COMPENSATION = "tool.compensation",
     /// G40 is allowed when cutter compensation is off.
     COMPENSATION_OFF_REPEATED = "tool.compensation-off-repeated",
-    /// Cutter compensation may be turned on in the XY and ZX planes only.
+    /// Cutter compensation may be turned on in the XY and ZX planes only, by a choice in the XY plane alone.
     COMPENSATION_PLANE = "tool.compensation-plane",
     /// D of G41 and G42 is a tool number or 0.
     COMPENSATION_TOOL = "tool.compensation-tool",

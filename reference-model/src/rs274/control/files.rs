@@ -73,7 +73,7 @@ impl Files {
         loop {
             match source.line(index, self.block_delete, state) {
                 None | Some(Line::End) => break,
-                Some(Line::Nothing) => {}
+                Some(Line::Nothing | Line::Skipped(_)) => {}
                 Some(Line::Block(text)) => labels.read_line(line_number(index), text, state),
             }
             index += 1;

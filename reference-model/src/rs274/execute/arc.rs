@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::compensation::{self, programmed_point};
+use super::feed::record_rate;
 use super::plane_axes::{Axes, axes};
 use super::target::{end_point, letter};
 use super::{whole, word};
@@ -80,11 +81,24 @@ fn cut(
     if compensation::applies(state) {
         return compensation::arc(motion, end, axes, (centre, turns), state, record);
     }
+    record_rate(helix_length(axes, (start, end), centre, turns), state);
     state.modes.motion = motion;
     state.position = end;
     let (first_centre, second_centre) = centre;
     record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
     Ok(())
+}
+
+/// The length of an arc or helix; an arc that ends where it starts is a full circle. Turns are signed.
+fn helix_length(axes: Axes, ends: (Position, Position), centre: InPlane, turns: i32) -> f64 {
+    let (start, end) = (axes.in_plane(ends.0), axes.in_plane(ends.1));
+    let angle = |point: InPlane| math::angle(point.1 - centre.1, point.0 - centre.0);
+    let sense = f64::from(turns.signum());
+    let swept = (angle(end) - angle(start)) * sense;
+    let swept = if swept > 0.0 { swept } else { swept + std::f64::consts::TAU };
+    let whole = f64::from(turns.abs() - 1) * std::f64::consts::TAU;
+    let along = ends.1.get(axes.normal) - ends.0.get(axes.normal);
+    math::hypotenuse(distance(centre, start) * (swept + whole), along)
 }
 
 /// Rule compensation.exit-arc. The next move after compensation is not an arc, not even a compensated one.

@@ -1,14 +1,15 @@
 //! G93, G94, G95 and F.
 
-use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion};
+use gaugeblock_vocabulary::{FaultKind, FeedMode, Motion, Position};
 
 use super::probe::is_probing;
 use super::programmed_motion::{is_arc, is_feed, is_spline, motion_of};
 use super::units_planes::programmed_units;
 use super::word;
 use crate::ids::{choice, rule};
+use crate::math;
 use crate::rs274::evaluate::Words;
-use crate::rs274::modes::unit_size;
+use crate::rs274::modes::{each, unit_size};
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -40,8 +41,16 @@ pub(crate) trait FeedRules {
     }
 
     /// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
+    /// Choice feed.after-mode-change: from G93 to G94 that of the last move counts.
     fn switch_feed_mode(&self, mode: FeedMode, state: &mut State) {
-        if mode != FeedMode::InverseTime {
+        if state.modes.feed_mode == FeedMode::PerMinute {
+            state.move_rate = state.modes.feed_rate;
+        }
+        let counts = mode == FeedMode::PerMinute
+            && state.choices.is(choice::feed::AfterModeChange::OfLastMove);
+        if counts {
+            state.modes.feed_rate = state.move_rate;
+        } else if mode != FeedMode::InverseTime {
             state.modes.feed_rate = 0.0;
             state.modes.feed_awaited = true;
         }
@@ -58,6 +67,11 @@ pub(crate) trait FeedRules {
     fn use_feed_rate(&self, rate: f64, state: &mut State) {
         state.modes.feed_rate = rate;
         state.modes.feed_awaited = false;
+    }
+
+    /// Choice feed.after-mode-change. The feed rate per minute of a move under inverse time: its length times F.
+    fn rate_of_move(&self, length: f64, state: &mut State) -> f64 {
+        length * state.modes.feed_rate
     }
 }
 
@@ -160,4 +174,20 @@ pub(super) fn check_feed_rate(words: &Words, state: &mut State) -> Result<(), St
     state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
     state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
     state.dialect().check_spindle_of_feed(words, state)
+}
+
+/// Records the feed rate per minute of a feed move of a length, active length unit or degrees.
+pub(super) fn record_rate(length: f64, state: &mut State) {
+    if state.modes.feed_mode == FeedMode::InverseTime {
+        state.move_rate = state.dialect().rate_of_move(length, state);
+    }
+}
+
+/// The length of a straight move that its feed rate counts for: that of X, Y and Z if one of these axes moves, else
+/// that of U, V and W, else that of A, B and C.
+pub(crate) fn length_for_feed(start: Position, end: Position) -> f64 {
+    let way = each(end, start, |end, start| end - start);
+    let length = |[x, y, z]: [f64; 3]| math::hypotenuse(math::hypotenuse(x, y), z);
+    let lengths = [[way.x, way.y, way.z], [way.u, way.v, way.w], [way.a, way.b, way.c]].map(length);
+    lengths.into_iter().find(|length| *length > 0.0).unwrap_or_default()
 }

@@ -1,17 +1,16 @@
 //! G52 and the G92 codes: an offset of every coordinate system.
 
-use gaugeblock_vocabulary::{Axis, Compensation, Position};
+use gaugeblock_vocabulary::{Compensation, Position};
 
-use super::offset_storage::{in_force_changes, store_length};
+use super::offset_storage::{
+    LOCAL_APPLIES, in_force_changes, store_flag, store_length, stored_axes, stored_offset,
+};
 use super::target::offset_words;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::each;
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
-
-/// The parameter that is 1 while the offset applies; those of the axes follow, machine unit.
-const APPLIES: u32 = 5210;
 
 /// The rules of the local offset that a controller may follow differently.
 pub(crate) trait LocalOffsetRules {
@@ -114,8 +113,8 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
 fn clear(state: &mut State) {
     state.coverage.accepted(rule::offsets::LOCAL_CLEARED);
     suspend_offset(state);
-    for axis in Axis::ALL.iter().copied() {
-        store_length(APPLIES + 1, axis, 0.0, state);
+    for axis in stored_axes(state) {
+        store_length(LOCAL_APPLIES + 1, axis, 0.0, state);
     }
 }
 
@@ -129,16 +128,18 @@ fn suspend(state: &mut State) {
 pub(super) fn suspend_offset(state: &mut State) {
     apply(Position::default(), state);
     state.modes.local_applies = false;
-    state.parameters.store(APPLIES, 0.0);
+    store_flag(false, state);
 }
 
 /// Rule offsets.local-resumed. G92.3 applies what the parameters hold.
 fn resume(state: &mut State) {
     state.coverage.accepted(rule::offsets::LOCAL_RESUMED);
-    state.parameters.store(APPLIES, 1.0);
+    store_flag(true, state);
     let machine = state.modes.machine_point(state.position);
-    let parameters = &state.parameters;
-    state.modes.load_local_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let (parameters, choices, machine_data) = (&state.parameters, &state.choices, &state.machine);
+    let unit = state.stored_unit();
+    let stored = |number| stored_offset(number, parameters, choices, machine_data);
+    state.modes.load_local_offset(stored, unit);
     state.position = state.modes.program_point(machine);
 }
 
@@ -153,8 +154,8 @@ fn apply(offset: Position, state: &mut State) {
 /// Stores the offset that applies.
 fn remember(state: &mut State) {
     let offset = state.modes.g92_offset;
-    for axis in Axis::ALL.iter().copied() {
-        store_length(APPLIES + 1, axis, offset.get(axis), state);
+    for axis in stored_axes(state) {
+        store_length(LOCAL_APPLIES + 1, axis, offset.get(axis), state);
     }
-    state.parameters.store(APPLIES, 1.0);
+    store_flag(true, state);
 }

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::arc;
-use super::feed::check_feed_rate;
+use super::feed::{check_feed_rate, length_for_feed, record_rate};
 use super::programmed_motion::{by_offsets_alone, is_arc, is_feed, is_spline, motion_of};
 use super::target::{end_point, machine_end_point};
 use super::{compensation, cycles, probe, splines, threading, turning};
@@ -281,6 +281,9 @@ pub(super) fn lead_to(
     let start = compensation::programmed_point(state);
     compensation::lead_away(end, state)?;
     state.dialect().straight_move_leads(motion, start, end, state);
+    if motion == Motion::Feed && !compensation::applies(state) {
+        record_rate(length_for_feed(start, end), state);
+    }
     accepted(motion, end, words, state);
     if compensation::applies(state) {
         return compensation::line(motion, end, state, record);

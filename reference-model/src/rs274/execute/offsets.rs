@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion, Position};
 
-use super::offset_storage::{in_force_changes, store_length};
+use super::offset_storage::{in_force_changes, store_length, stored_offset};
 use super::programmed_motion::check_words_after_cancel;
 use super::target::offset_words;
 use super::tool_table::{self, Values};
@@ -100,8 +100,10 @@ pub(crate) fn use_system(system: u32, state: &mut State) {
 /// Reads the origin of the selected system again; the machine stays where it is.
 pub(crate) fn reload(state: &mut State) {
     let machine = state.modes.machine_point(state.position);
-    let parameters = &state.parameters;
-    state.modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let (parameters, choices, machine_data) = (&state.parameters, &state.choices, &state.machine);
+    let unit = state.stored_unit();
+    let stored = |number| stored_offset(number, parameters, choices, machine_data);
+    state.modes.load_work_offset(stored, unit);
     state.position = state.modes.program_point(machine);
 }
 
@@ -202,8 +204,10 @@ fn store_calculated(system: u32, named: &[(Axis, f64)], state: &mut State) {
     let mut modes = state.modes.clone();
     let machine = modes.machine_point(state.position);
     modes.work_offset = system;
-    let parameters = &state.parameters;
-    modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+    let (parameters, choices, machine_data) = (&state.parameters, &state.choices, &state.machine);
+    let unit = state.stored_unit();
+    let stored = |number| stored_offset(number, parameters, choices, machine_data);
+    modes.load_work_offset(stored, unit);
     let mut wanted = modes.program_point(machine);
     for (axis, value) in named {
         *wanted.get_mut(*axis) = *value;

@@ -100,7 +100,7 @@ pub(super) fn perform(
 fn store(first: u32, state: &mut State) {
     let machine = state.modes.machine_point(state.position);
     let machine = state.dialect().measured(machine, state);
-    let machine = converted(machine, state.modes.units, state.machine.length_unit);
+    let machine = converted(machine, state.modes.units, state.stored_unit());
     for (number, axis) in (first..).zip(Axis::ALL) {
         state.parameters.store(number, machine.get(*axis));
     }
@@ -115,7 +115,7 @@ fn stored(first: u32, state: &State) -> Position {
             *there.get_mut(*axis) = state.parameters.stored(number);
         }
     }
-    converted(there, state.machine.length_unit, state.modes.units)
+    converted(there, state.stored_unit(), state.modes.units)
 }
 
 /// Rule positions.go. Without axis words every axis goes to the stored position.

@@ -105,11 +105,15 @@ pub(crate) trait ProgramEndRules {
 }
 
 /// Rule program-end.feed-mode. The feed counts per minute.
-/// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before.
+/// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before, or is that of
+/// the last move.
 fn per_minute(state: &mut State) {
-    let switched = state.modes.feed_mode != FeedMode::PerMinute;
-    if switched && state.choices.is(choice::program_end::FeedAfterModeChange::Zero) {
-        state.modes.feed_rate = 0.0;
+    if state.modes.feed_mode != FeedMode::PerMinute {
+        state.modes.feed_rate = match state.choices.get() {
+            choice::program_end::FeedAfterModeChange::Zero => 0.0,
+            choice::program_end::FeedAfterModeChange::Kept => state.modes.feed_rate,
+            choice::program_end::FeedAfterModeChange::OfLastMove => state.move_rate,
+        };
     }
     state.modes.feed_mode = FeedMode::PerMinute;
 }

@@ -118,7 +118,7 @@ fn of_tool(words: &Words, state: &mut State) -> Result<Position, StepError> {
         state.coverage.accepted(choice_rule);
         state.coverage.accepted(rule::tool::LENGTH_ZERO);
         let offset = state.loaded_tool().map(|tool| tool.offset).unwrap_or_default();
-        return Ok(converted(offset, state.machine.length_unit, state.modes.units));
+        return Ok(converted(offset, state.stored_unit(), state.modes.units));
     };
     let rule = rule::tool::LENGTH_NOT_AN_INTEGER;
     let Some(whole) = whole(number) else {
@@ -164,5 +164,5 @@ fn dynamic(words: &Words, state: &mut State) -> Position {
 pub(crate) fn table_offset(tool: i32, rule: Rule, state: &State) -> Result<Position, StepError> {
     let tool = named(tool, rule, state)?;
     let offset = tool.map(|tool| tool.offset).unwrap_or_default();
-    Ok(converted(offset, state.machine.length_unit, state.modes.units))
+    Ok(converted(offset, state.stored_unit(), state.modes.units))
 }

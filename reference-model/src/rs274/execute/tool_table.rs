@@ -72,7 +72,7 @@ pub(super) fn set(
     something(words, state)?;
     let mut tool = state.table_tool(number).cloned().unwrap_or_default();
     tool.offset = offset(values, &tool, words, state)?;
-    let unit = unit_size(state.modes.units) / unit_size(state.machine.length_unit);
+    let unit = unit_size(state.modes.units) / unit_size(state.stored_unit());
     if let Some(radius) = word(words, 'r') {
         tool.diameter = 2.0 * radius * unit;
     }
@@ -92,7 +92,7 @@ pub(super) fn set(
     }
     let effect = Effect::SetToolEntry {
         tool: number,
-        offset: converted(tool.offset, state.machine.length_unit, state.modes.units),
+        offset: converted(tool.offset, state.stored_unit(), state.modes.units),
         diameter: tool.diameter / unit,
         front_angle: tool.front_angle,
         back_angle: tool.back_angle,
@@ -190,7 +190,8 @@ fn offset(
         if values == Values::FixtureCoordinates {
             modes.work_offset = FIXTURE;
             let parameters = &state.parameters;
-            modes.load_work_offset(|number| parameters.stored(number), state.machine.length_unit);
+            let unit = state.stored_unit();
+            modes.load_work_offset(|number| parameters.stored(number), unit);
             modes.g92_offset = Position::default();
         }
         let plane = named.iter().filter(|(axis, _)| [Axis::X, Axis::Y].contains(axis)).count();
@@ -202,7 +203,7 @@ fn offset(
         let without_tool = modes.machine_point(wanted);
         each(machine, without_tool, |machine, point| machine - point)
     };
-    let values = converted(values, state.modes.units, state.machine.length_unit);
+    let values = converted(values, state.modes.units, state.stored_unit());
     let mut offset = tool.offset;
     for (axis, _) in named {
         *offset.get_mut(axis) = values.get(axis);

@@ -42,8 +42,16 @@ pub fn select_plane(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule units-planes.units. G20 makes inches and G21 millimetres the length unit.
 ///
 /// Rules units-planes.diameter and units-planes.radius. G7 makes X words diameters, and G8 radii.
-pub fn select_units(words: &Words, state: &mut State) {
+///
+/// # Errors
+/// Choice units-planes.units-under-compensation: G20 or G21 while the cutter is compensated.
+pub fn select_units(words: &Words, state: &mut State) -> Result<(), StepError> {
     if let Some(units) = programmed_units(words) {
+        not_under_compensation(
+            rule::units_planes::UNITS,
+            choice::units_planes::UnitsUnderCompensation::Refused,
+            state,
+        )?;
         use_units(units, state);
         state.coverage.accepted(rule::units_planes::UNITS);
     }
@@ -61,6 +69,7 @@ pub fn select_units(words: &Words, state: &mut State) {
         };
         state.coverage.accepted(rule);
     }
+    Ok(())
 }
 
 /// The length unit that a block selects.
@@ -107,6 +116,9 @@ pub fn use_units(units: LengthUnit, state: &mut State) {
 /// Rule units-planes.feed-over-unit-change. What becomes of the feed is a choice.
 fn convert_feed(before: LengthUnit, state: &mut State) {
     state.coverage.accepted(rule::units_planes::FEED_OVER_UNIT_CHANGE);
+    if state.choices.is(choice::units_planes::FeedOverUnitChange::Rescaled) {
+        state.move_rate = state.move_rate * unit_size(before) / unit_size(state.modes.units);
+    }
     if state.dialect().rescales_feed(state) {
         let modes = &mut state.modes;
         // As positions are converted: to and fro it is the same feed again.

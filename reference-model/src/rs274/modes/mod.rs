@@ -19,13 +19,14 @@ pub(crate) use units::each;
 pub use units::{converted, unit_size};
 
 use gaugeblock_vocabulary::{
-    Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion,
+    Axis, Compensation, ControllerMode, Distance, FeedMode, Lathe, LengthUnit, Machine, Motion,
     PathControlMode, Plane, Position, ReturnMode, SpindleLimit, SpindleMode, SpindleTurn, Switch,
 };
 
 use crate::Choices;
 use crate::dialects::ModalMemory;
 use crate::ids::choice::modal_groups::{InitialMotion, InitialRetract};
+use crate::ids::choice::offsets::{FlagAndRotation, StoredUnit};
 use crate::ids::choice::units_planes::InitialUnit;
 use crate::math::near_integer;
 
@@ -129,8 +130,9 @@ impl Spindle {
 /// What a controller may do otherwise with the modes.
 pub(crate) trait ModesRules {
     /// Rule offsets.local-parameters. Whether the stored local offset applies at the start: unless #5210 is 0.
-    fn offset_applies_at_start(&self, flag: f64, _choices: &Choices) -> bool {
-        flag.abs() > 0.0
+    /// Choice offsets.flag-and-rotation: where no parameter says so, it waits for G92.3.
+    fn offset_applies_at_start(&self, flag: f64, choices: &Choices) -> bool {
+        flag.abs() > 0.0 && choices.is(FlagAndRotation::Stored)
     }
 
     /// Rule modal-groups.initial-modes. The blend tolerance before the first block, in millimetres: there is none.
@@ -198,9 +200,19 @@ impl Modes {
             rounding: Rounding::default(),
             memory: ModalMemory::default(),
         };
-        modes.load_work_offset(stored, machine.length_unit);
+        let unit = match choices.get::<StoredUnit>() {
+            StoredUnit::Machine => machine.length_unit,
+            StoredUnit::AsProgrammed => initial_unit,
+        };
+        modes.load_work_offset(stored, unit);
+        if choices.is(FlagAndRotation::None) {
+            modes.rotation = 0.0;
+            for axis in Axis::ALL.iter().filter(|axis| !machine.axes.contains(axis)) {
+                *modes.g5x_offset.get_mut(*axis) = 0.0;
+            }
+        }
         let applies = choices.dialect().offset_applies_at_start(stored(5210), choices);
-        modes.use_stored_offset(applies, stored, machine.length_unit);
+        modes.use_stored_offset(applies, stored, unit);
         modes
     }
 }

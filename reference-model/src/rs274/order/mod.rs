@@ -131,7 +131,7 @@ fn perform_phase(
         }
         Phase::Dwell => execute::dwell::perform(words, state, record)?,
         Phase::Plane => execute::units_planes::select_plane(words, state)?,
-        Phase::Units => execute::units_planes::select_units(words, state),
+        Phase::Units => execute::units_planes::select_units(words, state)?,
         Phase::Compensation => execute::compensation::perform(words, state, record)?,
         Phase::ToolLength => execute::tool_length::perform(words, state)?,
         Phase::WorkOffset => execute::offsets::select(words, state)?,

@@ -8,7 +8,7 @@ mod series;
 
 use std::collections::BTreeMap;
 
-use gaugeblock_vocabulary::{Machine, Position, Rs274State, Settings, Shared, Tool};
+use gaugeblock_vocabulary::{LengthUnit, Machine, Position, Rs274State, Settings, Shared, Tool};
 
 pub use contour::Contour;
 pub(crate) use contour::{CompensatedPath, Exit};
@@ -26,6 +26,7 @@ use super::turning::Move;
 use crate::Choices;
 use crate::RuleCoverage;
 use crate::dialects::Memory;
+use crate::ids::choice;
 
 /// The whole state of a controller.
 #[derive(Clone, Debug)]
@@ -56,6 +57,8 @@ pub struct State {
     pub parameters: Parameters,
     /// The main program's frame and one for each call in progress, innermost last; never empty.
     pub frames: Vec<Frame>,
+    /// Feed rate per minute before G93, or of the last feed move under it, active length unit.
+    pub move_rate: f64,
     /// Line of the current block within its file, from 1.
     pub line: u32,
     /// The row of canned cycles that the last motion belongs to, with the numbers that the next one may leave out.
@@ -137,6 +140,16 @@ pub(crate) fn slots(machine: &Machine) -> Shared<BTreeMap<u32, i32>> {
 }
 
 impl State {
+    /// The length unit of stored offsets, positions and tools.
+    ///
+    /// Choice offsets.stored-unit. That is the machine's, or the one that is active when they are stored or read.
+    pub(crate) fn stored_unit(&self) -> LengthUnit {
+        match self.choices.get() {
+            choice::offsets::StoredUnit::Machine => self.machine.length_unit,
+            choice::offsets::StoredUnit::AsProgrammed => self.modes.units,
+        }
+    }
+
     /// The frame of the call in progress; the main program's outside of any.
     ///
     /// # Panics
@@ -228,6 +241,7 @@ impl State {
             prepared_tool: -1,
             selected_tool: -1,
             selected_for_change: false,
+            move_rate: 0.0,
             slots: Shared::default(),
             frames: vec![Frame::default()],
             line: 1,

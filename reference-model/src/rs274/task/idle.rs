@@ -148,7 +148,7 @@ impl ModelRun<'_> {
         let mut end = End::Paused;
         while let Some(line) = self.control.files.line(place, &mut self.state) {
             let done = match line {
-                Line::Nothing => Ok(None),
+                Line::Nothing | Line::Skipped(_) => Ok(None),
                 Line::Block(_) | Line::End => {
                     self.by_hand(place).map(|end| Some(end.unwrap_or(End::Paused)))
                 }

@@ -212,6 +212,7 @@ pub(super) fn start(scenario: &Scenario, choices: Shared<Choices>, rounding: Rou
         prepared_tool: -1,
         selected_tool: -1,
         selected_for_change: false,
+        move_rate: 0.0,
         slots: slots(&scenario.machine),
         frames: vec![Frame::default()],
         line: 1,

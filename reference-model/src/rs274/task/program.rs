@@ -30,6 +30,11 @@ impl ModelRun<'_> {
                 self.control.place.line += 1;
                 return Ok(None);
             }
+            Some(Line::Skipped(text)) => {
+                self.state.dialect().pass_over_skipped(text, &mut self.state)?;
+                self.control.place.line += 1;
+                return Ok(None);
+            }
             Some(Line::End) if self.state.call_level() > 0 => {
                 self.between()?;
                 let why = "a percent line that is reached in a subroutine".to_owned();

@@ -148,6 +148,11 @@ pub(crate) trait TextRules {
         }
     }
 
+    /// Rule text.block-delete-on. A line that block delete skips is not read.
+    fn pass_over_skipped(&self, _text: &str, _state: &mut State) -> Result<(), StepError> {
+        Ok(())
+    }
+
     /// Rule text.percent-file. A file that is called begins and ends by its own percent lines, whatever the main
     /// program has.
     fn begin_called_file(&self, _called: &mut Source, _main: &Source, _choices: &Choices) {}

@@ -44,8 +44,10 @@ pub struct Source {
 /// What a line of a file is, before it is parsed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line<'a> {
-    /// Nothing to execute: it is blank, or a slash skips it.
+    /// Nothing to execute: it is blank.
     Nothing,
+    /// A line that block delete skips.
+    Skipped(&'a str),
     /// A percent line that ends the file.
     End,
     /// A block, perhaps one that will be refused.
@@ -87,7 +89,7 @@ impl Source {
         if block_delete && begins == b'/' {
             state.coverage.accepted(rule::text::BLOCK_DELETE_ON);
             state.coverage.accepted(rule::text::BLOCK_DELETE_PLACE);
-            return Some(Line::Nothing);
+            return Some(Line::Skipped(line));
         }
         if begins == b'%' && is_percent(line) {
             return Some(state.dialect().percent_line(line, self, state));

@@ -52,7 +52,7 @@ fn a_second_percent_line_is_missed_where_that_is_chosen() {
 #[test]
 fn block_delete_skips_lines_unread() {
     let (source, mut state) = source(" \t/g0 !!\na", &[]);
-    assert_eq!(source.line(0, true, &mut state), Some(Line::Nothing));
+    assert_eq!(source.line(0, true, &mut state), Some(Line::Skipped(" \t/g0 !!")));
     assert_eq!(source.line(0, false, &mut state), Some(block(" \t/g0 !!")));
     assert_eq!(source.line(1, true, &mut state), Some(block("a")));
     assert_eq!(source.line(2, true, &mut state), None);

@@ -8,7 +8,7 @@ use crate::words::Words;
 
 use super::super::Modal;
 use super::super::refusal::{Refusal, refuse};
-use super::super::values::integer_in;
+use super::super::values::{integer, integer_in};
 use super::Cutter;
 use super::path::PathState;
 
@@ -28,12 +28,18 @@ impl Modal {
         if !matches!(plane, Plane::Xy | Plane::Zx) {
             return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY and ZX");
         }
+        if plane != Plane::Xy && self.choices.compensation_in_xy_only {
+            return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY");
+        }
         let is_left = matches!(code, 410 | 411);
         self.cutter = if let 411 | 421 = code {
             let orientation = dynamic_orientation(words, plane)?;
             Cutter::new(words.get(b'D').unwrap_or(0.0), is_left, orientation)
         } else {
-            let tool = self.named_tool(words.get(b'D'), "D")?;
+            let diameter = words.get(b'D');
+            let is_zero = diameter.is_some_and(|number| integer(number, "D") == Ok(0));
+            let is_none = is_zero && self.choices.length_zero_is_none;
+            let tool = if is_none { None } else { self.named_tool(diameter, "D")? };
             let (diameter, orientation) =
                 tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
             // Orientation 9 has its tip at the centre.

@@ -1,6 +1,6 @@
 //! Performs the moves of a canned cycle.
 
-use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, SpindleTurn, Switch};
+use gaugeblock_vocabulary::{Axis, Effect, LengthUnit, PathControlMode, SpindleTurn, Switch};
 
 use crate::canon::Sink;
 use crate::faults::{PlantedFault, planted};
@@ -26,6 +26,9 @@ impl Modal {
         let to = |modal: &Self, level| modal.position.with_axis(normal, level);
         match cycle_move {
             CycleMove::Across => {
+                if self.choices.cycle_exact_path {
+                    self.active.put(|modes| &mut modes.path, PathControlMode::ExactPath);
+                }
                 let [first, second] = cycle.hole;
                 let across = self.position.with_axis(cycle.axes.first, first);
                 self.traverse_to(line, across.with_axis(cycle.axes.second, second), sink)?;
@@ -52,6 +55,7 @@ impl Modal {
                     return Ok(false);
                 }
             }
+            CycleMove::Dwell if !cycle.dwells => {}
             CycleMove::Dwell => {
                 self.perform(line, &Effect::Dwell { seconds: cycle.dwell }, sink)?;
             }
@@ -61,6 +65,7 @@ impl Modal {
             CycleMove::Turn(turn) => self.turn(cycle.spindle, turn, line, sink),
             CycleMove::TurnAgain if planted(PlantedFault::SpindleStays) => {}
             CycleMove::TurnAgain => self.turn(cycle.spindle, restarted(cycle.turn), line, sink),
+            CycleMove::OverridesOff if self.choices.tap_keeps_overrides => {}
             CycleMove::OverridesOff => {
                 self.set_overrides(cycle.spindle, (Switch::Off, Switch::Off));
             }
@@ -72,7 +77,11 @@ impl Modal {
                 self.restore_overrides(drilling);
             }
         }
-        drilling.advance()
+        let is_over = drilling.advance()?;
+        if is_over {
+            self.active.put(|modes| &mut modes.path, cycle.path);
+        }
+        Ok(is_over)
     }
 
     /// Starts or stops spindles and reports it at once, since a later move of the cycle can change it again.
@@ -81,9 +90,10 @@ impl Modal {
         self.report(line, sink);
     }
 
-    /// Restores the overrides that were active before the cycle.
+    /// Restores the overrides and the path control mode that were active before the cycle.
     pub(super) fn restore_overrides(&mut self, drilling: &Drilling) {
         self.set_overrides(drilling.cycle.spindle, drilling.cycle.overrides);
+        self.active.put(|modes| &mut modes.path, drilling.cycle.path);
     }
 
     /// The distance of a rapid move after each peck: 0.01 inch or 0.254 mm (11.5.40, 11.5.47), active length unit.

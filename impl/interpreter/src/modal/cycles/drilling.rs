@@ -1,6 +1,6 @@
 //! A canned cycle as a list: which move, dwell or switch comes next.
 
-use gaugeblock_vocabulary::{SpindleTurn, Switch};
+use gaugeblock_vocabulary::{PathControlMode, SpindleTurn, Switch};
 
 use crate::faults::{PlantedFault, planted};
 use crate::math;
@@ -117,6 +117,10 @@ pub(super) struct Cycle {
     pub(super) levels: Levels,
     /// Seconds.
     pub(super) dwell: f64,
+    /// Whether a dwell of no seconds is one.
+    pub(super) dwells: bool,
+    /// The path control mode before the cycle.
+    pub(super) path: PathControlMode,
     /// Depth of a peck.
     pub(super) increment: f64,
     /// The selected spindle.

@@ -32,6 +32,7 @@ use crate::words::Words;
 
 use super::Modal;
 use super::check::Block;
+use super::choices::TapWithoutDwell;
 use super::codes::RETRACT;
 use super::coordinates::Coordinates;
 use super::end_point::with_radius;
@@ -94,12 +95,15 @@ impl Modal {
         let tap = if self.emulates_rs274 { self.cycle_dwell } else { 0.0 };
         let other = (&self.choices, tap, series.foreign_depth());
         let numbers = Numbers::read(words, code, axes.normal, sticky, other)?;
-        let mut levels = self.levels(&numbers, axes.normal, series.start());
+        let start = if self.choices.level_of_cycle { self.position } else { series.start() };
+        let mut levels = self.levels(&numbers, axes.normal, start);
         if code == 730 && !self.choices.break_returns {
             levels.clear = levels.retract;
         }
         check_levels(levels)?;
-        self.check_feed_move()?;
+        if !self.choices.cycle_feed_any {
+            self.check_feed_move()?;
+        }
         let spindle = self.selected(block, FIRST)?;
         let turning = self.spindle_of(spindle);
         if code == 860 && !turning.turns() {
@@ -126,6 +130,8 @@ impl Modal {
             step,
             levels,
             dwell: numbers.dwell,
+            dwells: numbers.has_dwell || self.choices.tap_without_dwell != TapWithoutDwell::NoDwell,
+            path: self.active.now().path,
             increment: numbers.increment,
             spindle,
             // A spindle that was held at an angle is not turned back to it.

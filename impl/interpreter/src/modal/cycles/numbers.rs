@@ -6,7 +6,7 @@ use crate::faults::{PlantedFault, narrowed, planted};
 use crate::math;
 use crate::words::Words;
 
-use super::super::choices::Choices;
+use super::super::choices::{Choices, TapWithoutDwell};
 use super::super::refusal::{Refusal, refuse};
 use super::super::values::not_negative;
 
@@ -19,6 +19,8 @@ pub(super) struct Numbers {
     pub(super) bottom: f64,
     /// P, seconds; zero where the cycle does not dwell.
     pub(super) dwell: f64,
+    /// Whether the cycle has a P.
+    pub(super) has_dwell: bool,
     /// Q; zero where the cycle does not peck.
     pub(super) increment: f64,
     /// L.
@@ -65,11 +67,14 @@ impl Numbers {
             "a cycle without its depth, and none to keep",
         )?;
         let kept = sticky.filter(|_| !choices.arguments_each_block);
-        let taps_at_once = matches!(code, 740 | 840) && choices.tap_without_dwell;
+        let needs_dwell = choices.tap_without_dwell == TapWithoutDwell::Refused;
+        let taps_at_once = matches!(code, 740 | 840) && !needs_dwell;
+        let kept_dwell = kept.filter(|kept| kept.has_dwell).map(|kept| kept.dwell);
+        let has_dwell = words.get(b'P').or(kept_dwell).is_some();
         let dwell = if dwells(code) {
             let seconds = word(
                 words.get(b'P'),
-                kept.map(|kept| kept.dwell).or(taps_at_once.then_some(tap)),
+                kept_dwell.or(taps_at_once.then_some(tap)),
                 "a cycle that dwells without P",
             )?;
             not_negative(seconds, "P")?
@@ -91,7 +96,7 @@ impl Numbers {
             Some(_) | None => 1,
         };
         let repeats = words.get(b'L').map_or(Ok(once), repeats)?;
-        Ok(Self { retract, bottom, dwell, increment, repeats })
+        Ok(Self { retract, bottom, dwell, has_dwell, increment, repeats })
     }
 }
 

@@ -1,6 +1,8 @@
 //! Choices that the report on NIST's interpreter decides differently from LinuxCNC, as far as they concern modes.
 
-use gaugeblock_vocabulary::FaultKind::{BadArc, MissingWord, WordOutOfRange};
+use gaugeblock_vocabulary::FaultKind::{
+    BadArc, MissingWord, ModalConflict, WordOutOfRange, ZeroFeed,
+};
 
 use super::Expect::{After, Effects, Refused};
 use super::{Chosen, check, check_on, machine};
@@ -104,5 +106,100 @@ fn length_offset_needs_a_number_by_choice() {
     check_under(
         &[("tool.length-number-zero", "zero")],
         &[("g43", Refused(MissingWord)), ("g43 h0", After("tool_offset = ()"))],
+    );
+}
+
+#[test]
+fn cycle_returns_to_the_level_before_it_by_choice() {
+    let program = "f9 g99 g0 z3; g81 x1 z0 r1; g98 x2";
+    check(program, After("position = (x2 z3)"));
+    check_under(&[("cycles.old-level", "cycle")], &[(program, After("position = (x2 z1)"))]);
+}
+
+#[test]
+fn cycle_needs_no_feed_rate_by_choice() {
+    let program = "g99 g0 z3; g81 x4 z1 r2";
+    check(program, Refused(ZeroFeed));
+    check_under(&[("cycles.feed-rate", "any")], &[(program, After("position = (x4 z2)"))]);
+}
+
+#[test]
+fn cycle_leaves_the_path_control_mode_after_it() {
+    for option in ["as-programmed", "exact-path"] {
+        check_under(
+            &[("cycles.path-mode", option)],
+            &[(
+                "f9 g64 p0.5 g99 g0 z3; g81 x4 z1 r2 l3",
+                After("path = continuous, blend_tolerance = 0.5"),
+            )],
+        );
+    }
+}
+
+#[test]
+fn tap_without_p_does_not_dwell_by_choice() {
+    check_under(
+        &[("cycles.tap-without-dwell", "none"), ("cycles.tap-override-switches", "kept")],
+        &[(
+            "s9 m3 f9 g99 g0 z2; g84 z1 r2",
+            Effects(
+                "1 straight_traverse end=(z2); 2 straight_traverse end=(z2); 2 straight_feed end=(z1); \
+                 2 straight_feed end=(z2)",
+            ),
+        )],
+    );
+}
+
+#[test]
+fn compensation_is_for_one_plane_by_choice() {
+    check("g18; g41", After("compensation = left"));
+    check_under(
+        &[("tool.compensation-in-zx", "refused")],
+        &[("g18; g41", Refused(ModalConflict)), ("g17; g41", After("compensation = left"))],
+    );
+}
+
+#[test]
+fn rate_of_the_last_move_counts_after_inverse_time_by_choice() {
+    let chosen = [
+        ("feed.after-mode-change", "of-last-move"),
+        ("program-end.feed-after-mode-change", "of-last-move"),
+    ];
+    check("g93 g1 x5 f4; g94", After("feed_rate = 0"));
+    check_under(
+        &chosen,
+        &[
+            ("g93 g1 x5 f4; g94", After("feed_rate = 20")),
+            ("g93 g1 x3 y4 a90 f4; m2", After("feed_rate = 20")),
+            ("g93 g1 a90 f2; g94", After("feed_rate = 180")),
+            ("g93 g2 x2 i1 f2; g94", After("feed_rate = 6.283185307179586")),
+            ("g93 g3 x0 i1 f2; g94", After("feed_rate = 12.566370614359172")),
+            ("f7; g93; g0 x9; g94", After("feed_rate = 7")),
+        ],
+    );
+}
+
+#[test]
+fn lengths_are_stored_as_programmed_by_choice() {
+    check_under(
+        &[("offsets.stored-unit", "as-programmed")],
+        &[
+            ("g20; g10 l2 p2 x1; g21 g55", After("g5x_offset = (x1), #5241 = 1")),
+            ("g20 g54; g92 x1; g21", After("g92_offset = (x-25.4), #5211 = -1")),
+        ],
+    );
+}
+
+#[test]
+fn offsets_have_no_flag_and_no_rotation_by_choice() {
+    check("#5230=90 g54; g92 x7", After("#5210 = 1"));
+    check_under(
+        &[("offsets.flag-and-rotation", "none")],
+        &[
+            ("g92 x7", After("#5210 = 0, #5211 = -7")),
+            ("#5210=5; g92 x7; g92.2", After("#5210 = 5")),
+            ("g92 x7; g92.2; g92.3", After("#5210 = 0, g92_offset = (x-7)")),
+            ("#5230=90; g55; g54", After("rotation = 0, #5230 = 90")),
+        ],
     );
 }

@@ -52,7 +52,7 @@ fn near(found: [f64; 9], wanted: [f64; 9]) -> bool {
 
 fn machine_position(run: &Run) -> [f64; 9] {
     let modes = run.modal.active.now();
-    modes.machine_of(run.modal.position).converted(run.modal.active_to_stored()).0
+    modes.machine_of(run.modal.position).converted(run.modal.active_to_machine()).0
 }
 
 proptest! {

@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Plane, Position, Tool};
 use super::ending::switch_off;
 use super::exit;
 use super::orientation::shifts;
-use crate::ids::rule;
+use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::tool::named;
 use crate::rs274::execute::{whole, word};
@@ -90,20 +90,22 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
 /// Takes over half of the diameter, active length unit, and the orientation of a tool; without a tool both are zero.
 pub(crate) fn use_tool(tool: Option<&Tool>, state: &mut State) {
     let (diameter, orientation) = tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
-    let unit = unit_size(state.machine.length_unit) / unit_size(state.modes.units);
+    let unit = unit_size(state.stored_unit()) / unit_size(state.modes.units);
     state.modes.compensation_radius = diameter * unit / 2.0;
     state.modes.compensation_orientation = i32::from(orientation);
 }
 
 /// Rule tool.compensation-twice. Compensation is not turned on while it is on.
-/// Rule tool.compensation-plane. Nor is it turned on in the YZ plane, or any other but XY and ZX.
+/// Rule tool.compensation-plane. Nor is it turned on in the YZ plane, or any other but XY and ZX. Choice
+/// tool.compensation-in-zx: or XY alone.
 fn possible(state: &mut State) -> Result<(), StepError> {
     if state.modes.compensation != Compensation::Off {
         let message = "cutter compensation is on already";
         return Err(refuse(rule::tool::COMPENSATION_TWICE, FaultKind::CompensationActive, message));
     }
-    if !matches!(state.modes.plane, Plane::Xy | Plane::Zx) {
-        let message = "cutter compensation in another plane than XY and ZX";
+    let has_zx = state.choices.is(choice::tool::CompensationInZx::Accepted);
+    if !(state.modes.plane == Plane::Xy || has_zx && state.modes.plane == Plane::Zx) {
+        let message = "cutter compensation in another plane than XY, or XY and ZX";
         return Err(refuse(rule::tool::COMPENSATION_PLANE, FaultKind::ModalConflict, message));
     }
     state.coverage.accepted(rule::tool::COMPENSATION_PLANE);
@@ -116,6 +118,7 @@ fn possible(state: &mut State) -> Result<(), StepError> {
 /// radius is zero when there is none.
 /// Rules compensation.tool-number, compensation.tool-number-zero, compensation.tool-number-zero-random,
 /// compensation.tool-radius. Which tool that is.
+/// Choice tool.length-number-zero. D0 may be a radius of zero.
 /// Rule compensation.set-at-run-time. The table is read now: a G10 L1 before counts.
 fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
     let rule = rule::tool::COMPENSATION_TOOL;
@@ -129,7 +132,9 @@ fn by_tool(words: &Words, state: &mut State) -> Result<(), StepError> {
                 (0, false) => rule::compensation::TOOL_NUMBER_ZERO,
                 _ => rule::compensation::TOOL_NUMBER,
             };
-            (named(number, if number == 0 { source } else { rule }, state)?, source)
+            let is_none = number == 0 && state.choices.is(choice::tool::LengthNumberZero::Zero);
+            let refusing = if number == 0 { source } else { rule };
+            (if is_none { None } else { named(number, refusing, state)? }, source)
         }
         None => (state.loaded_tool(), rule::compensation::TOOL_RADIUS),
     };

@@ -61,6 +61,8 @@ pub(crate) struct Cycle {
     pub(crate) clear: f64,
     /// P: seconds at the bottom.
     pub(crate) dwell: f64,
+    /// Whether there is a P.
+    pub(crate) dwells: bool,
     /// Q: how much deeper each peck goes, active length unit.
     pub(crate) peck: f64,
     /// The spindle that $ names, 0 without it.

@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Motion, ReturnMode};
 
 use super::cycle::{Cycle, Kind, axes_of};
-use crate::ids::{Rule, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::target::moved;
 use crate::rs274::execute::word;
@@ -46,7 +46,8 @@ pub(super) fn find(
         sticky(depth, same.map(|same| same.depth), (rule::cycles::STICKY_DEPTH, &needed), state)?;
     unchanged(words, before, normal, state)?;
     let position = state.position.get(normal);
-    let initial = before.map_or(position, |before| before.initial);
+    let of_row = before.filter(|_| state.choices.is(choice::cycles::OldLevel::Row));
+    let initial = of_row.map_or(position, |before| before.initial);
     let incremental = state.modes.distance == Distance::Incremental;
     let from = if incremental {
         state.dialect().incremental_retract_from(position, initial, state)
@@ -74,6 +75,7 @@ pub(super) fn find(
         bottom,
         clear: clear(initial, retract_at, state),
         dwell: dwell.unwrap_or_default(),
+        dwells: dwell.is_some(),
         peck: peck.unwrap_or_default(),
         spindle: state.dialect().spindle_of_cycle(words, state)?,
     };
@@ -81,7 +83,8 @@ pub(super) fn find(
 }
 
 /// Rule cycles.return-level. Under G98 each repeat ends at the initial level if that is above R; otherwise it ends at
-/// R. Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles.
+/// R. Rule cycles.initial-level. That is where the normal axis was before the first of a row of cycles. Choice
+/// cycles.old-level: or where it was before the cycle.
 fn clear(initial: f64, retract: f64, state: &State) -> f64 {
     match state.modes.retract {
         ReturnMode::OldZ => initial.max(retract),
@@ -119,7 +122,8 @@ fn unchanged(
     let told_anew = before.last.plane != now.plane || before.last.unit != now.unit;
     let has = |letter: char| word(words, letter).is_some();
     let all_programmed = has('r') && has(crate::rs274::execute::letter(normal));
-    let to_initial = state.modes.retract == ReturnMode::OldZ;
+    let to_initial =
+        state.modes.retract == ReturnMode::OldZ && state.choices.is(choice::cycles::OldLevel::Row);
     if told_anew && !all_programmed || before.first != now && to_initial {
         let what = "a row of cycles over a change of plane, length unit or offset";
         return Err(StepError::Unspecified(what.to_owned()));

@@ -11,10 +11,10 @@ mod places;
 mod strokes;
 mod tapping;
 
-use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, Position};
+use gaugeblock_vocabulary::{Axis, Effect, FaultKind, Motion, PathControlMode, Position};
 
 use super::{feed, word};
-use crate::ids::{Rule, rule};
+use crate::ids::{Rule, choice, rule};
 use crate::math::near_integer;
 use crate::rs274::evaluate::Words;
 use crate::rs274::modes::motion_mode;
@@ -144,11 +144,14 @@ pub(crate) trait CycleRules {
         false
     }
 
-    /// Checks that a cycle has a feed rate, as other feed moves have.
+    /// Checks that a cycle has a feed rate, as other feed moves have. Choice cycles.feed-rate: or that needs none.
     ///
     /// # Errors
     /// The feed mode needs a rate, and none is programmed.
     fn check_cycle_feed(&self, words: &Words, state: &mut State) -> Result<(), StepError> {
+        if state.choices.is(choice::cycles::FeedRate::Any) {
+            return Ok(());
+        }
         feed::check_feed_rate(words, state)
     }
 
@@ -158,6 +161,7 @@ pub(crate) trait CycleRules {
     }
 
     /// Rule cycles.repeat. Executes a cycle at each of its places.
+    /// Choice cycles.path-mode. It may do so on the exact path, whatever the mode of the program.
     fn perform_repeats(
         &self,
         cycle: &Cycle,
@@ -165,6 +169,10 @@ pub(crate) trait CycleRules {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
+        let path = state.modes.path;
+        if state.choices.is(choice::cycles::PathMode::ExactPath) {
+            state.modes.path = PathControlMode::ExactPath;
+        }
         while let Some(place) = places.next(state)? {
             if record.is_full() {
                 return Err(StepError::TooManyEffects);
@@ -172,6 +180,7 @@ pub(crate) trait CycleRules {
             in_between_motion(cycle, place, state, record);
             strokes::perform(cycle, state, record)?;
         }
+        state.modes.path = path;
         Ok(())
     }
 

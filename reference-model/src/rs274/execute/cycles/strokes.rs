@@ -31,7 +31,7 @@ pub(super) fn dwell(
     }
     let before = before.filter(|_| state.choices.is(choice::cycles::StickyArguments::Sticky));
     let Some(seconds) = word(words, 'p').or(before) else {
-        if taps && state.choices.is(choice::cycles::TapWithoutDwell::Zero) {
+        if taps && !state.choices.is(choice::cycles::TapWithoutDwell::Refused) {
             return Ok(None);
         }
         let rule = if taps {

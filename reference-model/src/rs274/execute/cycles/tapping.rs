@@ -29,15 +29,18 @@ pub(super) fn check_direction(
 
 /// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way,
 /// dwells, and feeds out to the clear height. Rule cycles.tap-overrides. The feed override and the spindle's speed
-/// override are disabled meanwhile. Choice cycles.tap-return: whether the spindle turns as before afterwards. A
+/// override are disabled meanwhile. Choice cycles.tap-override-switches: or not. Choice
+/// cycles.tap-without-dwell: without P they may not dwell. Choice cycles.tap-return: whether the spindle turns as before afterwards. A
 /// spindle that was oriented is stopped: nothing turns it back to its angle.
 pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
     let place = cycle.spindle;
     let before = state.modes.spindles[place];
     let feed_override = state.modes.feed_override;
-    state.modes.feed_override = Switch::Off;
-    state.modes.spindles[place].speed_override = Switch::Off;
+    if state.choices.is(choice::cycles::TapOverrideSwitches::Disabled) {
+        state.modes.feed_override = Switch::Off;
+        state.modes.spindles[place].speed_override = Switch::Off;
+    }
     // Also where the bottom is where the controlled point is, and no move shows it.
     update_pins(state, Some(Phase::Motion));
     state.dialect().feed_tap(normal, cycle.bottom, state, record);
@@ -48,7 +51,9 @@ pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     };
     turn_spindle(SpindleTurn::Stopped, cycle, state);
     turn_spindle(out, cycle, state);
-    record.dwell(state, cycle.dwell);
+    if cycle.dwells || !state.choices.is(choice::cycles::TapWithoutDwell::None) {
+        record.dwell(state, cycle.dwell);
+    }
     state.dialect().feed_tap(normal, cycle.clear, state, record);
     if state.choices.is(choice::cycles::TapReturn::AsBefore) {
         turn_spindle(SpindleTurn::Stopped, cycle, state);
