@@ -69,19 +69,7 @@ impl Modal {
     fn reset_at_end(&mut self, numbered: &mut Numbered) {
         self.controller_mode = ControllerMode::Mdi;
         self.reset_offsets(numbered);
-        let Modes { feed_rate: feed, feed_mode, .. } = *self.active.now();
-        let rate = self.rate_of_move;
-        let per_revolution = self.active.now().feed_mode == FeedMode::PerRevolution;
-        if !(per_revolution && planted(PlantedFault::PerRevolutionStays)) {
-            self.select_feed_mode(940);
-        }
-        match self.choices.feed_at_end {
-            _ if self.active.now().feed_mode == feed_mode => {}
-            FeedAtEnd::Zero if planted(PlantedFault::FeedKeptOverMode) => {}
-            FeedAtEnd::Zero => self.active.set_feed_rate(0.0),
-            FeedAtEnd::Kept => self.active.set_feed_rate(feed),
-            FeedAtEnd::OfLastMove => self.active.set_feed_rate(rate),
-        }
+        self.reset_feed();
         self.cutter = Cutter::NONE;
         if !planted(PlantedFault::MotionStays) {
             self.motion = Motion::Feed;
@@ -112,6 +100,23 @@ impl Modal {
                     spindle.turn = before.turn;
                 }
             }
+        }
+    }
+
+    /// G94. What becomes of F where the mode changes is a choice.
+    fn reset_feed(&mut self) {
+        let Modes { feed_rate: feed, feed_mode, .. } = *self.active.now();
+        let rate = self.rate_of_move;
+        let per_revolution = self.active.now().feed_mode == FeedMode::PerRevolution;
+        if !(per_revolution && planted(PlantedFault::PerRevolutionStays)) {
+            self.select_feed_mode(940);
+        }
+        match self.choices.feed_at_end {
+            _ if self.active.now().feed_mode == feed_mode => {}
+            FeedAtEnd::Zero if planted(PlantedFault::FeedKeptOverMode) => {}
+            FeedAtEnd::Zero => self.active.set_feed_rate(0.0),
+            FeedAtEnd::Kept => self.active.set_feed_rate(feed),
+            FeedAtEnd::OfLastMove => self.active.set_feed_rate(rate),
         }
     }
 

@@ -8,19 +8,17 @@ use super::coordinates::Coordinates;
 
 /// The length of a feed move from a point, active unit; none for other effects.
 pub(super) fn feed_length(start: Coordinates, effect: &Effect, plane: Plane) -> Option<f64> {
-    match effect {
-        Effect::StraightFeed { end } => Some(straight(start.position(), *end)),
-        Effect::ArcFeed { end, first_centre, second_centre, turns } => {
-            let in_plane = |point: Position| match plane {
-                Plane::Zx => [point.z, point.x, point.y],
-                Plane::Yz => [point.y, point.z, point.x],
-                Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => [point.x, point.y, point.z],
-            };
-            let ends = [in_plane(start.position()), in_plane(*end)];
-            Some(helix(ends, [*first_centre, *second_centre], *turns))
-        }
-        _ => None,
+    if let Effect::StraightFeed { end } = effect {
+        return Some(straight(start.position(), *end));
     }
+    let Effect::ArcFeed { end, first_centre, second_centre, turns } = effect else { return None };
+    let in_plane = |point: Position| match plane {
+        Plane::Zx => [point.z, point.x, point.y],
+        Plane::Yz => [point.y, point.z, point.x],
+        Plane::Xy | Plane::Uv | Plane::Wu | Plane::Vw => [point.x, point.y, point.z],
+    };
+    let ends = [in_plane(start.position()), in_plane(*end)];
+    Some(helix(ends, [*first_centre, *second_centre], *turns))
 }
 
 /// The length of X, Y and Z, where they do not move of U, V and W, where those do not, either, of A, B and C.

@@ -43,9 +43,6 @@ pub(crate) trait FeedRules {
     /// Rule feed.rate-after-mode-change. After a switch to G94 or G95 no feed rate is set until a new one is given.
     /// Choice feed.after-mode-change: from G93 to G94 that of the last move counts.
     fn switch_feed_mode(&self, mode: FeedMode, state: &mut State) {
-        if state.modes.feed_mode == FeedMode::PerMinute {
-            state.move_rate = state.modes.feed_rate;
-        }
         let counts = mode == FeedMode::PerMinute
             && state.choices.is(choice::feed::AfterModeChange::OfLastMove);
         if counts {
@@ -78,7 +75,11 @@ pub(crate) trait FeedRules {
 /// Prepares the feed rate for a block, before any of its phases but the comment.
 ///
 /// Rule feed.after-inverse-time. Whether a block without F under G93 sets the feed rate to zero is a choice.
+/// Choice feed.after-mode-change. The feed rate before G93 is that of the last move.
 pub fn begin_block(words: &Words, state: &mut State) {
+    if words.g_tenths.contains(&930) && state.modes.feed_mode == FeedMode::PerMinute {
+        state.move_rate = state.modes.feed_rate;
+    }
     let is_inverse_time = if words.g_tenths.iter().any(|code| [940, 950].contains(code)) {
         false
     } else {

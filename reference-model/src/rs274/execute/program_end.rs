@@ -105,8 +105,7 @@ pub(crate) trait ProgramEndRules {
 }
 
 /// Rule program-end.feed-mode. The feed counts per minute.
-/// Choice program-end.feed-after-mode-change: whether F keeps its number where it counted otherwise before, or is that of
-/// the last move.
+/// Choice program-end.feed-after-mode-change: what becomes of F where the feed mode was another one.
 fn per_minute(state: &mut State) {
     if state.modes.feed_mode != FeedMode::PerMinute {
         state.modes.feed_rate = match state.choices.get() {

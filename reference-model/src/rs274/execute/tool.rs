@@ -98,7 +98,7 @@ fn in_slot(slot: i32, state: &State) -> Option<i32> {
 /// The tool table does not hold it; refused by the rule that is given.
 pub(crate) fn named(tool: i32, rule: Rule, state: &State) -> Result<Option<&Tool>, StepError> {
     let by_slot = state.choices.is(choice::tool::SelectedBy::Slot);
-    if tool != 0 && by_slot && !state.machine.random_tool_changer {
+    if tool > 0 && by_slot && !state.machine.random_tool_changer {
         return Ok(in_slot(tool, state).and_then(|tool| state.table_tool(tool)));
     }
     let zero_is_spindle = tool == 0 && !state.machine.random_tool_changer;

@@ -125,15 +125,10 @@ fn cycle_needs_no_feed_rate_by_choice() {
 
 #[test]
 fn cycle_leaves_the_path_control_mode_after_it() {
-    for option in ["as-programmed", "exact-path"] {
-        check_under(
-            &[("cycles.path-mode", option)],
-            &[(
-                "f9 g64 p0.5 g99 g0 z3; g81 x4 z1 r2 l3",
-                After("path = continuous, blend_tolerance = 0.5"),
-            )],
-        );
-    }
+    let program = "f9 g64 p0.5 g99 g0 z3; g81 x4 z1 r2 l3";
+    let after = After("path = continuous, blend_tolerance = 0.5");
+    check(program, after);
+    check_under(&[("cycles.path-mode", "exact-path")], &[(program, after)]);
 }
 
 #[test]
@@ -161,13 +156,12 @@ fn compensation_is_for_one_plane_by_choice() {
 
 #[test]
 fn rate_of_the_last_move_counts_after_inverse_time_by_choice() {
-    let chosen = [
-        ("feed.after-mode-change", "of-last-move"),
-        ("program-end.feed-after-mode-change", "of-last-move"),
-    ];
     check("g93 g1 x5 f4; g94", After("feed_rate = 0"));
     check_under(
-        &chosen,
+        &[
+            ("feed.after-mode-change", "of-last-move"),
+            ("program-end.feed-after-mode-change", "of-last-move"),
+        ],
         &[
             ("g93 g1 x5 f4; g94", After("feed_rate = 20")),
             ("g93 g1 x3 y4 a90 f4; m2", After("feed_rate = 20")),

@@ -28,9 +28,10 @@ pub(super) fn check_direction(
 }
 
 /// Rules cycles.tap-right and cycles.tap-left. It feeds to the bottom, stops the spindle, starts it the other way,
-/// dwells, and feeds out to the clear height. Rule cycles.tap-overrides. The feed override and the spindle's speed
-/// override are disabled meanwhile. Choice cycles.tap-override-switches: or not. Choice
-/// cycles.tap-without-dwell: without P they may not dwell. Choice cycles.tap-return: whether the spindle turns as before afterwards. A
+/// dwells, and feeds out to the clear height. Choice cycles.tap-without-dwell: without P it may not dwell.
+///
+/// Rule cycles.tap-overrides. The feed override and the spindle's speed override are disabled meanwhile. Choice
+/// cycles.tap-override-switches: or not. Choice cycles.tap-return: whether the spindle turns as before afterwards. A
 /// spindle that was oriented is stopped: nothing turns it back to its angle.
 pub(super) fn perform(cycle: &Cycle, state: &mut State, record: &mut Record) {
     let [_, _, normal] = cycle.axes;
