@@ -34,10 +34,12 @@ impl Modal {
             _ => FeedMode::PerRevolution,
         };
         if self.active.now().feed_mode != mode {
-            if self.active.now().feed_mode == FeedMode::PerMinute {
+            let before = self.active.now().feed_mode;
+            if (before, mode) == (FeedMode::PerMinute, FeedMode::InverseTime) {
                 self.rate_of_move = self.active.now().feed_rate;
             }
-            let of_move = self.choices.feed_of_last_move && mode == FeedMode::PerMinute;
+            let of_move = self.choices.feed_of_last_move
+                && (before, mode) == (FeedMode::InverseTime, FeedMode::PerMinute);
             let rate = if of_move { self.rate_of_move } else { 0.0 };
             let modes = self.active.set();
             modes.feed_mode = mode;

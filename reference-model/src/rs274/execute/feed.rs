@@ -44,6 +44,7 @@ pub(crate) trait FeedRules {
     /// Choice feed.after-mode-change: from G93 to G94 that of the last move counts.
     fn switch_feed_mode(&self, mode: FeedMode, state: &mut State) {
         let counts = mode == FeedMode::PerMinute
+            && state.modes.feed_mode == FeedMode::InverseTime
             && state.choices.is(choice::feed::AfterModeChange::OfLastMove);
         if counts {
             state.modes.feed_rate = state.move_rate;
