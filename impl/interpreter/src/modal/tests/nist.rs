@@ -186,14 +186,14 @@ fn lengths_are_stored_as_programmed_by_choice() {
 
 #[test]
 fn offsets_have_no_flag_and_no_rotation_by_choice() {
-    check("#5230=90 g54; g92 x7", After("#5210 = 1"));
+    check("g92 x7", After("#5210 = 1"));
+    check("g10 l2 p1 r90; g54", After("rotation = 90"));
     check_under(
         &[("offsets.flag-and-rotation", "none")],
         &[
             ("g92 x7", After("#5210 = 0, #5211 = -7")),
-            ("#5210=5; g92 x7; g92.2", After("#5210 = 5")),
             ("g92 x7; g92.2; g92.3", After("#5210 = 0, g92_offset = (x-7)")),
-            ("#5230=90; g55; g54", After("rotation = 0, #5230 = 90")),
+            ("g10 l2 p1 r90; g54", After("rotation = 0, #5230 = 90")),
         ],
     );
 }
