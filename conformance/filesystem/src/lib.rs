@@ -8,5 +8,7 @@ mod private;
 #[cfg(test)]
 mod tests;
 
-pub use output::{PartialFolder, check_folder, copy_output, open_output, write_output};
+pub use output::{
+    PartialFolder, check_folder, copy_output, open_output, write_output, write_outputs,
+};
 pub use private::{PrivateFolder, SharedFolder, open_lock};

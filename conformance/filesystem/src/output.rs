@@ -32,6 +32,34 @@ pub fn write_output(path: &Path, content: impl AsRef<[u8]>) -> Result<()> {
     write(path, content.as_ref(), None)
 }
 
+/// Writes outputs that belong together, each a regular file or one that is not there yet. Every new file is written whole
+/// before the first takes its place.
+///
+/// # Errors
+/// One of them cannot be written, or is something else than a regular file. Until all are written, nothing is changed.
+pub fn write_outputs(outputs: &[(&Path, &[u8])]) -> Result<()> {
+    let written = outputs.iter().map(|(path, content)| partial(path, content));
+    let written = written.collect::<Result<Vec<_>>>()?;
+    written.into_iter().try_for_each(PartialFile::finish)
+}
+
+/// Writes a new file for a path at which there is a regular file, or a link to one, or nothing.
+fn partial(path: &Path, content: &[u8]) -> Result<PartialFile> {
+    match path.metadata() {
+        Ok(found) if found.is_file() => {
+            let target = path.canonicalize()?;
+            // A file that must not be written is not replaced either.
+            drop(OpenOptions::new().write(true).open(&target)?);
+            PartialFile::new(&target, content, Some(&found))
+        }
+        Ok(_) => Err(Error::new(ErrorKind::InvalidInput, "it is not a regular file")),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            PartialFile::new(&target(path)?, content, None)
+        }
+        Err(error) => Err(error),
+    }
+}
+
 /// Opens an output that is too long to be kept, and is therefore written in place. What was there is gone.
 ///
 /// # Errors
@@ -129,22 +157,44 @@ fn is_same(one: &Metadata, other: &Metadata) -> bool {
 
 /// Puts a new file at a path at which there is a regular file or nothing.
 fn replace(path: &Path, content: &[u8], like: Option<&Metadata>) -> Result<()> {
-    let create = |name: &Path| {
-        // Where the permissions are those of another file, the content is private until they are set.
-        let mode = if like.is_some() { 0o600 } else { 0o666 };
-        new_file(name, mode)
-    };
-    let (partial, mut file) = under_new_name(parent(path), create)?;
-    let mut write = || {
+    PartialFile::new(path, content, like)?.finish()
+}
+
+/// A file that is written whole under another name, before it takes its place.
+#[derive(Debug)]
+struct PartialFile {
+    target: PathBuf,
+    partial: PathBuf,
+}
+
+impl PartialFile {
+    /// Writes what is to be at a path at which there is a regular file or nothing.
+    fn new(target: &Path, content: &[u8], like: Option<&Metadata>) -> Result<Self> {
+        let create = |name: &Path| {
+            // Where the permissions are those of another file, the content is private until they are set.
+            let mode = if like.is_some() { 0o600 } else { 0o666 };
+            new_file(name, mode)
+        };
+        let (partial, mut file) = under_new_name(parent(target), create)?;
+        let made = Self { target: target.to_owned(), partial };
         file.write_all(content)?;
         if let Some(like) = like {
             take_after(&file, like)?;
         }
-        std::fs::rename(&partial, path)
-    };
-    write().inspect_err(|_| {
-        let _gone = std::fs::remove_file(&partial);
-    })
+        Ok(made)
+    }
+
+    /// Puts it at its place.
+    fn finish(self) -> Result<()> {
+        std::fs::rename(&self.partial, &self.target)
+    }
+}
+
+impl Drop for PartialFile {
+    fn drop(&mut self) {
+        // Once it is at its place there is nothing left here.
+        let _gone = std::fs::remove_file(&self.partial);
+    }
 }
 
 /// Gives a file the owner, if the system allows it, and the permissions of another one.

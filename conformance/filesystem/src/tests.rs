@@ -143,6 +143,29 @@ fn failed_write_leaves_the_old_file() {
 }
 
 #[test]
+fn outputs_that_belong_together_are_all_written_or_none() {
+    let scratch = Scratch::new("together");
+    let (one, two) = (scratch.path("one"), scratch.path("two"));
+    write_outputs(&[(&one, b"1"), (&two, b"2")]).unwrap();
+    fs::set_permissions(&one, Permissions::from_mode(0o600)).unwrap();
+    write_outputs(&[(&one, b"first"), (&two, b"second")]).unwrap();
+    assert_eq!(
+        (fs::read(&one).unwrap(), fs::read(&two).unwrap()),
+        (b"first".to_vec(), b"second".to_vec())
+    );
+    assert_eq!(mode(&one), 0o600);
+    fs::create_dir(scratch.path("folder")).unwrap();
+    for other in ["folder", "absent/file"] {
+        assert!(
+            write_outputs(&[(&one, b"new"), (&scratch.path(other), b"new")]).is_err(),
+            "{other}"
+        );
+        assert_eq!(fs::read(&one).unwrap(), b"first", "{other}");
+    }
+    assert_eq!(scratch.names(), ["folder", "one", "two"]);
+}
+
+#[test]
 fn links_at_the_names_of_partial_files_are_not_followed() {
     let scratch = Scratch::new("partial");
     fs::write(scratch.path("victim"), "kept").unwrap();
