@@ -33,8 +33,16 @@ pub fn of_folder(root: &Path) -> Result<Files, String> {
     Ok(files)
 }
 
-/// A digest of names and texts: that of another suite is another one.
+/// How many digits of the SHA-256 of a suite name it in reports.
+const DIGEST_DIGITS: usize = 16;
+
+/// A digest of names and texts: that of another suite is another one. It is the beginning of [`sha256`].
 pub fn digest(files: &Files) -> String {
+    sha256(files).chars().take(DIGEST_DIGITS).collect()
+}
+
+/// The SHA-256 of names and texts, in hexadecimal.
+pub fn sha256(files: &Files) -> String {
     let mut digest = Sha256::new();
     for (name, text) in files {
         for part in [name, text] {
@@ -42,7 +50,7 @@ pub fn digest(files: &Files) -> String {
             digest.update(part);
         }
     }
-    digest.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn read(path: &PathBuf) -> Result<String, String> {

@@ -45,6 +45,8 @@ pub struct Suite {
     pub paths: BTreeMap<String, String>,
     /// Digest of all its pages, in hexadecimal.
     pub digest: String,
+    /// The whole SHA-256 that the digest is the beginning of.
+    pub sha256: String,
 }
 
 /// The edition that applies where none is named.
@@ -65,6 +67,7 @@ impl Suite {
             lists: GridLists::new(),
             paths: BTreeMap::new(),
             digest: files::digest(files),
+            sha256: files::sha256(files),
         };
         let mut errors = Vec::new();
         for (path, text) in files {
