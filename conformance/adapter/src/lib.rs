@@ -11,6 +11,7 @@ pub mod templates;
 use std::fmt;
 use std::num::NonZero;
 use std::ops::Deref;
+use std::path::PathBuf;
 
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, Samples};
@@ -103,6 +104,12 @@ pub trait Adapter: fmt::Debug + Send + Sync {
 
     /// Notes about the run for the report, a sentence each.
     fn notes(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The files that decide what it does, such as its binary: their digests identify it. None where they are out of
+    /// reach, for example at a socket.
+    fn files(&self) -> Vec<PathBuf> {
         Vec::new()
     }
 

@@ -1,5 +1,6 @@
 //! The production interpreter with one planted fault: to see whether the suite notices.
 
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use gaugeblock_adapter::{Adapter, HarnessError};
@@ -56,6 +57,10 @@ impl Adapter for Faulty {
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         self.production.supports(scenario)
+    }
+
+    fn files(&self) -> Vec<PathBuf> {
+        self.production.files()
     }
 
     fn is_in_process(&self) -> bool {

@@ -11,6 +11,13 @@ mod reference;
 mod restricted;
 pub mod simulate;
 
+use std::path::PathBuf;
+
 pub use production::Production;
 pub use reference::Reference;
 pub use restricted::Restricted;
+
+/// The file of a controller that runs in this process: the running program.
+fn running_program() -> Vec<PathBuf> {
+    std::env::current_exe().into_iter().collect()
+}

@@ -1,5 +1,7 @@
 //! The reference model as a controller.
 
+use std::path::PathBuf;
+
 use gaugeblock_adapter::{Adapter, HarnessError};
 use gaugeblock_compare::Capabilities;
 use gaugeblock_vocabulary::{Options, Outcome, Scenario};
@@ -31,6 +33,10 @@ impl Adapter for Reference {
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         Ok(gaugeblock_reference::run(scenario).0)
+    }
+
+    fn files(&self) -> Vec<PathBuf> {
+        crate::running_program()
     }
 
     fn is_in_process(&self) -> bool {

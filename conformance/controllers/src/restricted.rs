@@ -2,6 +2,7 @@
 //! ground.
 
 use std::num::NonZero;
+use std::path::PathBuf;
 
 use gaugeblock_adapter::{Adapter, Expected, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
@@ -72,6 +73,10 @@ impl Adapter for Restricted {
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
         let observables = self.observables(scenario);
         Ok(restrict_outcome(self.controller.run(scenario)?, &observables))
+    }
+
+    fn files(&self) -> Vec<PathBuf> {
+        self.controller.files()
     }
 
     fn is_in_process(&self) -> bool {

@@ -5,6 +5,7 @@
 //! breaks a limit, dies or gives an unexpected answer, all of its processes are killed, and the next scenario gets a
 //! new session. Its declaration comes before any run. Nothing beyond it is requested or judged.
 
+mod command_files;
 mod connection;
 mod exchange_folder;
 mod limits;
@@ -19,6 +20,7 @@ mod self_check;
 mod session;
 
 use std::num::NonZero;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -29,6 +31,7 @@ use gaugeblock_vocabulary::{Options, Outcome, Scenario};
 
 use crate::protocol::{Declaration, Extension, needed};
 use crate::{Adapter, ControllerError, Expected, HarnessError, MotionRequest, NoSamples};
+use command_files::command_files;
 use connection::Endpoint;
 pub use limits::Limits;
 use observables_cache::ObservablesCache;
@@ -207,6 +210,13 @@ impl Adapter for Exec {
 
     fn options(&self) -> Options {
         self.declaration.options.clone()
+    }
+
+    fn files(&self) -> Vec<PathBuf> {
+        match &self.endpoint {
+            Endpoint::Command(command) => command_files(command),
+            Endpoint::Address(_) => Vec::new(),
+        }
     }
 
     fn observed_edition(&self) -> Option<&str> {

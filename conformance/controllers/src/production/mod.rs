@@ -17,6 +17,7 @@ mod supports;
 mod tests;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
 
 use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
@@ -63,6 +64,10 @@ impl Adapter for Production {
             let stderr = text.unwrap_or_default().to_owned();
             Err(HarnessError::Crashed { status: "a panic".to_owned(), stderr })
         })
+    }
+
+    fn files(&self) -> Vec<PathBuf> {
+        crate::running_program()
     }
 
     fn is_in_process(&self) -> bool {

@@ -153,6 +153,10 @@ impl Adapter for Rs274 {
         true
     }
 
+    fn files(&self) -> Vec<PathBuf> {
+        vec![self.binary.clone()]
+    }
+
     fn own_edition(&self) -> Option<&str> {
         Some("linuxcnc-2.9")
     }

@@ -27,6 +27,7 @@ mod version;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use gaugeblock_adapter::{Adapter, ControllerError, HarnessError, NoSamples};
@@ -233,6 +234,11 @@ impl Adapter for LinuxCnc {
 
     fn supports(&self, scenario: &Scenario) -> Result<(), String> {
         supports::supports(scenario)
+    }
+
+    /// Its task controller, which has the interpreter; the rest of it is named by the version alone.
+    fn files(&self) -> Vec<PathBuf> {
+        version::find("milltask").into_iter().collect()
     }
 
     /// By setup, since another one costs a start; within it first those that leave no residue.

@@ -66,7 +66,8 @@ pub(super) fn query() -> Result<String, ControllerError> {
     Ok(version)
 }
 
-fn find(program: &str) -> Option<PathBuf> {
+/// The program of a name on the search path.
+pub(super) fn find(program: &str) -> Option<PathBuf> {
     let paths = env::var_os("PATH").unwrap_or_default();
     env::split_paths(&paths).map(|path| path.join(program)).find(|path| path.is_file())
 }
