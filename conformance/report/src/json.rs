@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::grouping::title;
-use super::merge::VERSION;
+use super::merge::{ControllerFile, VERSION};
 use super::stored::StoredCase;
 use super::{Counts, Header, Report, RuleVerdict};
 
@@ -32,6 +32,9 @@ pub struct Document {
     pub controller: String,
     /// Its version.
     pub version: String,
+    /// Its files, as far as they are within reach.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controller_files: Vec<ControllerFile>,
     /// What a person should know of how it was run.
     pub notes: Vec<String>,
     /// The edition that it was held to.
@@ -197,6 +200,11 @@ pub fn json(report: &Report<'_>) -> Value {
     serde_json::to_value(document(report)).unwrap_or_default()
 }
 
+/// The report as the text of its file.
+pub fn text(report: &Report<'_>) -> String {
+    format!("{:#}\n", json(report))
+}
+
 /// The report as a document.
 pub fn document(report: &Report<'_>) -> Document {
     let header: Header = report.header.clone();
@@ -217,6 +225,7 @@ pub fn document(report: &Report<'_>) -> Document {
         tolerances: gaugeblock_compare::tolerance::VERSION,
         controller: header.controller,
         version: header.version,
+        controller_files: header.controller_files,
         notes: report.notes.clone(),
         edition: header.edition,
         options: header.options,

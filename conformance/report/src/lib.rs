@@ -23,7 +23,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 pub use escape::{escape_line, escape_text};
-pub use merge::Header;
+pub use merge::{ControllerFile, Header};
 pub use profiles::ProfileResult;
 pub(crate) use rule::verdicts;
 pub use rule::{Counts, RuleResult, RuleVerdict};

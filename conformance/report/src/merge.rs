@@ -9,6 +9,7 @@ use gaugeblock_runner::fingerprint::FingerprintEntry;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -41,13 +42,25 @@ pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     serde_json::from_str(text).map_err(wrong)
 }
 
+/// A file that decides what a controller does, such as its binary.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub struct ControllerFile {
+    /// Its name, without its folder.
+    pub name: String,
+    /// Its SHA-256, in hexadecimal.
+    pub sha256: String,
+}
+
 /// What a report is of: two reports can be compared case by case, or merged, only where this is equal.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Header {
     /// The controller.
     pub controller: String,
     /// Its version.
     pub version: String,
+    /// Its files, as far as they are within reach.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controller_files: Vec<ControllerFile>,
     /// The edition that it was held to.
     pub edition: String,
     /// Options that the controller reads the documents by.
@@ -83,6 +96,7 @@ impl Header {
         Self {
             controller: observables.name.clone(),
             version: observables.version.clone(),
+            controller_files: Vec::new(),
             edition: plan.edition.id.clone(),
             options: controller.options(),
             scope: plan.scope,
@@ -176,27 +190,51 @@ pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
 
 /// In what two parts differ.
 fn first_mismatch(a: &Stored, b: &Stored) -> String {
-    let (first, second) = (&a.header, &b.header);
+    let (one, other) = (a.claimed().join(" "), b.claimed().join(" "));
+    let claims = (one != other).then(|| format!("--profile {one:?} and {other:?}"));
+    let number = || {
+        let (one, other) = (a.header.shard.of, b.header.shard.of);
+        (one != other).then(|| format!("number of shards \"{one}\" and \"{other}\""))
+    };
+    let header = Header { shard: a.header.shard, ..b.header.clone() };
+    let first = first_difference(&a.header, &header).or(claims).or_else(number);
+    first.unwrap_or_else(|| "other options".to_owned())
+}
+
+/// In what two runs differ first, with both; nothing if they are of the same.
+pub fn first_difference(first: &Header, second: &Header) -> Option<String> {
+    if first == second {
+        return None;
+    }
     let of = |what: &str, one: &str, other: &str| {
         (one != other).then(|| format!("{what} {one:?} and {other:?}"))
     };
-    [
+    let known = [
         of("controller", &first.controller, &second.controller),
         of("version", &first.version, &second.version),
+        of("controller files", &listed_files(first), &listed_files(second)),
         of("edition", &first.edition, &second.edition),
+        of("options", &listed_options(first), &listed_options(second)),
         of("scope", first.scope.words(), second.scope.words()),
         of("accuracy", &first.accuracy.to_string(), &second.accuracy.to_string()),
         of("suite", &first.suite, &second.suite),
         of("gaugeblock", &first.gaugeblock_version, &second.gaugeblock_version),
         of("--only", &first.only.join(" "), &second.only.join(" ")),
-        of("--profile", &a.claimed().join(" "), &b.claimed().join(" ")),
         of("--repeat-percent", &first.twice.to_string(), &second.twice.to_string()),
-        of("number of shards", &first.shard.of.to_string(), &second.shard.of.to_string()),
-    ]
-    .into_iter()
-    .flatten()
-    .next()
-    .unwrap_or_else(|| "other options".to_owned())
+    ];
+    Some(known.into_iter().flatten().next().unwrap_or_else(|| "another selection".to_owned()))
+}
+
+/// The files of a controller, in a line.
+fn listed_files(header: &Header) -> String {
+    let files = header.controller_files.iter().map(|file| format!("{} {}", file.name, file.sha256));
+    files.collect::<Vec<_>>().join(", ")
+}
+
+/// The options of a run, in a line.
+fn listed_options(header: &Header) -> String {
+    let options = header.options.0.iter().map(|(id, option)| format!("{id} = {option}"));
+    options.collect::<Vec<_>>().join(", ")
 }
 
 /// The cases of a stored report in the order of `all` cases of a run: each of them exactly once.
