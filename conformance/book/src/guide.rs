@@ -14,12 +14,13 @@ macro_rules! page {
 }
 
 /// The pages of the guide, in reading order.
-pub const GUIDE: [Guide; 15] = [
+pub const GUIDE: [Guide; 16] = [
     page!("tutorial.md"),
     page!("programs.md"),
     page!("adapters.md"),
     page!("ci.md"),
     page!("profiles.md"),
+    page!("certificate.md"),
     page!("scale.md"),
     page!("grbl.md"),
     page!("nist.md"),

@@ -8,8 +8,8 @@ use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
-    adapter, book, certify, compare, explain, fingerprint, fuzz, manual, motion_check, motion_fuzz,
-    offline, plan, report, rs274, rules, run, schema, serve, shrink, suite,
+    adapter, book, certificate, certify, compare, explain, fingerprint, fuzz, manual, motion_check,
+    motion_fuzz, offline, plan, report, rs274, rules, run, schema, serve, shrink, suite,
 };
 use crate::documents::read_suite;
 use crate::error::CliError;
@@ -49,6 +49,8 @@ enum Motion {
 enum Command {
     /// Run the suite on a controller and print a verdict per rule
     Certify(certify::Arguments),
+    /// Check a certificate: its signature, its completeness, and a share of its verdicts
+    VerifyCertificate(certificate::Arguments),
     /// Run a program and print its effects, settings and states
     Run(run::Arguments),
     /// Print a program's canonical calls in the format of LinuxCNC's rs274
@@ -88,7 +90,7 @@ enum Command {
     Adapter(adapter::Adapter),
     /// Serve a controller of this project over the adapter protocol
     Serve(serve::Arguments),
-    /// Print the JSON schema of a scenario, an outcome or a report
+    /// Print the JSON schema of a scenario, an outcome, a report or a certificate
     Schema(schema::Arguments),
     /// Print the script with which a shell completes calls
     Completions(manual::Completions),
@@ -145,6 +147,9 @@ fn execute(call: &Call) -> Result<u8, CliError> {
     match &call.command {
         Command::Certify(arguments) => {
             suite(call).and_then(|suite| certify::certify(arguments, &suite))
+        }
+        Command::VerifyCertificate(arguments) => {
+            suite(call).and_then(|suite| certificate::verify(arguments, &suite))
         }
         Command::Run(arguments) => suite(call).and_then(|suite| run::run(arguments, &suite)),
         Command::Rs274(arguments) => rs274::rs274(arguments),

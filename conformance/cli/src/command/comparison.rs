@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaugeblock_certificate::{AcceptanceList, ListKind, sha256};
 use gaugeblock_report::Header;
 use gaugeblock_report::merge::Stored;
 use gaugeblock_runner::certify::{BASELINE, ListName, Run, Scope};
@@ -48,6 +49,32 @@ impl ComparisonArguments {
         ]
         .into_iter()
         .find_map(|(option, is_given)| is_given.then_some(option))
+    }
+
+    /// The files of these options, each with its kind.
+    fn named(&self) -> Vec<(ListKind, &Path)> {
+        let named = [
+            (ListKind::Expectations, &self.expectations),
+            (ListKind::Baseline, &self.baseline),
+            (ListKind::Waivers, &self.waivers),
+        ];
+        named.into_iter().filter_map(|(kind, path)| Some((kind, path.as_deref()?))).collect()
+    }
+
+    /// The files of these options.
+    pub(crate) fn files(&self) -> Vec<PathBuf> {
+        self.named().into_iter().map(|(_, path)| stored_report::file(path)).collect()
+    }
+
+    /// The lists, as a certificate names them.
+    pub(crate) fn lists(&self) -> Result<Vec<AcceptanceList>, CliError> {
+        let list = |(kind, path): (ListKind, &Path)| {
+            let path = stored_report::file(path);
+            let bytes = user_files::read_bytes(&path, kind.word())?;
+            let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Ok(AcceptanceList { kind, file, sha256: sha256(bytes) })
+        };
+        self.named().into_iter().map(list).collect()
     }
 
     /// Reads the files, before anything runs.

@@ -2,6 +2,7 @@
 
 pub(crate) mod adapter;
 pub(crate) mod book;
+pub(crate) mod certificate;
 pub(crate) mod certify;
 pub(crate) mod check;
 pub(crate) mod compare;

@@ -4,16 +4,17 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use gaugeblock_certificate::{CertifiedShard, sha256};
 use gaugeblock_report::cost::{self, Cost};
-use gaugeblock_report::merge::{in_order, merged};
+use gaugeblock_report::merge::{Stored, in_order, merged};
 use gaugeblock_report::{Report, profiles};
 use gaugeblock_runner::certify::{Plan, Run, cases, not_applicable};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 
+use super::certificate::CertificateArguments;
 use super::comparison::ComparisonArguments;
-use super::stored_report::stored;
-use super::{certify, report_compare, user_files};
+use super::{certify, report_compare, stored_report, user_files};
 use crate::arguments::{DetailArguments, Format};
 use crate::error::CliError;
 
@@ -24,9 +25,11 @@ pub(crate) enum Reports {
     #[command(after_help = "Examples:
   gaugeblock report merge shard-1 shard-2 shard-3 --report whole
   gaugeblock report merge shard-*/report.json --format json
+  gaugeblock report merge shard-* --certificate mill.json --key minisign.key
 
-Missing or repeated shards are errors, and so are reports of different controllers, versions,
-editions, options, suites or calls, and a report of --assertions-only with a full one.
+Missing or repeated shards are errors, and so are reports of different controllers, versions, files
+of the controller, editions, options, suites or calls, and a report of --assertions-only with a full
+one.
 
 Exit status: that of `gaugeblock certify` for the whole run; 2 wrong call or input.")]
     Merge(Merge),
@@ -44,6 +47,8 @@ pub(crate) struct Merge {
     /// Write report.html, report.json, junit.xml, report.txt, summary.md and cost.json into this folder
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
+    #[command(flatten)]
+    certificate: CertificateArguments,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -59,7 +64,12 @@ pub(crate) fn report(command: &Reports, suite: &Suite) -> Result<u8, CliError> {
 }
 
 fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
-    let parts = arguments.reports.iter().map(|path| stored(path)).collect::<Result<Vec<_>, _>>()?;
+    let certificate = arguments.certificate.prepare(&arguments.against)?;
+    let parts = arguments.reports.iter().map(|path| Part::read(path));
+    let parts = parts.collect::<Result<Vec<_>, _>>()?;
+    let (parts, mut shards): (Vec<_>, Vec<_>) =
+        parts.into_iter().map(|Part { named, shard }| (named, shard)).unzip();
+    shards.sort_by_key(|shard| shard.shard);
     let wrong = |why: String| CliError::usage(why, "name the report of each shard of one run once");
     let whole = merged(&parts).map_err(wrong)?;
     let header = &whole.header;
@@ -92,7 +102,26 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
         certify::write_report(folder, &report)?;
     }
     certify::print(&report, arguments.format, arguments.detail.detail());
+    if let Some(certificate) = certificate {
+        let written = certificate.write_merged(&report, shards)?;
+        certify::print_certificate(arguments.format, &written);
+    }
     Ok(report.exit_status())
+}
+
+/// The report of a shard, with the name of its file.
+struct Part {
+    named: (String, Stored),
+    shard: CertifiedShard,
+}
+
+impl Part {
+    fn read(path: &Path) -> Result<Self, CliError> {
+        let (file, text) = stored_report::text(path)?;
+        let part = stored_report::read(&file, &text, Stored::read)?;
+        let shard = CertifiedShard { shard: part.header.shard, report_sha256: sha256(&text) };
+        Ok(Self { named: (file.display().to_string(), part), shard })
+    }
 }
 
 /// The cost of the parts, as far as it is known.

@@ -15,6 +15,8 @@ enum What {
     Report,
     /// The comparison.json of `report compare`
     Comparison,
+    /// The file of `certify --certificate`
+    Certificate,
 }
 
 #[derive(Debug, Args)]
@@ -32,6 +34,7 @@ pub(crate) fn schema(arguments: &Arguments) -> Result<u8, CliError> {
         What::Scenario => gaugeblock_vocabulary::schema::scenario(),
         What::Outcome => gaugeblock_vocabulary::schema::outcome(),
         What::Report => gaugeblock_report::json::schema(),
+        What::Certificate => gaugeblock_certificate::schema(),
         What::Comparison => gaugeblock_report::comparison::schema(),
     };
     write_out(&format!("{:#}\n", schema.as_value()));

@@ -17,9 +17,14 @@ pub(crate) fn stored(path: &Path) -> Result<(String, Stored), CliError> {
     Ok((path.display().to_string(), stored))
 }
 
+/// The file of a report: the path, or `report.json` in the folder at the path.
+pub(crate) fn file(path: &Path) -> PathBuf {
+    if path.is_dir() { path.join("report.json") } else { path.to_path_buf() }
+}
+
 /// The file of a report and its text.
 pub(crate) fn text(path: &Path) -> Result<(PathBuf, String), CliError> {
-    let path = if path.is_dir() { path.join("report.json") } else { path.to_path_buf() };
+    let path = file(path);
     let bytes = std::fs::read(&path)
         .map_err(|error| CliError::usage(format!("{}: {error}", path.display()), NAME_A_REPORT))?;
     // What is not UTF-8 is not JSON either, and is refused as such.

@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Read};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
-use gaugeblock_filesystem::{check_folder, write_output};
+use gaugeblock_filesystem::{check_folder, write_output, write_outputs};
 use gaugeblock_vocabulary::TextError;
 
 use crate::error::CliError;
@@ -175,15 +175,23 @@ pub(crate) fn check_outputs_spare_inputs(
 
 /// Writes an output, as [`write_output`] does: a regular file whole or not at all, anything else in place.
 pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), CliError> {
-    write_output(path, content).map_err(|error| {
-        let message = format!("{}: {error}", path.display());
-        let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded, ErrorKind::FileTooLarge];
-        if full.contains(&error.kind()) {
-            CliError::failure(message, "free the disk, or write elsewhere")
-        } else {
-            CliError::usage(message, "check that the folder exists and can be written")
-        }
-    })
+    write_output(path, content).map_err(|error| unwritable(path, &error))
+}
+
+/// Writes regular files that belong together, as [`write_outputs`] does: all of them or none.
+pub(crate) fn write_together(outputs: &[(&Path, &[u8])]) -> Result<(), CliError> {
+    let first = outputs.first().map_or(Path::new(""), |(path, _)| path);
+    write_outputs(outputs).map_err(|error| unwritable(first, &error))
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> CliError {
+    let message = format!("{}: {error}", path.display());
+    let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded, ErrorKind::FileTooLarge];
+    if full.contains(&error.kind()) {
+        CliError::failure(message, "free the disk, or write elsewhere")
+    } else {
+        CliError::usage(message, "check that the folder exists and can be written")
+    }
 }
 
 /// Makes a folder for results and checks that it can be written, before anything runs.

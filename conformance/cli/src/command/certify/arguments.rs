@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use gaugeblock_runner::shard::Shard;
 
 use crate::arguments::{DetailArguments, Format};
+use crate::command::certificate::CertificateArguments;
 use crate::command::comparison::ComparisonArguments;
 use crate::command::controller;
 
@@ -21,6 +22,8 @@ const EXAMPLES: &str = "Examples:
       certify it against its recorded behaviour; write out/report.html and the other report files
   gaugeblock certify --controller rs274 --baseline main/report.json --waivers waivers.toml
       in a pull request: fail only on what is new or changed and not waived
+  gaugeblock certify --controller exec:./mill --certificate mill.json --key minisign.key
+      write a certificate that `gaugeblock verify-certificate` and `minisign -V` check
   gaugeblock certify --controller linuxcnc --shard 3/8 --report shard-3
       run one of eight shards; after an interruption, repeat the call with --resume
   gaugeblock certify --controller rs274 --profile rs274-core --profile o-words
@@ -57,8 +60,15 @@ const FILTER: &str = "Run only the rules or cases that this selects; may be repe
   feed.zero/at*              cases whose name fits";
 
 /// Options that need the results of all cases.
-const WHOLE_RUN: [&str; 6] =
-    ["report", "write_expectations", "profile", "expectations", "baseline", "waivers"];
+const WHOLE_RUN: [&str; 7] = [
+    "report",
+    "write_expectations",
+    "profile",
+    "expectations",
+    "baseline",
+    "waivers",
+    "certificate",
+];
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -68,7 +78,7 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "CONTROLLER", default_value = "production", long_help = controller::NAMES)]
     pub(super) controller: Vec<String>,
     /// Compare only the observables that this other controller also reports
-    #[arg(long, value_name = "CONTROLLER")]
+    #[arg(long, value_name = "CONTROLLER", conflicts_with = "certificate")]
     pub(super) restrict_to: Option<String>,
     /// Edition of the documents [default: the controller's own]
     #[arg(long, value_name = "EDITION")]
@@ -99,6 +109,12 @@ pub(crate) struct Arguments {
     /// there while the run lasts. Of several controllers, each has a folder there, next to comparison.html
     #[arg(long, value_name = "DIR")]
     pub(super) report: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) certificate: CertificateArguments,
+    /// File that identifies the controller in reports and certificates, such as a firmware image; may be repeated
+    /// [default: its binary, or the files that the command of exec: names]
+    #[arg(long, value_name = "FILE")]
+    pub(super) subject: Vec<PathBuf>,
     /// Resume an interrupted run from the journal in --report
     #[arg(long, requires = "report")]
     pub(super) resume: bool,
@@ -129,7 +145,7 @@ pub(crate) struct Arguments {
     #[arg(long, short, value_name = "N")]
     pub(super) jobs: Option<NonZero<usize>>,
     /// List the selected cases as RULE / CASE, and run none
-    #[arg(long, conflicts_with_all = ["report", "write_expectations", "shrink"])]
+    #[arg(long, conflicts_with_all = ["report", "write_expectations", "shrink", "certificate"])]
     pub(super) list: bool,
     /// Stop after so many cases that diverge; the rest is not run
     #[arg(long, value_name = "N", conflicts_with_all = WHOLE_RUN)]

@@ -12,7 +12,9 @@ use gaugeblock_compare::Capabilities;
 use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::terminal::Detail;
-use gaugeblock_report::{Header, Report, html, json, junit, markdown, profiles, terminal};
+use gaugeblock_report::{
+    ControllerFile, Header, Report, html, json, junit, markdown, profiles, terminal,
+};
 use gaugeblock_runner::certify::{
     CaseResult, ModelOutcomes, Plan, RepeatSampling, Run, RunOptions, Scope, cases, run_plan,
 };
@@ -28,7 +30,7 @@ use super::arguments::{Arguments, FingerprintWhen};
 use super::selection::{only, profiles_in_edition};
 use crate::arguments::Format;
 use crate::command::comparison::ComparisonFiles;
-use crate::command::{controller, options, user_files};
+use crate::command::{certificate, controller, options, user_files};
 use crate::error::CliError;
 use crate::streams::{write_out, write_out_in_colours};
 
@@ -45,6 +47,8 @@ pub(super) struct Course<'a> {
 pub(super) struct Candidate<'a> {
     pub(super) controller: Box<dyn Adapter>,
     pub(super) edition: &'a Edition,
+    /// Its files, if they are written anywhere.
+    pub(super) files: Vec<ControllerFile>,
 }
 
 impl<'a> Course<'a> {
@@ -69,13 +73,29 @@ impl<'a> Course<'a> {
         if arguments.check_observation {
             controller.check_observation();
         }
-        Ok(Candidate { controller, edition })
+        Ok(Candidate { files: self.files(controller.as_ref())?, controller, edition })
+    }
+
+    /// The files of a controller, for a report or a certificate.
+    fn files(&self, controller: &dyn Adapter) -> Result<Vec<ControllerFile>, CliError> {
+        let wants_certificate = self.arguments.certificate.certificate.is_some();
+        if self.arguments.report.is_none() && !wants_certificate {
+            return Ok(Vec::new());
+        }
+        let files = certificate::controller_files(controller, &self.arguments.subject)?;
+        if files.is_empty() && wants_certificate {
+            return Err(CliError::usage(
+                format!("{}: no file of it is within reach", controller.capabilities().name),
+                "name one with --subject, such as its firmware image: a certificate is about the digests of files",
+            ));
+        }
+        Ok(files)
     }
 
     /// Lists the cases that a call selects for a controller.
     pub(super) fn list(
         &self,
-        Candidate { controller, edition }: &Candidate<'_>,
+        Candidate { controller, edition, .. }: &Candidate<'_>,
     ) -> Result<u8, CliError> {
         let Self { arguments, suite, .. } = self;
         let only = only(arguments, suite)?;
@@ -114,7 +134,7 @@ impl<'a> Course<'a> {
     /// Runs the suite on a controller, writes its report into a folder, and hands the report over.
     pub(super) fn judge<T>(
         &self,
-        Candidate { controller, edition }: &Candidate<'_>,
+        Candidate { controller, edition, files }: &Candidate<'_>,
         folder: Option<&Path>,
         then: impl FnOnce(&Report<'_>) -> Result<T, CliError>,
     ) -> Result<T, CliError> {
@@ -130,7 +150,9 @@ impl<'a> Course<'a> {
         }
         let twice = arguments.repeat_percent;
         let (options, undeclared) = comparison_options(arguments, suite, edition, controller)?;
-        let header = Header { twice, options, ..Header::of(plan, controller, shard) };
+        let controller_files = files.clone();
+        let header =
+            Header { twice, options, controller_files, ..Header::of(plan, controller, shard) };
         let newer = known.check_header(&header, suite)?;
         let mut run = self.run_with_journal(plan, controller, &header, folder)?;
         if is_fingerprinted(arguments, controller) {
@@ -252,7 +274,7 @@ fn is_fingerprinted(arguments: &Arguments, controller: &dyn Adapter) -> bool {
 pub(crate) fn print(report: &Report<'_>, format: Format, detail: Detail) {
     match format {
         Format::Text => write_out_in_colours(&terminal::terminal(report, detail)),
-        Format::Json => write_out(&format!("{:#}\n", json::json(report))),
+        Format::Json => write_out(&json::text(report)),
     }
 }
 
@@ -316,7 +338,7 @@ pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Cli
     })?;
     let text =
         anstream::adapter::strip_str(&terminal::terminal(report, Detail::Everything)).to_string();
-    user_files::write_whole(&folder.join("report.json"), format!("{:#}\n", json::json(report)))?;
+    user_files::write_whole(&folder.join("report.json"), json::text(report))?;
     user_files::write_whole(&folder.join("report.html"), &page)?;
     user_files::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
     user_files::write_whole(&folder.join("junit.xml"), &xml)?;

@@ -13,7 +13,17 @@ pub(crate) use self::course::{print, progress, write_report};
 pub(crate) use self::selection::{known_profiles, known_rules};
 use super::comparison::earlier_expectations;
 use super::user_files;
+use crate::arguments::Format;
 use crate::error::CliError;
+use crate::streams::{write_error, write_out};
+
+/// Prints which certificate was written, after a report in text.
+pub(crate) fn print_certificate(format: Format, written: &str) {
+    match format {
+        Format::Text => write_out(&format!("{written}\n")),
+        Format::Json => write_error(written),
+    }
+}
 
 pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
     if let Some(edition) = &arguments.edition {
@@ -30,6 +40,7 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
         earlier: earlier_expectations(arguments.write_expectations.as_deref())?,
         model: None,
     };
+    let certificate = arguments.certificate.prepare(&arguments.against)?;
     let folder = arguments.report.as_deref();
     if let Some(folder) = folder {
         user_files::create_folder(folder)?;
@@ -40,6 +51,10 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     }
     course.judge(&candidate, folder, |report| {
         print(report, arguments.format, arguments.detail.detail());
+        if let Some(certificate) = certificate {
+            let written = certificate.write(report)?;
+            print_certificate(arguments.format, &written);
+        }
         Ok(report.exit_status())
     })
 }

@@ -71,6 +71,8 @@ fn fits_several(arguments: &Arguments) -> Result<(), CliError> {
         ("--options", arguments.options.is_some()),
         ("--restrict-to", arguments.restrict_to.is_some()),
         ("--resume", arguments.resume),
+        ("--certificate", arguments.certificate.certificate.is_some()),
+        ("--subject", !arguments.subject.is_empty()),
         ("--list", arguments.list),
         ("--max-fail", arguments.max_fail.is_some()),
         ("--shard", arguments.shard != Shard::WHOLE),
