@@ -99,7 +99,7 @@ impl TurningRules for Observed {
                 return Err(refuse(quirk, FaultKind::Gouging, message));
             }
             if along.turn_to(other).abs() <= ROUNDING {
-                let why = "two pieces in one direction but for rounding, with a distance";
+                let why = "two pieces nearly in one direction, with a distance";
                 return Err(StepError::Unspecified(why.to_owned()));
             }
         }
