@@ -6,4 +6,4 @@ pub(super) const NIST: u16 = 32;
 pub(super) const RS274: u16 = 44;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 209;
+pub(crate) const COUNT: u16 = 210;

@@ -27,6 +27,7 @@ pub mod saved_state;
 pub mod spindle;
 pub mod splines;
 pub mod stop;
+mod straight;
 pub(crate) mod target;
 pub(crate) mod threading;
 mod time;

@@ -51,7 +51,7 @@ impl ModelRun<'_> {
         let source = Arc::clone(self.control.files.source(place.file));
         let text = match self.control.files.line_of(&source, place.line, &mut self.state) {
             Some(Line::Block(text)) => text,
-            Some(Line::Nothing) => {
+            Some(Line::Nothing | Line::Skipped(_)) => {
                 self.control.place.line += 1;
                 return Ok(());
             }

@@ -105,7 +105,7 @@ fn insert(
     let room = before.chord().min(next.chord());
     let is_tight = is_tied(cut, room);
     if radius > 0.0 && is_tight {
-        return Err(open("a fillet or chamfer that takes a move as a whole but for rounding"));
+        return Err(open("a fillet or chamfer that takes a whole move within rounding"));
     }
     if radius <= 0.0 || cut >= room {
         let message = "a fillet or chamfer without a radius, or too large for its moves";

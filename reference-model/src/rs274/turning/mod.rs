@@ -23,7 +23,7 @@ pub(crate) use offset::{left_of, offset};
 pub(crate) use piece::{Curve, Piece, is_tied};
 pub(crate) use point::{Frame, Point};
 
-/// Distance, active length unit, up to which two values are equal but for rounding.
+/// Distance, active length unit, up to which two values are equal within rounding.
 pub(crate) const ROUNDING: f64 = 1e-9;
 
 /// Shortest piece of a profile, active length unit: a shorter one is dropped.

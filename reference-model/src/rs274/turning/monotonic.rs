@@ -34,7 +34,7 @@ impl Travel {
             }
         }
         if [back, forth].iter().any(|way| *way > ROUNDING && *way <= LEVEL) {
-            return Err(open("a profile that is level but for a millionth"));
+            return Err(open("a profile that is level within a millionth"));
         }
         Ok(Self { never_back: back <= ROUNDING, never_forth: forth <= ROUNDING })
     }

@@ -24,7 +24,7 @@ pub(crate) fn left_of(lead: &Piece, pieces: &[Piece], rises: bool) -> Result<boo
     let (approach, ahead) = (lead.start.to(first.start), first.start.to(last.start));
     let turn = ahead.turn_to(approach);
     if turn.abs() > 0.0 && turn.abs() <= ROUNDING {
-        return Err(open("the side of the distance where the lead is in line but for rounding"));
+        return Err(open("the side of the distance where the lead is in line within rounding"));
     }
     Ok(if turn == 0.0 { rises } else { turn < 0.0 })
 }

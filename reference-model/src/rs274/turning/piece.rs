@@ -25,7 +25,7 @@ pub(crate) enum Curve {
     },
 }
 
-/// Whether two values are equal but for rounding, and not equal.
+/// Whether two values are nearly equal, and not equal.
 pub(crate) fn is_tied(one: f64, other: f64) -> bool {
     let apart = (one - other).abs();
     apart > 0.0 && apart <= ROUNDING

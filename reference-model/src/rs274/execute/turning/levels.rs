@@ -128,7 +128,7 @@ impl Roughing<'_> {
         loop {
             let depth = self.highest - self.layer * self.cycle.increment;
             if self.is_open(place, &rest, depth) {
-                let why = "a layer at the depth of a corner of the profile, but for rounding";
+                let why = "a layer at the depth of a corner of the profile, within rounding";
                 return Err(StepError::Unspecified(why.to_owned()));
             }
             if depth <= bottom {

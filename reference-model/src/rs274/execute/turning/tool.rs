@@ -3,7 +3,7 @@
 use gaugeblock_vocabulary::{Motion, Position};
 
 use crate::rs274::evaluate::Words;
-use crate::rs274::execute::{arc, feed, motion};
+use crate::rs274::execute::{arc, feed, straight};
 use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
@@ -18,10 +18,10 @@ pub(crate) fn traverse(
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    straight(Motion::Traverse, end, state, record)
+    lead_straight(Motion::Traverse, end, state, record)
 }
 
-fn straight(
+fn lead_straight(
     motion: Motion,
     end: Position,
     state: &mut State,
@@ -30,7 +30,7 @@ fn straight(
     if record.is_full() {
         return Err(StepError::TooManyEffects);
     }
-    motion::lead_to(motion, end, &Words::default(), state, record)
+    straight::lead_to(motion, end, &Words::default(), state, record)
 }
 
 /// The tool on its way along a profile, in the axes of the cycle.
@@ -50,7 +50,7 @@ impl Tool<'_> {
 
     /// A traverse to a point.
     pub(super) fn traverse(&mut self, end: Point) -> Result<(), StepError> {
-        straight(Motion::Traverse, self.position(end), self.state, self.record)
+        lead_straight(Motion::Traverse, self.position(end), self.state, self.record)
     }
 
     /// A line at feed rate to a point, also to where the tool is.
@@ -59,7 +59,7 @@ impl Tool<'_> {
     /// Feed moves of a cycle have no F of their own.
     pub(super) fn feed(&mut self, end: Point) -> Result<(), StepError> {
         feed::check_feed_rate(&Words::default(), self.state)?;
-        straight(Motion::Feed, self.position(end), self.state, self.record)
+        lead_straight(Motion::Feed, self.position(end), self.state, self.record)
     }
 
     /// A piece at feed rate from where it starts. An arc of no length is left out.
