@@ -230,7 +230,6 @@ impl Interpreter {
     /// `quirks` lists. It is off unless this is called before the program begins. `stored` holds all stored
     /// parameters: those that are not persistent are taken over too.
     pub fn emulate_rs274(&mut self, stored: impl IntoIterator<Item = (u32, f64)>) {
-        self.compiler.emulates_rs274 = true;
         self.compiler.choices.emulates_rs274 = true;
         for (number, value) in stored.into_iter().filter(|(number, _)| !is_stored(*number)) {
             self.parameters.numbered.set(number, value);

@@ -124,7 +124,7 @@ impl Interpreter {
         if let Some(frame) = self.call_stack.frames.last_mut() {
             frame.passed = o_word.values;
         }
-        if self.compiler.emulates_rs274 {
+        if self.compiler.choices.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
         if o_word.values == 0 && planted(PlantedFault::NoArgumentsZeroed) {
@@ -176,7 +176,7 @@ impl Interpreter {
             None => self.find_sub(label, source)?,
         };
         self.open_level(Cursor { segment, place: 0 }, FrameKind::Sub, label)?;
-        if self.compiler.emulates_rs274 {
+        if self.compiler.choices.emulates_rs274 {
             self.parameters.numbered.set_arguments(&quirks::UNPASSED);
         }
         self.parameters.value = 0.0;

@@ -72,7 +72,7 @@ impl Interpreter {
                     match block.kind {
                         Kind::Control(OWord { keyword: Keyword::Sub, label: other, .. }) => {
                             if found.is_some() || other != label {
-                                if self.compiler.emulates_rs274 {
+                                if self.compiler.choices.emulates_rs274 {
                                     continue;
                                 }
                                 return refuse(

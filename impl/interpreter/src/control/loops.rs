@@ -184,7 +184,7 @@ impl Interpreter {
                 let end = |keyword| keyword == Keyword::EndWhile;
                 return self.leave_loop(at, block, label, end, source);
             }
-            if self.compiler.emulates_rs274 {
+            if self.compiler.choices.emulates_rs274 {
                 let target = LabelTarget { label, accept: |keyword| keyword == Keyword::EndWhile };
                 self.search_label(at, block.line, target, source)?;
             }

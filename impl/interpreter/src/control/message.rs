@@ -142,7 +142,7 @@ impl View<'_> {
             });
             return;
         };
-        let near_zero = self.compiler.emulates_rs274 && value.abs() < quirks::PRINTED_MIN;
+        let near_zero = self.compiler.choices.emulates_rs274 && value.abs() < quirks::PRINTED_MIN;
         let value = if near_zero { 0.0 } else { value };
         let cut = decimals == 0 && planted(PlantedFault::IntegerCut);
         let value = if cut { math::truncate(value) } else { value };

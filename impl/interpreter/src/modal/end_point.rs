@@ -11,6 +11,7 @@ use super::check::Block;
 use super::codes::NON_MODAL;
 use super::coordinates::Coordinates;
 use super::letters::{A, AXES, B, C, X, Y};
+use super::polar::Polar;
 use super::refusal::Refusal;
 
 /// The code of G53, in tenths.
@@ -33,6 +34,11 @@ impl Words {
 }
 
 impl Modal {
+    /// The polar words of a block.
+    pub(super) fn polar(&self, words: &Words, incremental: bool) -> Polar {
+        Polar::of(words, incremental, self.emulates_rs274)
+    }
+
     /// Where a plain move ends: one without diameters, polar words and machine coordinates.
     #[inline]
     pub(super) fn plain_end_point(&self, words: &Words) -> Coordinates {

@@ -7,7 +7,6 @@ use crate::math;
 use crate::quirks;
 use crate::words::Words;
 
-use super::Modal;
 use super::coordinates::Coordinates;
 use super::refusal::{Refusal, refuse};
 
@@ -23,15 +22,12 @@ pub(super) struct Polar {
     emulates_rs274: bool,
 }
 
-impl Modal {
-    /// The polar words of a block.
-    pub(super) fn polar(&self, words: &Words, incremental: bool) -> Polar {
-        let emulates_rs274 = self.emulates_rs274;
-        Polar { distance: words.at, angle: words.caret, incremental, emulates_rs274 }
-    }
-}
-
 impl Polar {
+    /// The polar words of a block.
+    pub(super) fn of(words: &Words, incremental: bool, emulates_rs274: bool) -> Self {
+        Self { distance: words.at, angle: words.caret, incremental, emulates_rs274 }
+    }
+
     /// The point with X and Y of the words, after `from`; the other axes are those of `others`.
     pub(super) fn end(
         self,

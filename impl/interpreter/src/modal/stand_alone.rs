@@ -45,7 +45,7 @@ impl Modal {
             self.tool = self.loaded_by_change;
             self.publish_tool(numbered);
         }
-        self.to_cutter();
+        self.move_to_cutter();
         if !block.axes_move {
             let now = *self.active.now();
             let machine = now.machine_of(self.position);

@@ -211,7 +211,8 @@ impl LineCompiler {
         if line.len() <= longest {
             return line;
         }
-        let begins = |(_, byte): &(usize, &u8)| self.emulates_rs274 || !matches!(byte, 0x80..=0xbf);
+        let begins =
+            |(_, byte): &(usize, &u8)| self.choices.emulates_rs274 || !matches!(byte, 0x80..=0xbf);
         let behind = line.iter().enumerate().filter(begins).nth(longest);
         line.get(..behind.map_or(line.len(), |(at, _)| at)).unwrap_or(line)
     }
@@ -326,7 +327,7 @@ impl LineCompiler {
         self.value(cursor, into, self.bracket_depth)?;
         let bit = 1_u32.wrapping_shl(u32::from(place));
         let polar = matches!(op, Op::At | Op::Caret);
-        if items.letters & bit != 0 && !(polar && self.emulates_rs274) {
+        if items.letters & bit != 0 && !(polar && self.choices.emulates_rs274) {
             return cursor.refuse_from(start, FaultKind::RepeatedWord, "a word occurs twice");
         }
         items.letters |= bit;
@@ -375,7 +376,7 @@ impl LineCompiler {
     fn comment<'a>(&self, cursor: &mut Cursor<'a>, items: &mut Items<'a>) -> Parsed<()> {
         if cursor.peek() == b';' {
             // Quirk rs274.semicolon-plain.
-            if !self.emulates_rs274 {
+            if !self.choices.emulates_rs274 {
                 items.comment = Some(cursor.raw_after());
             }
             cursor.finish();

@@ -30,8 +30,6 @@ pub(crate) struct LineCompiler {
     pub(crate) block_delete: bool,
     /// Whether a line that holds a plain comment only is a block, which does nothing.
     pub(crate) report_comments: bool,
-    /// Whether quirks of `rs274` are emulated.
-    pub(crate) emulates_rs274: bool,
     /// Whether the label of an o-word is being read.
     pub(crate) in_label: bool,
     /// The limit that the line just compiled exceeds.
@@ -64,7 +62,6 @@ impl LineCompiler {
             choices,
             block_delete: false,
             report_comments: false,
-            emulates_rs274: false,
             in_label: false,
             limit_exceeded: None,
             names_max: limits.named_parameters,

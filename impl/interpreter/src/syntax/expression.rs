@@ -277,7 +277,7 @@ impl LineCompiler {
         if !cursor.take(b'[') || cursor.peek() != b'#' {
             return cursor.refuse(FaultKind::BadExpression, "EXISTS takes one named parameter");
         }
-        if self.emulates_rs274 && !cursor.rest().starts_with(b"#<") {
+        if self.choices.emulates_rs274 && !cursor.rest().starts_with(b"#<") {
             return self.numbered_exists(cursor, into);
         }
         if !cursor.take(b'#') || cursor.peek() != b'<' {

@@ -54,7 +54,7 @@ impl LineCompiler {
         o_word.keyword = keyword(cursor);
         block.kind = Kind::Control(o_word);
         if o_word.keyword == Keyword::Unknown {
-            if named && !self.emulates_rs274 || !matches!(cursor.peek(), 0 | b'(' | b';') {
+            if named && !self.choices.emulates_rs274 || !matches!(cursor.peek(), 0 | b'(' | b';') {
                 return cursor.refuse_from(start, FaultKind::BadBlock, "no such o-word");
             }
             o_word.keyword = Keyword::Program;

@@ -72,7 +72,7 @@ impl LineCompiler {
                 into.ops.push(op);
                 return Ok(ParameterRef::Indirect);
             }
-            b'a'..=b'z' if self.emulates_rs274 || self.choices.function_number => {
+            b'a'..=b'z' if self.choices.emulates_rs274 || self.choices.function_number => {
                 self.value(cursor, into, depth)?;
             }
             _ => return cursor.refuse(FaultKind::BadExpression, "a parameter number is missing"),
@@ -83,7 +83,7 @@ impl LineCompiler {
         into.ops.pop();
         match parameter_number(number, &self.choices) {
             Ok(number) => Ok(ParameterRef::Numbered(number)),
-            Err(_) if self.in_label || !self.emulates_rs274 => {
+            Err(_) if self.in_label || !self.choices.emulates_rs274 => {
                 // Whether its value is ever needed is not known yet, and an o-word keeps its keyword.
                 into.ops.push(Op::Number(number));
                 Ok(ParameterRef::Indirect)

@@ -140,7 +140,7 @@ pub(crate) trait EvaluationRules {
 fn extra_letter(block: &Block, words: &Words, state: &State) -> Result<(), StepError> {
     match block.words.iter().find(|word| word.letter == 'e') {
         Some(word) if !state.dialect().takes_e(words, state) => {
-            let message = "the letter E begins no word without G76, M66, M67 or M68";
+            let message = "the letter E begins no word without G70, G76, M66, M67 or M68";
             Err(refuse_at(rule::text::WORD_LETTERS, FaultKind::BadCharacter, word.span, message))
         }
         _ => Ok(()),

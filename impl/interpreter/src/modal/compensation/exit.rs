@@ -94,7 +94,7 @@ impl Modal {
     }
 
     /// The programmed point goes to where the cutter is, where compensation has ended and no move has led away yet.
-    pub(in super::super) fn to_cutter(&mut self) {
+    pub(in super::super) fn move_to_cutter(&mut self) {
         if let Some(exit) = &mut self.compensation.path_mut().exit {
             self.position = self.position.plus(core::mem::take(&mut exit.gap));
         }
