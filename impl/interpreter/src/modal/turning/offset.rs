@@ -135,8 +135,8 @@ fn intersection(
 ) -> Result<Vector, Refusal> {
     match (first.as_arc(), second.as_arc()) {
         (None, None) => two_lines(first, second, joins_parallels),
-        (None, Some(_)) => line_and_arc(first, second, near),
-        (Some(_), None) => line_and_arc(second, first, near),
+        (None, Some(_)) => line_and_arc(first, second, (near, second.start_direction())),
+        (Some(_), None) => line_and_arc(second, first, (near, first.end_direction().times(-1.0))),
         (Some(_), Some(_)) => {
             if first.to.minus(second.from).length() <= 1e-6 {
                 return Ok(first.to.plus(second.from).times(0.5));
@@ -162,7 +162,13 @@ fn two_lines(first: &Piece, second: &Piece, joins_parallels: bool) -> Result<Vec
     Ok(first.from.plus(along.times(reach)))
 }
 
-fn line_and_arc(line: &Piece, arc: &Piece, near: Vector) -> Result<Vector, Refusal> {
+/// The crossing of a line and an arc that is next to a point; of two that are equally far from it the one on the arc,
+/// which leads away from the point in a direction.
+fn line_and_arc(
+    line: &Piece,
+    arc: &Piece,
+    (near, away): (Vector, Vector),
+) -> Result<Vector, Refusal> {
     let centre = arc.as_arc().map_or(near, |arc| arc.centre);
     let radius = arc.radius().unwrap_or(0.0);
     let along = line.start_direction();
@@ -175,8 +181,13 @@ fn line_and_arc(line: &Piece, arc: &Piece, near: Vector) -> Result<Vector, Refus
     let half = math::sqrt(square.max(0.0));
     let crossings = [-half, half].map(|half| foot.plus(along.times(half)));
     let [one, other] = crossings;
-    let closer = one.minus(near).length() <= other.minus(near).length();
-    Ok(if closer { one } else { other })
+    let further = one.minus(near).length() - other.minus(near).length();
+    let is_one = if further.abs() <= 1e-9 {
+        one.minus(near).dot(away) >= other.minus(near).dot(away)
+    } else {
+        further < 0.0
+    };
+    Ok(if is_one { one } else { other })
 }
 
 /// Ends the run where a step has turned a piece over: a pit that is too narrow, or a spike.
