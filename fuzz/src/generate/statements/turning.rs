@@ -7,9 +7,9 @@ use super::super::writer::{Statement, Writer};
 pub(in super::super) const STATEMENTS: &[Statement] = &[
     Statement::when("turning.finish", StatementKind::Turning, 30, is_possible, |w| {
         let axes = *w.entropy.pick(&[&ALONG_Z, &ALONG_X]);
-        let label = profile(w, axes);
         let passes =
             *w.entropy.pick(&["", "", " p1", " p2", " p2.5 d1", " p3 d2 e0.5", " e0.5", " e-1"]);
+        let label = profile(w, axes, !passes.contains(['d', 'e']));
         cut(w, axes, &format!("g70 q{label}{passes}"));
     }),
     Statement::when("turning.rough", StatementKind::Turning, 70, is_possible, |w| {
@@ -21,10 +21,10 @@ pub(in super::super) const STATEMENTS: &[Statement] = &[
             ("g72.1", &ALONG_X),
             ("g72.2", &ALONG_X),
         ]);
-        let label = profile(w, axes);
+        let distance = *w.entropy.pick(&["", "", "", " d0.5", " d0.25"]);
+        let label = profile(w, axes, distance.is_empty());
         let increment = *w.entropy.pick(&[" i5", " i8", " i12.5", " i9", ""]);
         let retract = *w.entropy.pick(&["", " r0.25", " r2", " r0"]);
-        let distance = *w.entropy.pick(&["", "", "", " d0.5", " d0.25"]);
         cut(w, axes, &format!("{code} q{label}{increment}{retract}{distance}"));
     }),
 ];
@@ -57,16 +57,21 @@ struct Move {
     line: Option<[i32; 2]>,
 }
 
-/// Defines the sub of a profile that travels in one direction; its label. It needs G90.
-fn profile(w: &mut Writer<'_, '_>, axes: &Axes) -> u32 {
+/// Defines the sub of a profile that travels in one direction; its label. It needs G90. It has arcs, of corners too,
+/// only where the cycle has no distance: which crossing joins an arc and its neighbour at a distance is open for some
+/// corners (docs/turning.md, "Open").
+fn profile(w: &mut Writer<'_, '_>, axes: &Axes, arcs: bool) -> u32 {
     let label = w.new_label();
     w.structure(&format!("o{label} sub"));
     let code = *w.entropy.pick(&["g1 ", "g0 ", ""]);
     w.structure(&format!("{code}{}{} {}{}", axes.travel[0], FIRST[0], axes.depth[0], FIRST[1]));
     let (mut at, mut moves) = (FIRST, Vec::new());
     for _ in 0..w.entropy.range(1, 6) {
-        let drawn =
-            if w.entropy.chance(25) { arc(w, axes, &mut at) } else { line(w, axes, &mut at) };
+        let drawn = if arcs && w.entropy.chance(25) {
+            arc(w, axes, &mut at)
+        } else {
+            line(w, axes, &mut at)
+        };
         moves.push(drawn);
     }
     if at[1] < LAST {
@@ -80,7 +85,7 @@ fn profile(w: &mut Writer<'_, '_>, axes: &Axes) -> u32 {
         }
         let next = moves.get(place + 1).and_then(|next| next.line);
         let turns = each.line.zip(next).is_some_and(|(one, other)| is_corner(one, other));
-        let rounded = turns && w.entropy.chance(25);
+        let rounded = arcs && turns && w.entropy.chance(25);
         let corner = if rounded { *w.entropy.pick(&[" a0.5", " c0.5", " a0.25"]) } else { "" };
         w.structure(&format!("{}{corner}", each.text));
     }

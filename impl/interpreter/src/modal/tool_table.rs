@@ -131,11 +131,8 @@ impl Modal {
         } else {
             Coordinates::default()
         };
-        Modes {
-            g5x_offset: offsets::origin(numbered, FIXTURE).converted(conversion),
-            rotation: offsets::rotation(numbered, FIXTURE),
-            g92_offset: local,
-            ..now
-        }
+        let origin = offsets::origin(numbered, FIXTURE).converted(conversion);
+        let (_, rotation) = self.applying(origin, offsets::rotation(numbered, FIXTURE));
+        Modes { g5x_offset: origin, rotation, g92_offset: local, ..now }
     }
 }

@@ -83,7 +83,7 @@ impl Modal {
     }
 
     /// What of a stored origin and rotation applies.
-    fn applying(&self, origin: Coordinates, rotation: f64) -> (Coordinates, f64) {
+    pub(super) fn applying(&self, origin: Coordinates, rotation: f64) -> (Coordinates, f64) {
         let rotation = if self.choices.offsets_of_axes { 0.0 } else { rotation };
         (Coordinates::default().taking(self.offset_axes(), origin), rotation)
     }
@@ -237,7 +237,8 @@ impl Modal {
             };
             (new, words.get(b'R').unwrap_or(rotation))
         } else {
-            (self.new_origin(words, origin, rotation), rotation)
+            let (_, applied) = self.applying(origin, rotation);
+            (self.new_origin(words, origin, applied), rotation)
         };
         let stored = origin.converted(self.active_to_stored());
         offsets::store(numbered, system, stored, rotation);
