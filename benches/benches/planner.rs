@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 1.02;
 const PLAIN_PROCESSOR: &str =
     "glibc.cpu.hwcaps=-AVX2_Usable,-AVX2,-AVX_Fast_Unaligned_Load,-AVX512VL,-ERMS,-FSRM";
 /// Programs, and how many segments lie in the queue.
-const PROGRAMS: [(&str, u32); 9] = [
+const PROGRAMS: [(&str, u32); 10] = [
     ("zig-zag", 200),
     ("stops", 200),
     ("arcs", 200),
@@ -38,6 +38,7 @@ const PROGRAMS: [(&str, u32); 9] = [
     ("dense", 1000),
     ("dense", 10_000),
     ("crowded", 1000),
+    ("rounded", 1000),
     ("nine axes", 1000),
     (LARGEST, 1000),
 ];
@@ -294,6 +295,7 @@ fn program(name: &str) -> Vec<Segment> {
         "stops" => zig_zag(PathControl::ExactStop),
         "arcs" => arcs(),
         "crowded" => curve(0.03, 3),
+        "rounded" => rounded(),
         "nine axes" => curve(0.1, 9),
         wild if wild.starts_with(WILD) => drawn(wild.trim_start_matches(WILD)).0,
         _ => curve(0.1, 3),
@@ -328,6 +330,17 @@ fn arcs() -> Vec<Segment> {
         segment(path, PathControl::Within(0.01))
     };
     (0..20).map(half).collect()
+}
+
+/// Chords of 0.053 mm whose ends are rounded to 0.01 mm.
+fn rounded() -> Vec<Segment> {
+    let mut program = curve(0.053, 3);
+    for segment in &mut program {
+        if let Path::Straight { end } = &mut segment.path {
+            *end = end.map(|value| libm::round(value * 100.0) / 100.0);
+        }
+    }
+    program
 }
 
 /// About two metres of a curve in chords, of as many axes.

@@ -52,6 +52,8 @@ mod acceleration_window;
 mod arc_braking;
 mod blend_limits;
 mod blend_motion;
+mod chord;
+mod chord_row;
 mod corner;
 mod entry_speed;
 mod error;

@@ -112,19 +112,33 @@ impl PathBuilder {
     pub(crate) fn add(&mut self, edit: &mut PathEdit<'_>) {
         edit.first_changed = u64::MAX;
         let (before, last, next) = in_order(&mut self.open_segments, self.oldest);
-        self.end = next.segment.whole.end;
         if self.open_count > 0 && merge_next(before, last, next, edit) {
+            self.end = next.segment.whole.end;
             return;
         }
+        self.find_corner(edit.limits);
+        self.add_after_corner(true, edit);
+    }
+
+    /// Finds what is possible at the corner before the segment that was written.
+    pub(crate) fn find_corner(&mut self, limits: &Limits) {
+        let (_, last, next) = in_order(&mut self.open_segments, self.oldest);
         next.corner = Corner::Stop;
         if self.open_count > 0 {
             let round = &mut next.round;
-            next.corner = Corner::between(&last.segment, &next.segment, round, edit.limits);
+            next.corner = Corner::between(&last.segment, &next.segment, round, limits);
         }
+    }
+
+    /// Adds the segment whose corner was found; the corner before that one may become larger.
+    pub(crate) fn add_after_corner(&mut self, enlarges: bool, edit: &mut PathEdit<'_>) {
+        edit.first_changed = u64::MAX;
+        let (before, last, next) = in_order(&mut self.open_segments, self.oldest);
+        self.end = next.segment.whole.end;
         let made = match next.corner {
             Corner::Stop => false,
             Corner::Smooth | Corner::TangentBreak(_) | Corner::Blend { .. } => {
-                self.open_count > 1 && enlarge_previous_corner(before, last, next, edit)
+                enlarges && self.open_count > 1 && enlarge_previous_corner(before, last, next, edit)
                     || make_corner(last, next, edit)
             }
         };

@@ -75,7 +75,8 @@ impl NominalSegment {
         for (new, old) in whole.tangent.iter().zip(&self.end_tangent) {
             across += squared(old - along * new);
         }
-        self.merge_deviation += length * math::sqrt(across);
+        self.merge_deviation =
+            math::max(self.merge_deviation, next.merge_deviation) + length * math::sqrt(across);
         if self.merge_deviation > allowed {
             return false;
         }

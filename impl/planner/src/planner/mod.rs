@@ -1,26 +1,25 @@
-//! The planner: the queue of segments, and what a servo cycle does.
+//! The planner: its state, and what a servo cycle does.
 
+mod queueing;
+
+use crate::chord::ChordCorners;
+use crate::chord_row::ChordRow;
 use crate::entry_speed::OverrideScale;
 use crate::error::{Error, NotQueued};
 use crate::limits::{Limits, squared};
 use crate::look_ahead::LookAhead;
 use crate::math;
 use crate::motion::{CycleRequest, MotionState};
-use crate::nominal_segment::{ResolvedSegment, resolve};
 use crate::parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase, lead};
-use crate::path_builder::{PathBuilder, PathEdit};
+use crate::path_builder::PathBuilder;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::retrace::Retrace;
 use crate::ring::Ring;
-use crate::segment::{OutputSwitch, PathControl, Segment};
+use crate::segment::{OutputSwitch, PathControl};
+use queueing::{NEAR_END_ELEMENTS, REVERSE_ELEMENTS_MIN, RowEnd};
 
-/// How many elements that the motion has passed are remembered at least, for running in reverse.
-const REVERSE_ELEMENTS_MIN: u64 = 128;
-/// Work of look-ahead per queued segment and per cycle: a blend takes two units, any other element one.
-const LOOK_AHEAD_WORK_PER_SEGMENT: u32 = 24;
+/// Work of look-ahead per cycle: a blend takes two units, any other element one.
 const LOOK_AHEAD_WORK_PER_CYCLE: u32 = 4;
-/// The most elements that are made when a segment is queued.
-const ELEMENTS_PER_SEGMENT_MAX: u64 = 8;
 /// How far the spindle speed may differ from the planned one before look-ahead plans again, and how much faster it
 /// then plans.
 const SPINDLE_SPEED_TOLERANCE_RATIO: f64 = 0.02;
@@ -59,6 +58,11 @@ pub struct Planner {
     dynamics: Dynamics,
     limits: Limits,
     elements: Ring<PathElement>,
+    row: ChordRow,
+    corners: ChordCorners,
+    row_end: RowEnd,
+    /// That of the last segment.
+    last_path_control: PathControl,
     builder: PathBuilder,
     look_ahead: LookAhead,
     motion: MotionState,
@@ -107,6 +111,10 @@ impl Planner {
             dynamics,
             limits: Limits::new(&dynamics),
             elements: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
+            row: ChordRow::new(),
+            corners: ChordCorners::default(),
+            row_end: RowEnd::Open,
+            last_path_control: PathControl::ExactStop,
             builder: PathBuilder::new(position),
             look_ahead: LookAhead::new(OverrideScale { feed: 1.0, rapid: 1.0, spindle_speed: 0.0 }),
             motion: MotionState::default(),
@@ -122,64 +130,6 @@ impl Planner {
             next_is_separate: false,
             motion_exceeds_plan: false,
         })
-    }
-
-    /// Queues a segment that begins where the last one ends.
-    ///
-    /// # Errors
-    /// [`NotQueued::Full`] if the queue has no room, [`NotQueued::Malformed`] for numbers that describe no segment.
-    pub fn queue(&mut self, segment: &Segment) -> Result<(), NotQueued> {
-        self.make_room();
-        let waiting = self.queued_count.saturating_sub(self.motion.begun);
-        if self.aborting || self.elements.room() < 8 || waiting > u64::from(self.dynamics.queue) {
-            return Err(NotQueued::Full);
-        }
-        let resolved = resolve(segment, self.builder.new_segment(), &self.limits)?;
-        if self.motion_exceeds_plan && self.look_ahead.is_ready(self.motion.at) {
-            self.motion_exceeds_plan = !self.motion.can_follow(&self.elements, &self.limits);
-        }
-        let mut edit = PathEdit {
-            elements: &mut self.elements,
-            look_ahead: &mut self.look_ahead,
-            motion: &self.motion,
-            limits: &self.limits,
-            first_changed: u64::MAX,
-            motion_exceeds_plan: self.motion_exceeds_plan,
-        };
-        if let ResolvedSegment::ZeroLength = resolved {
-            self.switches_due_at_end = self.switches.end();
-        }
-        match resolved {
-            ResolvedSegment::ZeroLength if segment.path_control == PathControl::ExactStop => {
-                self.builder.stop_at_end();
-            }
-            ResolvedSegment::ZeroLength => {}
-            ResolvedSegment::Dwell(seconds) => self.builder.dwell(seconds, &mut edit),
-            ResolvedSegment::Moves => {
-                self.queued_count = self.queued_count.saturating_add(1);
-                let last = self.switches.get(self.switches.end().wrapping_sub(1));
-                let awaited = last.is_some_and(|(segment, _)| *segment == self.queued_count);
-                let (nominal, _) = self.builder.new_segment();
-                (nominal.whole.index, nominal.is_separate) =
-                    (self.queued_count, self.next_is_separate || awaited);
-                self.next_is_separate = false;
-                if segment.probing {
-                    self.builder.stop_at_end();
-                }
-                self.builder.add(&mut edit);
-                if self.builder.follows_spindle() {
-                    self.note_spindle_sync();
-                }
-            }
-        }
-        self.look_ahead.advance(
-            &mut self.elements,
-            self.motion.at,
-            &self.limits,
-            (LOOK_AHEAD_WORK_PER_SEGMENT, false),
-        );
-        self.look_ahead.note_quiet_after_queueing(self.motion.at);
-        Ok(())
     }
 
     /// Keeps the next segment from being merged with those before it, for instance where other overrides apply to it.
@@ -217,7 +167,11 @@ impl Planner {
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
         let request = self.cycle_request(input);
         self.motion.advance_cycle(&self.elements, &self.limits, &request);
-        self.advance_look_ahead(&request, input);
+        let is_short = !self.has_no_row()
+            && self.elements.end().saturating_sub(self.motion.at) <= NEAR_END_ELEMENTS;
+        if !(is_short && self.end_row_in_cycles()) {
+            self.advance_look_ahead(&request, input);
+        }
         output.probe_tripped = self.probe_tripped(input.probe);
         self.aborting |= output.probe_tripped;
         self.write_output(output);
@@ -235,30 +189,6 @@ impl Planner {
     /// The limits of the machine.
     pub fn dynamics(&self) -> &Dynamics {
         &self.dynamics
-    }
-
-    /// Finds the last element that follows the spindle. A segment includes the corner before it, which is made with
-    /// the next segment and again with the one after.
-    fn note_spindle_sync(&mut self) {
-        let end = self.elements.end();
-        let follows = |place: &u64| {
-            self.elements.get(*place).is_some_and(|p| p.feed_basis == FeedBasis::PerTurn)
-        };
-        if let Some(last) = (end.saturating_sub(ELEMENTS_PER_SEGMENT_MAX)..end).rev().find(follows)
-        {
-            self.spindle_sync_end = last.saturating_add(1);
-        }
-    }
-
-    /// Drops elements that the motion passed long ago if the queue needs room.
-    fn make_room(&mut self) {
-        while self.elements.room() < 16
-            && !self.retrace.is_requested()
-            && !self.motion.is_reversed
-            && self.elements.first().saturating_add(REVERSE_ELEMENTS_MIN) < self.motion.at
-        {
-            self.elements.drop_first();
-        }
     }
 
     /// Reads the input of a cycle.
@@ -432,7 +362,9 @@ impl Planner {
         if motion.speed > 0.0 {
             return if request.must_stop { Phase::Holding } else { Phase::Moving };
         }
-        let Some(element) = self.elements.get(motion.at) else { return Phase::Idle };
+        let Some(element) = self.elements.get(motion.at) else {
+            return if self.has_no_row() { Phase::Idle } else { Phase::Moving };
+        };
         if self.is_at_end() {
             return Phase::Idle;
         }
@@ -459,7 +391,12 @@ impl Planner {
             | AccelerationModel::BlendedArc { .. } => motion.remaining(element) <= 0.0,
         };
         let last = motion.at.saturating_add(1) == self.elements.end();
-        motion.speed <= 0.0 && over && last && !motion.is_reversed
+        motion.speed <= 0.0 && over && last && !motion.is_reversed && self.has_no_row()
+    }
+
+    /// Whether no chords wait.
+    fn has_no_row(&self) -> bool {
+        self.row.is_empty() && matches!(self.row_end, RowEnd::Open | RowEnd::Near)
     }
 
     /// Clears the queue, at rest.
@@ -475,6 +412,8 @@ impl Planner {
             ..MotionState::default()
         };
         self.builder = PathBuilder::new(self.position);
+        self.row.clear();
+        self.row_end = RowEnd::Open;
         self.aborting = false;
         self.retrace.forget();
     }
