@@ -8,7 +8,7 @@ use crate::vector::dot;
 
 /// A shorter segment moves nothing.
 const CHORD_LENGTH_MIN_MM: f64 = 1e-10;
-/// A line that lasts for more cycles at its feed is no chord.
+/// A chord lasts for at most so many cycles at twice its feed.
 const CHORD_CYCLES_MAX: f64 = 4.0;
 /// The share of a tolerance by which a line may leave its chords.
 pub(crate) const LINE_DEVIATION_RATIO_MAX: f64 = 0.75;
@@ -52,7 +52,7 @@ impl ChordCorners {
             && squared(used) < squared(squared(feed_of(segment))) * turn_sq
     }
 
-    /// A segment that is no chord ends what is known of corners.
+    /// Another segment than a chord ends what is known of corners.
     pub(crate) fn forget_corners(&mut self) {
         (self.seen, self.seen_change) = (None, None);
     }

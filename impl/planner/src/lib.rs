@@ -71,6 +71,7 @@ mod planner;
 mod retrace;
 mod ring;
 mod round_corner;
+mod row_end;
 mod segment;
 mod segment_merge;
 mod servo_cycle;

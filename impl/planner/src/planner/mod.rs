@@ -15,8 +15,8 @@ use crate::path_builder::PathBuilder;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
 use crate::retrace::Retrace;
 use crate::ring::Ring;
+use crate::row_end::{NEAR_END_ELEMENTS, REVERSE_ELEMENTS_MIN, RowEnd};
 use crate::segment::{OutputSwitch, PathControl};
-use queueing::{NEAR_END_ELEMENTS, REVERSE_ELEMENTS_MIN, RowEnd};
 
 /// Work of look-ahead per cycle: a blend takes two units, any other element one.
 const LOOK_AHEAD_WORK_PER_CYCLE: u32 = 4;

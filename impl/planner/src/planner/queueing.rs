@@ -1,4 +1,4 @@
-//! Queueing: how segments come to the end of the path, at once or as a row of chords that waits for more of them.
+//! Queueing: how segments are added to the end of the path, at once or as a row of chords that waits for more of them.
 
 use crate::chord::{chord_length, is_no_motion};
 use crate::chord_row::RowLine;
@@ -9,36 +9,21 @@ use crate::nominal_segment::{ResolvedSegment, resolve};
 use crate::path_builder::{PathBuilder, PathEdit};
 use crate::path_element::FeedBasis;
 use crate::planner::Planner;
+use crate::row_end::{NEAR_END_ELEMENTS, REVERSE_ELEMENTS_MIN, RowEnd};
 use crate::segment::{PathControl, Segment};
 
-/// How many elements that the motion has passed are remembered at least, for running in reverse.
-pub(super) const REVERSE_ELEMENTS_MIN: u64 = 128;
 /// Work of look-ahead per queued segment: a blend takes two units, any other element one.
 const LOOK_AHEAD_WORK_PER_SEGMENT: u32 = 24;
 /// The most elements that are made when a segment is queued, and in the mean for each chord that waits.
 const ELEMENTS_PER_SEGMENT_MAX: u64 = 8;
 const ELEMENTS_PER_CHORD: u64 = 3;
-/// The motion is near the end of the path if no more elements are left, and if it would slow down there within so
-/// many cycles.
-pub(super) const NEAR_END_ELEMENTS: u64 = 48;
+/// For how many cycles the motion must be able to go on without a look at the end of the path.
 const NEAR_END_CYCLES: f64 = 20.0;
 /// A cycle that has cost more leaves the row to the next one. A line is added in a cycle that has cost even less, or
 /// after so many cycles.
 const ROW_CYCLE_WORK_MAX: u32 = 2;
 const LINE_CYCLE_WORK_MAX: u32 = 1;
 const LINE_CYCLES_MAX: u8 = 8;
-
-/// What servo cycles have done to end the row of chords before the motion comes to the end of the path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum RowEnd {
-    Open,
-    /// The motion is near the end.
-    Near,
-    /// The next line is written.
-    Written,
-    /// Its corner is found, and it waits for a cheap cycle: how many cycles.
-    HasCorner(u8),
-}
 
 impl Planner {
     /// Queues a segment that begins where the last one ends.
@@ -120,7 +105,7 @@ impl Planner {
         last.is_some_and(|(segment, _)| *segment == self.queued_count.saturating_add(1))
     }
 
-    /// Adds a segment that is no chord to the path.
+    /// Adds a segment outside of rows to the path.
     fn add_segment(&mut self, segment: &Segment) -> Result<(), NotQueued> {
         let resolved = resolve(segment, self.builder.new_segment(), &self.limits)?;
         if let ResolvedSegment::ZeroLength = resolved {
