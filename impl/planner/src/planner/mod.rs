@@ -382,7 +382,7 @@ impl Planner {
     /// Whether the motion is at rest at the end of all that is queued.
     fn is_at_end(&self) -> bool {
         let motion = &self.motion;
-        let Some(element) = self.elements.get(motion.at) else { return true };
+        let Some(element) = self.elements.get(motion.at) else { return self.has_no_row() };
         let over = match element.model {
             AccelerationModel::Dwell(seconds) => motion.dwell_elapsed >= seconds,
             AccelerationModel::Constant { .. }
