@@ -8,7 +8,7 @@ use crate::words::Words;
 
 use super::super::Modal;
 use super::super::codes::{MOTION, g_code};
-use super::super::letters::{A, C, I, K, U, W, X, Z};
+use super::super::letters::{A, C, E, I, K, U, W, X, Z};
 use super::super::motion_codes::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
@@ -97,6 +97,9 @@ impl Modal {
             let checked = self.check_read(&Words { present, ..words.clone() });
             self.motion = mode;
             checked?;
+        } else if words.present & E != 0 && !takes_e(words) {
+            // Table 11.3 does not have it among the letters that begin a word.
+            return refuse(FaultKind::UnusedWord, "no code of the block takes the letter E");
         }
         let is_motion = |code: &&u16| g_code(**code).is_some_and(|code| code.group == MOTION);
         let mut motions = words.g_words().iter().filter(is_motion);
@@ -178,4 +181,10 @@ fn corner_of(words: &Words) -> Result<Corner, Refusal> {
         (None, None) => Corner::Sharp,
     };
     Ok(corner)
+}
+
+/// Whether a code of a block takes an E word (11.5.38, 11.5.42, 11.6.15 to 11.6.18).
+fn takes_e(words: &Words) -> bool {
+    words.g_words().iter().any(|code| matches!(code, 700 | 760))
+        || words.m_words().iter().any(|code| matches!(code, 66..=68))
 }
