@@ -226,6 +226,8 @@ choices! {
     thread_end_with_depth: "threading.slide-end", "fixed", "with-depth";
     /// G76 without R cuts passes of the same area.
     thread_constant_area: "threading.without-degression", "constant-depth", "constant-area";
+    /// D and H are numbers of slots.
+    offsets_by_slot: "tool.offset-numbers", "tool", "slot";
     /// T is the number of a slot.
     tool_by_slot: "tool.selected-by", "number", "slot";
     /// A program may not have M61.

@@ -262,7 +262,7 @@ impl Modal {
         if number == 0 && !self.random_tool_changer {
             return Ok(self.loaded());
         }
-        if self.choices.tool_by_slot && word.is_some() && !self.random_tool_changer {
+        if self.choices.offsets_by_slot && word.is_some() && !self.random_tool_changer {
             // An empty slot has no tool.
             let number_is_tool = |tool: &&Tool| pocket_of(tool) == number && number_of(tool) != 0;
             return Ok(self.tools.iter().find(number_is_tool));

@@ -34,9 +34,9 @@ pub(super) const TASK: u16 = 128;
 pub(super) const TEXT: u16 = 129;
 pub(super) const THREADING: u16 = 136;
 pub(super) const TOOL: u16 = 139;
-pub(super) const TRAJECTORY: u16 = 152;
-pub(super) const UNITS_PLANES: u16 = 154;
-pub(super) const USER_CODES: u16 = 159;
+pub(super) const TRAJECTORY: u16 = 153;
+pub(super) const UNITS_PLANES: u16 = 155;
+pub(super) const USER_CODES: u16 = 160;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 162;
+pub(crate) const COUNT: u16 = 163;

@@ -82,6 +82,15 @@ choices! {
         Refused = "refused",
     }
 
+    /// What the numbers of D and H are: those of tools, or those of slots of the changer, an empty one
+    /// without a tool.
+    OffsetNumbers = "tool.offset-numbers" {
+        /// the number of a tool in the tool table
+        Tool = "tool",
+        /// the number of a slot of the changer
+        Slot = "slot",
+    }
+
     /// Where the tool that was in the spindle goes on a machine whose tools change places: one text says its
     /// own slot; the later ones say the magazine, and their machine exchanges both tools.
     OldToolPlace = "tool.old-tool-place" {
@@ -92,7 +101,7 @@ choices! {
     }
 
     /// What the number of T is: that of a slot of the changer, or that of a tool. The older text says slot;
-    /// the last one says pocket in one place, and tool in another. D and H name what T names.
+    /// the last one says pocket in one place, and tool in another.
     SelectedBy = "tool.selected-by" {
         /// the number of a tool in the tool table
         Number = "number",

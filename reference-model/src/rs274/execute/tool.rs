@@ -92,12 +92,12 @@ fn in_slot(slot: i32, state: &State) -> Option<i32> {
 
 /// The tool that a word names: zero is the tool in the spindle, unless tools change places.
 ///
-/// Choice tool.selected-by. Where the number is that of a slot, an empty slot names no tool.
+/// Choice tool.offset-numbers. Where the number is that of a slot, an empty slot names no tool.
 ///
 /// # Errors
 /// The tool table does not hold it; refused by the rule that is given.
 pub(crate) fn named(tool: i32, rule: Rule, state: &State) -> Result<Option<&Tool>, StepError> {
-    let by_slot = state.choices.is(choice::tool::SelectedBy::Slot);
+    let by_slot = state.choices.is(choice::tool::OffsetNumbers::Slot);
     if tool > 0 && by_slot && !state.machine.random_tool_changer {
         return Ok(in_slot(tool, state).and_then(|tool| state.table_tool(tool)));
     }
