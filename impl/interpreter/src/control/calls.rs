@@ -98,6 +98,7 @@ impl Interpreter {
     }
 
     /// `call`, with arguments.
+    #[inline]
     pub(crate) fn call_sub<S: Source>(
         &mut self,
         at: Cursor,
@@ -185,6 +186,7 @@ impl Interpreter {
     }
 
     /// Opens a call level.
+    #[inline]
     fn open_level(
         &mut self,
         entry: Cursor,
@@ -218,6 +220,7 @@ impl Interpreter {
     }
 
     /// Closes the innermost call level.
+    #[inline]
     fn close_level<K: Sink>(&mut self, frame: &Frame, line: u32, sink: &mut K) {
         self.modal.leave_call(&mut self.parameters.numbered, sink, line);
         self.parameters.named.leave(frame.mark);
@@ -240,6 +243,7 @@ impl Interpreter {
     }
 
     /// Restores of `#1` to `#30` only those that the call has passed: a planted fault.
+    #[inline]
     fn restore_passed(&mut self, frame: &Frame) {
         let mut arguments = self.parameters.numbered.arguments();
         let passed = frame.passed();
@@ -250,6 +254,7 @@ impl Interpreter {
     }
 
     /// Evaluates arguments as if each were set before the next one is evaluated: a planted fault.
+    #[inline]
     fn evaluate_in_place(
         &mut self,
         at: Cursor,
@@ -273,6 +278,7 @@ impl Interpreter {
     }
 
     /// `return` and `endsub`, with a value or without.
+    #[inline]
     pub(crate) fn leave_sub<K: Sink>(
         &mut self,
         at: Cursor,

@@ -16,6 +16,7 @@ use crate::syntax::{DoLabel, LinePlace, RepeatFraction};
 
 impl Interpreter {
     /// `while`: the head of a loop, or the end of a do.
+    #[inline]
     pub(crate) fn execute_while<S: Source>(
         &mut self,
         at: Cursor,
@@ -73,6 +74,7 @@ impl Interpreter {
     }
 
     /// `repeat`.
+    #[inline]
     pub(crate) fn begin_repeat<S: Source>(
         &mut self,
         at: Cursor,
@@ -120,6 +122,7 @@ impl Interpreter {
     }
 
     /// `endrepeat`.
+    #[inline]
     pub(crate) fn end_repeat<S: Source>(
         &mut self,
         label: NameId,

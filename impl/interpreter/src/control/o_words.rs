@@ -85,6 +85,7 @@ impl Interpreter {
     }
 
     /// Executes a part of a condition or loop.
+    #[inline]
     fn execute_structure<S: Source>(
         &mut self,
         at: Cursor,
@@ -194,6 +195,7 @@ impl Interpreter {
 
     /// The condition or loop that a label points to. `is_kind` accepts the keyword that began it; `missing` is the
     /// message where the label points to none of this kind.
+    #[inline]
     pub(crate) fn find_structure(
         &mut self,
         label: NameId,
@@ -210,6 +212,7 @@ impl Interpreter {
     }
 
     /// The definition that the block in progress gives to a label.
+    #[inline]
     pub(crate) fn definition(
         &self,
         at: Cursor,
@@ -230,6 +233,7 @@ impl Interpreter {
     }
 
     /// Refuses a label that another block defines, or that is the number of the sub in progress.
+    #[inline]
     pub(crate) fn check_label(&mut self, block: &Block, label: NameId) -> Result<(), ControlError> {
         let elsewhere =
             self.call_stack.find(label).is_some_and(|defined| defined.line != block.line);
@@ -244,6 +248,7 @@ impl Interpreter {
     }
 
     /// `if`: its blocks are executed if its condition is true; else the search goes to the next branch.
+    #[inline]
     fn begin_if<S: Source>(
         &mut self,
         at: Cursor,
@@ -264,6 +269,7 @@ impl Interpreter {
 
     /// Goes to the next branch of a condition and sets `at_branch`. The branch is then executed as one that was
     /// searched for: an elseif evaluates its condition, an else is taken.
+    #[inline]
     fn next_branch<S: Source>(
         &mut self,
         at: Cursor,
@@ -284,6 +290,7 @@ impl Interpreter {
     }
 
     /// `endif`.
+    #[inline]
     fn end_if(&mut self, label: NameId) -> Result<(), ControlError> {
         match self.find_structure(label, |keyword| keyword == Keyword::If, NO_IF) {
             Ok(definition) => definition.ended = true,
@@ -294,6 +301,7 @@ impl Interpreter {
     }
 
     /// Leaves a loop: goes to the block after its end.
+    #[inline]
     pub(crate) fn leave_loop<S: Source>(
         &mut self,
         at: Cursor,
