@@ -198,13 +198,15 @@ fn run_prints_names_blocks_and_axes() {
 #[test]
 fn check_ends_with_a_status_for_scripts() {
     let here = folder("check");
+    // On which side of one piece a distance is, the manual does not say.
+    let one_piece = "o1 sub\ng1 x8 z0\nz-5\no1 endsub\ng18 f9 g0 x10 z1\ng70 q1 e1\nm2\n";
     for (name, program, status, parts) in [
         ("whole", "g0 x1\nm2\n", 0, ["end program_end", ""]),
         ("endless", "g0 x1\nm99\n", 0, ["end endless", ""]),
         ("refused", "m72\nm2\n", 1, ["--> refused.ngc:1", "error: "]),
         ("open", "g0 x1\n", 1, ["--> open.ngc:1", "the file ends without M2 or M30"]),
         ("pauses", "g0 x1\nm60\nm2\n", 1, ["note: pauses.ngc:2: the program pauses", "hint: add"]),
-        ("turning", "g71\nm2\n", 3, ["--> turning.ngc:1", "not supported"]),
+        ("turning", one_piece, 3, ["--> turning.ngc:6", "not specified"]),
     ] {
         write(&here, &format!("{name}.ngc"), program);
         says(&here, &format!("run {name}.ngc --check"), status, &parts);
