@@ -207,7 +207,6 @@ fn refusals() {
         ("x8 z0;z-5;z-3;x9 z-6", "g71 q100", "bad_block"),
         ("x8 z0;z-5 a1 c1;x9", "g70 q100", "modal_conflict"),
         ("x8 z0;z-5 a2;x9", "g70 q100", "bad_block"),
-        ("x8 z0;z-5;z-6;x9", "g70 q100 e.1", "gouging"),
         ("x8 z0;u1 x9;z-6", "g70 q100", "axis_words"),
         ("x8 z0;g2 x9 z-1;z-6", "g70 q100", "missing_word"),
         ("x8 z0;z-5;g2 x9 z-6 i1.3 k0", "g70 q100", "bad_arc"),
@@ -216,6 +215,16 @@ fn refusals() {
         let Err(Error::Fault(fault)) = &end else { panic!("{profile} {cycle}: {end:?}") };
         assert_eq!(fault.kind.map(|kind| kind.word()), Some(refused), "{profile} {cycle}");
     }
+}
+
+#[test]
+fn lines_in_a_row_keep_the_distance_and_rs274_refuses_them() {
+    let profile = "x8 z0;z-5;z-6;x9";
+    let (_, end) = moves(profile, "g70 q100 e.1", false);
+    assert!(matches!(end, Ok(Progress::Ended(End::ProgramEnd))), "{end:?}");
+    let (_, end) = moves(profile, "g70 q100 e.1", true);
+    let Err(Error::Fault(fault)) = &end else { panic!("{end:?}") };
+    assert_eq!(fault.kind.map(|kind| kind.word()), Some("gouging"));
 }
 
 #[test]
