@@ -25,9 +25,9 @@ const LEAST_CODE_PERCENT: f64 = 5.0;
 const DOCUMENTED: &str = "
 g0 g1 g2 g3 g4 g5 g5.1 g5.2 g5.3 g7 g8 g10 g17 g17.1 g18 g18.1 g19 g19.1 g20 g21 g28 g28.1 g30 g30.1 g33 g33.1 g38.2
 g38.3 g38.4 g38.5 g40 g41 g41.1 g42 g42.1 g43 g43.1 g43.2 g49 g52 g53 g54 g55 g56 g57 g58 g59 g59.1 g59.2 g59.3 g61
-g61.1 g64 g70 g71 g71.1 g71.2 g72 g72.1 g72.2 g73 g74 g76 g80 g81 g82 g83 g84 g85 g86 g89 g90 g90.1 g91 g91.1 g92 g92.1 g92.2 g92.3 g93 g94 g95 g96 g97
-g98 g99 m0 m1 m2 m3 m4 m5 m6 m7 m8 m9 m19 m30 m48 m49 m50 m51 m52 m53 m60 m61 m62 m63 m64 m65 m66 m67 m68 m70 m71
-m72 m73 m98 m99";
+g61.1 g64 g70 g71 g71.1 g71.2 g72 g72.1 g72.2 g73 g74 g76 g80 g81 g82 g83 g84 g85 g86 g89 g90 g90.1 g91 g91.1 g92
+g92.1 g92.2 g92.3 g93 g94 g95 g96 g97 g98 g99 m0 m1 m2 m3 m4 m5 m6 m7 m8 m9 m19 m30 m48 m49 m50 m51 m52 m53 m60 m61 m62
+m63 m64 m65 m66 m67 m68 m70 m71 m72 m73 m98 m99";
 
 /// The same for kinds that few programs use.
 const LEAST_RARE_PERCENT: u32 = 1;

@@ -1,6 +1,6 @@
 //! Certificates: what a run of the suite found, as a signed statement that others can check.
 //!
-//! A certificate is an [in-toto statement](Statement) about the files of a controller. It has the verdict of every case;
+//! A certificate is an [in-toto statement](Statement) about the files of a controller. It has each case's verdict;
 //! counts, verdicts of rules and profiles follow from them, and [`check()`] derives them again. A
 //! [signature](SigningKey) in the format of minisign is a file next to it.
 //!

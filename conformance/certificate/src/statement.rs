@@ -229,7 +229,7 @@ impl Statement {
     /// Reads a statement.
     ///
     /// # Errors
-    /// It is not a certificate of this version, or is written in another form; the message follows the name of the file.
+    /// It is not a certificate of this version, or has another form; the message follows the name of the file.
     pub fn read(text: &str) -> Result<Self, String> {
         #[derive(Deserialize)]
         struct Types {
@@ -251,7 +251,8 @@ impl Statement {
         match first_difference(text, &statement.to_text()) {
             None => Ok(statement),
             Some(line) => Err(format!(
-                "has another form than a certificate, first in line {line}: expected no field twice and none of another version"
+                "has another form than a certificate, first in line {line}: \
+                 expected each field once and none of another version"
             )),
         }
     }

@@ -284,8 +284,8 @@ impl Judge<'_> {
         ok(same, || effect_texts(&found))
     }
 
-    /// Lists of effects that a block has in this order: the first list begins it, the last one ends it, and there may be
-    /// other effects between them.
+    /// Lists of effects that a block has in this order: the first list begins it, the last one ends it, and
+    /// other effects may be between them.
     fn effects_with_gaps(&self, lists: &[Vec<Effect>], found: &[ObservedEffect]) -> Finding {
         let observes = |effect: &Effect| self.observables.effects.contains(effect.name());
         if let Some(hidden) = lists.iter().flatten().find(|effect| !observes(effect)) {

@@ -32,8 +32,8 @@ pub fn write_output(path: &Path, content: impl AsRef<[u8]>) -> Result<()> {
     write(path, content.as_ref(), None)
 }
 
-/// Writes outputs that belong together, each a regular file or one that is not there yet. Every new file is written whole
-/// before the first takes its place.
+/// Writes outputs that belong together, each a regular file or one that is not there yet. Each new file is written
+/// whole before the first takes its place.
 ///
 /// # Errors
 /// One of them cannot be written, or is something else than a regular file. Until all are written, nothing is changed.

@@ -67,7 +67,7 @@ pub struct Counts {
     pub broken: usize,
     /// Cases that diverge exactly as is known.
     pub known: usize,
-    /// Cases that diverge, and somebody answers for it.
+    /// Cases that diverge, and a list accepts it.
     pub waived: usize,
     /// Cases that the controller does not support.
     pub unsupported: usize,
@@ -81,7 +81,7 @@ pub struct Counts {
     pub timeout: usize,
     /// Cases of which the controller could not be asked, or its answer not be read.
     pub harness_error: usize,
-    /// Cases that nobody has run.
+    /// Cases that were not run.
     pub not_run: usize,
     /// Cases without an assertion, or not judged as expectations, a baseline or a waiver accept.
     pub not_judged_accepted: usize,

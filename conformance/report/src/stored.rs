@@ -62,7 +62,7 @@ pub enum StoredVerdict {
     SideDifference(StoredDivergence),
     /// Otherwise, exactly as is known.
     Known(AcceptedDivergence),
-    /// Otherwise, and somebody answers for it.
+    /// It diverges, and a list accepts it.
     Waived(AcceptedDivergence),
     /// Not run: the controller does not have this.
     Unsupported(Reason),

@@ -14,10 +14,10 @@
 //! sets. A file without an end ends the run with `-n 0` too, where `rs274` prints the same for ever. Two codes of one
 //! block that change the same offset print its last value twice. Where the last bits of a rotation, or of polar words
 //! of an incremental move, decide the sign of a zero, it can differ. Quirks (`conformance/suite/quirks`) that are
-//! visible in a line of their own are printed here: rounded F and S of saved state, switches that are not restored, subs
-//! that are defined after their call, the way of cycles to the R plane, the passes of G76 (`threads`). Those that lead
-//! elsewhere the interpreter emulates (`Interpreter::emulate_rs274`); its module `quirks` lists them. `tests/corpus`
-//! counts programs of others that are printed alike.
+//! visible in a line of their own are printed here: rounded F and S of saved state, switches that are not restored,
+//! subs that are defined after their call, the way of cycles to the R plane, the passes of G76 (`threads`). The
+//! interpreter emulates those that change a position (`Interpreter::emulate_rs274`); its module `quirks` lists them.
+//! `tests/corpus` counts programs of others that are printed alike.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders.
 //! User-defined codes run nothing.

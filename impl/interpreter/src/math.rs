@@ -165,18 +165,18 @@ pub(crate) fn from_i64(value: i64) -> f64 {
 }
 
 /// An integer as a number, exactly; none beyond 2^53.
-#[expect(clippy::as_conversions, reason = "there is no other conversion")]
-#[expect(clippy::cast_precision_loss, reason = "below 2^53 nothing is lost")]
+#[expect(clippy::as_conversions, reason = "From does not convert i64 to f64")]
+#[expect(clippy::cast_precision_loss, reason = "integers below 2^53 are exact")]
 pub(crate) fn whole_as_number(value: i64) -> Option<f64> {
     (value.unsigned_abs() <= 1 << 53).then_some(value as f64)
 }
 
 /// By how many radians so many quarter turns, computed as degrees times pi over 180 in numbers of 64 bits, exceed the
 /// exact angle. There are at most 4096 of them.
-#[expect(clippy::as_conversions, reason = "the last bits of a small difference do not matter")]
-#[expect(clippy::cast_precision_loss, reason = "the last bits of a small difference do not matter")]
+#[expect(clippy::as_conversions, reason = "a small difference needs no exact last bits")]
+#[expect(clippy::cast_precision_loss, reason = "a small difference needs no exact last bits")]
 pub(crate) fn rounding_of_quarter_turns(turns: u128) -> f64 {
-    /// Pi in 64 bits, of which two are before the point.
+    /// Pi in 64 bits: two before the binary point, 62 after it.
     const PI: u128 = 0xC90F_DAA2_2168_C235;
     /// Half of pi with 109 bits after the point.
     const HALF_PI: i128 = 0x3243_F6A8_885A_308D_3131_98A2_E037;

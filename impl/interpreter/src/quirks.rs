@@ -27,7 +27,7 @@
 //! * `rs274.position-omitted-axes`: `modal::work_offsets`.
 //! * `rs274.blend-q-without-p` and `rs274.tool-offset-unit`: `modal::mode_select`.
 //! * `rs274.peck-rounding`: `modal::cycles`.
-//! * The probe, and the tool in the spindle: `modal::stand_alone`. No page, because no machine is like that.
+//! * The probe, and the tool in the spindle: `modal::stand_alone`. They have no page: they replace a machine.
 //! * `rs274.retract-under-compensation`, `rs274.path-under-compensation`: `modal::mode_select`, except for restores.
 //! * `rs274.compensation-entry-equal`, `rs274.compensation-exit-length`, `rs274.compensation-exit-arc`:
 //!   `modal::compensation`.
@@ -111,7 +111,7 @@ pub(crate) fn normal([x, y]: [f64; 2], left: bool) -> [f64; 2] {
     [math::cosine_of_radians(across), math::sine_of_radians(across)]
 }
 
-/// An angle and a quarter turn, of which more bits are known than a number has.
+/// An angle plus a quarter turn. The sum uses more bits of the quarter turn than an f64 holds.
 fn quarter_more(angle: f64) -> f64 {
     /// The bits of a quarter turn after those of the number nearest to it.
     const REST: f64 = 6.123_5e-17;
@@ -122,8 +122,7 @@ fn quarter_more(angle: f64) -> f64 {
     sum + (lost + REST)
 }
 
-/// X and Y of a distance and an angle in degrees, or an angle that is turned from that of a point: `rs274` computes in
-/// radians.
+/// X and Y at a distance and an angle in degrees, or turned by that angle from a point: `rs274` computes in radians.
 pub(crate) fn at_distance(
     [x, y]: [f64; 2],
     distance: f64,
@@ -148,7 +147,7 @@ pub(crate) fn rounded(value: f64) -> f64 {
     if bounds.contains(&value) { value + 0.0 } else { f64::from(i32::MIN) }
 }
 
-/// Quarter turns beyond which [`beyond_right_angle`] says nothing.
+/// The most quarter turns that [`beyond_right_angle`] computes.
 const QUARTERS_MAX: i64 = 4096;
 
 /// The quarter turns of an angle that is a multiple of 90 degrees, and by how many radians a number of 64 bits that is

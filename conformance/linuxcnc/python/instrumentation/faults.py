@@ -157,8 +157,8 @@ def refused_place(kind, said, echo, source, plan, following):
         return None
     if kind == "line_too_long":
         return too_long(source, following)
-    # The echo is the last line that a call sought through, or the definition that it found, or what a restore tried, or the
-    # end of the profile that a lathe cycle has read.
+    # The echo is the last line that a call sought through, or the definition that it found, or what a restore tried, or
+    # the end of the profile that a lathe cycle has read.
     after_profile = said.startswith("G7X error") and re.search("endsub|return", code(echo))
     if kind in ("unknown_sub", "mixed_styles") or said.startswith("M7x:") or after_profile:
         return following

@@ -1,5 +1,5 @@
 //! The profile of a lathe cycle (11.5.38, 11.5.39): its sub runs as a call does, and its blocks are read and not
-//! executed. The sink hears of the cycle's block alone.
+//! executed. The sink receives the cycle's own block only.
 
 use gaugeblock_vocabulary::{Effect, Settings};
 
@@ -13,10 +13,10 @@ use crate::modal::{ProfileStage, Refusal};
 use crate::source::Source;
 use crate::syntax::bytecode::{Block, Kind, NONE};
 
-/// Hears nothing of the blocks that are read.
-struct Unheard;
+/// Discards what the blocks of a profile would report.
+struct DiscardingSink;
 
-impl Sink for Unheard {
+impl Sink for DiscardingSink {
     fn set(&mut self, _line: u32, _changed: &Settings) {}
 
     fn perform(&mut self, _line: u32, _effect: &Effect) -> Reply {
@@ -85,7 +85,9 @@ impl Interpreter {
                 Ok(()) => Ok(Progress::More),
                 Err(refusal) => self.roll_back(at, block.line, refusal),
             },
-            Kind::Control(o_word) => self.execute_o_word(at, &block, o_word, source, &mut Unheard),
+            Kind::Control(o_word) => {
+                self.execute_o_word(at, &block, o_word, source, &mut DiscardingSink)
+            }
             Kind::Definition { label, segment } => {
                 self.define_sub(at, &block, label, segment)?;
                 Ok(Progress::More)

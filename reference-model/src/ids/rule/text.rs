@@ -66,8 +66,8 @@ rules! {
     PERCENT_OPTIONAL = "text.percent-optional",
     /// A file with a percent line at its beginning, and neither another one nor a program end, is refused.
     PERCENT_UNCLOSED = "text.percent-unclosed",
-    /// The letters of the table begin words; another one does not, unless the form of a code has it, as E in
-    /// those of G76 and of M66 to M68.
+    /// The letters of the table begin words; another one only where a code has it, as E of G76 and of M66 to
+    /// M68.
     WORD_LETTERS = "text.word-letters",
     /// A word is a letter and a number, or something that evaluates to a number.
     WORD_VALUE = "text.word-value",

@@ -65,7 +65,7 @@ pub(super) fn store_flag(applies: bool, state: &mut State) {
     }
 }
 
-/// The axes of which the local offset is stored. Choice offsets.flag-and-rotation: all nine, or those of the machine.
+/// The axes whose local offset is stored: by choice offsets.flag-and-rotation all nine, or those of the machine.
 pub(super) fn stored_axes(state: &State) -> Vec<Axis> {
     let is_each = state.choices.is(choice::offsets::FlagAndRotation::Stored);
     let is_stored = |axis: &Axis| is_each || state.machine.axes.contains(axis);

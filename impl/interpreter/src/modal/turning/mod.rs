@@ -1,7 +1,7 @@
 //! Lathe cycles: G70 (11.5.38), and G71, G71.1, G71.2, G72, G72.1, G72.2 (11.5.39).
 //!
 //! ```text
-//! Words ─► Cycle, first motion ─► control runs the sub ─► reading ─► profile ─► offset ─► finishing, or roughing ─► Sink
+//! Words ─► Cycle, first motion ─► control runs the sub ─► reading ─► profile ─► offset ─► finishing or roughing
 //! ```
 //!
 //! The formulas, and what of them is open, are in `docs/turning.md`.

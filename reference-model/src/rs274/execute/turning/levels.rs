@@ -116,8 +116,8 @@ impl Roughing<'_> {
 
     /// Cuts the layers of a falling piece, then moves to its end.
     ///
-    /// Rule turning.roughing-increment. Layers are one increment apart. A piece that follows a fall, such as an arc that
-    /// falls and rises, goes on with the layer after those of this fall.
+    /// Rule turning.roughing-increment. Layers are one increment apart. A piece that follows a fall, such as an arc
+    /// that falls and rises, goes on with the layer after those of this fall.
     fn cut_layers(&mut self, place: usize) -> Result<(), StepError> {
         let mut rest = self.path[place];
         let (top, bottom) = (rest.start.u, rest.lowest());
@@ -233,7 +233,8 @@ impl Roughing<'_> {
         Ok(Some(place))
     }
 
-    /// Whether an arc starts at the highest point of its circle, and is not the second part of one that was split there.
+    /// Whether an arc starts at the highest point of its circle, and is not the second part of one that was split
+    /// there.
     fn starts_at_top(&self, place: usize) -> bool {
         let (piece, before) = (&self.path[place], &self.path[place - 1]);
         piece.starts_at_top() && before.curve != piece.curve

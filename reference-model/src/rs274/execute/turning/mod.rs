@@ -78,8 +78,8 @@ pub(crate) trait TurningRules {
         travel.is_monotonic()
     }
 
-    /// Rules turning.finishing-passes and turning.roughing-distance. Whether the pieces after the lead have a profile at
-    /// a distance: all have.
+    /// Rules turning.finishing-passes and turning.roughing-distance. Every profile has another one at a distance from
+    /// it.
     ///
     /// # Errors
     /// Pieces that have none.
