@@ -24,7 +24,7 @@ pub(crate) fn near_integer(value: f64) -> Option<i64> {
 
 /// An integer below 2^53 as a number, exactly.
 #[inline]
-#[expect(clippy::as_conversions, reason = "there is no other conversion")]
+#[expect(clippy::as_conversions, reason = "the standard library converts them only by `as`")]
 #[expect(clippy::cast_precision_loss, reason = "callers keep below 2^53")]
 #[expect(clippy::cast_possible_wrap, reason = "and so below 2^63, which converts faster")]
 pub(crate) fn from_u64(value: u64) -> f64 {
@@ -158,7 +158,7 @@ pub(crate) fn truncate(value: f64) -> f64 {
     libm::trunc(value)
 }
 /// An integer within ±2^53 as a number, exactly.
-#[expect(clippy::as_conversions, reason = "there is no other conversion")]
+#[expect(clippy::as_conversions, reason = "the standard library converts them only by `as`")]
 #[expect(clippy::cast_precision_loss, reason = "callers keep below 2^53")]
 pub(crate) fn from_i64(value: i64) -> f64 {
     value as f64

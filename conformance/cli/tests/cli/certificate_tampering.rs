@@ -1,4 +1,5 @@
-//! Certificates that were tampered with: by a stranger, whose signature does not fit, and by the signer, who lies.
+//! Certificates that were changed: without the key, so that the signature does not fit, and with it, so that only the
+//! content is wrong.
 
 use gaugeblock_certificate::{
     AcceptanceList, CaseVerdict, CertifiedDivergence, CertifiedProfile, Coverage, ListKind,

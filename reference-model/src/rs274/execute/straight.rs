@@ -44,7 +44,7 @@ fn move_straight(motion: Motion, end: Position, state: &mut State, record: &mut 
     record.effect(state, effect);
 }
 
-/// The rules that an accepted move follows, those on modes that held until it among them.
+/// The rules that an accepted move follows, including those on the modes in effect before it.
 fn accepted(motion: Motion, end: Position, words: &Words, state: &mut State) {
     for rule in [
         rule::modal_groups::ONE_IN_FORCE,
