@@ -6,6 +6,7 @@ mod command;
 mod documents;
 mod error;
 mod program;
+mod progress;
 mod streams;
 
 pub use call::{main, understands};

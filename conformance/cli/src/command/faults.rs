@@ -18,9 +18,9 @@ use gaugeblock_suite::{Edition, Suite, only_case};
 use serde::Deserialize;
 use serde_json::json;
 
-use super::certify::progress;
 use crate::arguments::Format;
 use crate::error::CliError;
+use crate::progress::Progress;
 use crate::streams::write_out;
 
 /// What each fault breaks.
@@ -113,7 +113,7 @@ pub(crate) fn faults(
     let edition = crate::documents::edition(suite, edition)?;
     let PlantedFaults { breaks, exceptions } = planted_faults(suite)?;
     let chosen = chosen(prefixes)?;
-    let bar = progress(chosen.len());
+    let progress = Progress::of(chosen.len(), "faults");
     let mut results = Vec::new();
     let mut coverages = BTreeMap::new();
     for fault in chosen {
@@ -128,13 +128,13 @@ pub(crate) fn faults(
         if let Some(result) = result_of((suite, edition, coverage), scope, fault, broken) {
             if matches!(format, Format::Text) {
                 let line = if scope == Scope::AssertionsOnly { assertions_line } else { line };
-                bar.suspend(|| write_out(&line(&result)));
+                progress.suspend(|| write_out(&line(&result)));
             }
             results.push(result);
         }
-        bar.inc(1);
+        progress.add(1);
     }
-    bar.finish_and_clear();
+    progress.finish();
     write_out(&match format {
         Format::Json => format!("{:#}\n", document(&results)),
         Format::Text if scope == Scope::AssertionsOnly => assertions_summary(&results),

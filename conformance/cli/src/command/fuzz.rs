@@ -24,6 +24,7 @@ use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{controller, fuzz_report, options, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
+use crate::progress::Progress;
 use crate::streams::{write_error, write_out};
 
 /// How many programs without a verdict are listed.
@@ -245,7 +246,7 @@ fn generate(
 ) -> Result<(), CliError> {
     let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
     let best = plan.iut.best_jobs().or(plan.against.best_jobs());
-    let bar = indicatif::ProgressBar::new_spinner();
+    let progress = Progress::endless("programs");
     let (begun, stop) = (now(), AtomicBool::new(false));
     let mut mismatch = None;
     let done = so_far.done.clone();
@@ -263,13 +264,12 @@ fn generate(
         }
         so_far.add(chunk);
         let (programs, groups) = (so_far.statistics.programs, so_far.groups.len());
-        bar.set_message(format!("{programs} programs, {groups} kinds of divergences"));
-        bar.tick();
+        progress.set(programs, &format!("{groups} kinds of divergences"));
         let share = if groups == 0 || arguments.shrink == 0 { 1.0 } else { 0.75 };
         let is_over = duration.is_some_and(|duration| begun.elapsed() >= duration.mul_f64(share));
         mismatch.is_none() && !is_over
     });
-    bar.finish_and_clear();
+    progress.finish();
     so_far.statistics.settle();
     match mismatch {
         Some(why) => Err(CliError::failure(
@@ -296,19 +296,16 @@ fn shrink_all(
     }
     // What was met most often first: it has the best chance to be seen whole.
     findings.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.number.cmp(&b.number)));
-    let bar = indicatif::ProgressBar::new(
-        u64::try_from(findings.len().min(SHRUNK_AT_MOST)).unwrap_or_default(),
-    );
-    bar.set_message("shrinking");
+    let progress = Progress::of(findings.len().min(SHRUNK_AT_MOST), "divergences shrunk");
     for finding in findings.iter_mut().take(SHRUNK_AT_MOST) {
         if is_over() {
             break;
         }
         *finding = shrunk(plan, finding, attempts, is_over);
         finding.causes = plan.causes(&finding.scenario, choices);
-        bar.inc(1);
+        progress.add(1);
     }
-    bar.finish_and_clear();
+    progress.finish();
     merged(findings)
 }
 

@@ -24,6 +24,7 @@ use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
 use super::user_files;
 use crate::error::CliError;
+use crate::progress::Progress;
 use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
@@ -238,6 +239,7 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> MotionResult + Sync))
     let jobs = arguments.jobs.unwrap_or(processors);
     let (next, over) = (AtomicU64::new(arguments.first), AtomicBool::new(false));
     let tally = Mutex::new(Tally::default());
+    let progress = Progress::endless("programs");
     std::thread::scope(|scope| {
         for _ in 0..jobs.get() {
             scope.spawn(|| {
@@ -252,10 +254,12 @@ fn generate(arguments: &Arguments, judge: &(dyn Fn(u64) -> MotionResult + Sync))
                         .lock()
                         .expect("a thread with the lock only adds numbers")
                         .add(number, result);
+                    progress.add(1);
                 }
             });
         }
     });
+    progress.finish();
     tally.into_inner().expect("a thread with the lock only added numbers")
 }
 

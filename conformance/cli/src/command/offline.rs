@@ -18,6 +18,7 @@ use gaugeblock_suite::{DEFAULT_EDITION, Edition, Suite};
 use super::controller::not_a_campaign;
 use super::{certify, controller, user_files};
 use crate::error::CliError;
+use crate::progress::Progress;
 use crate::streams::{write_error, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -269,7 +270,7 @@ fn run_all(
     let answered = Mutex::new((0..questions.len()).map(|_| None).collect::<Vec<_>>());
     let next = AtomicUsize::new(0);
     let jobs = crate::arguments::jobs(controller.best_jobs());
-    let bar = certify::progress(questions.len());
+    let progress = Progress::of(questions.len(), "cases");
     std::thread::scope(|scope| {
         for _ in 0..jobs.get().min(questions.len()) {
             scope.spawn(|| {
@@ -279,11 +280,11 @@ fn run_all(
                 } {
                     let done = answer(question, controller, by_block);
                     answered.lock().unwrap_or_else(PoisonError::into_inner)[place] = Some(done);
-                    bar.inc(1);
+                    progress.add(1);
                 }
             });
         }
     });
-    bar.finish_and_clear();
+    progress.finish();
     answered.into_inner().unwrap_or_else(PoisonError::into_inner)
 }

@@ -14,8 +14,9 @@ use gaugeblock_suite::{Suite, only_case};
 
 use super::arguments::{Arguments, Percent};
 use super::files::controller_files;
-use crate::command::{certify, controller};
+use crate::command::controller;
 use crate::error::CliError;
+use crate::progress::Progress;
 
 /// What another run of some cases found.
 #[derive(Clone, Debug)]
@@ -69,9 +70,9 @@ pub(super) fn rerun(
     let only: Vec<String> = chosen.iter().map(|(rule, case)| only_case(rule, case)).collect();
     let jobs = crate::arguments::jobs(controller.best_jobs());
     let plan = Plan { suite, edition, only: &only, jobs, scope: header.scope };
-    let bar = certify::progress(only.len());
+    let progress = Progress::of(only.len(), "cases");
     let mut each = |_: &CaseResult<'_>| {
-        bar.inc(1);
+        progress.add(1);
         ControlFlow::Continue(())
     };
     let run_options = RunOptions {
@@ -84,7 +85,7 @@ pub(super) fn rerun(
         on_result: &mut each,
     };
     let run = run_plan(plan, controller.as_ref(), run_options);
-    bar.finish_and_clear();
+    progress.finish();
     rerun.changes = changes(statements, &run.cases);
     Ok(Some(rerun))
 }

@@ -32,6 +32,7 @@ use crate::arguments::Format;
 use crate::command::comparison::ComparisonFiles;
 use crate::command::{certificate, controller, options, user_files};
 use crate::error::CliError;
+use crate::progress::Progress;
 use crate::streams::{write_out, write_out_in_colours};
 
 /// What every controller of a call is judged with.
@@ -200,13 +201,13 @@ impl<'a> Course<'a> {
             }
             None => (None, Vec::new()),
         };
-        let bar = progress(cases(plan, header.laws, shard).len());
-        bar.inc(u64::try_from(done.len()).unwrap_or_default());
+        let progress = Progress::of(cases(plan, header.laws, shard).len(), "cases");
+        progress.add(done.len());
         let mut mismatch = None;
         let mut failed = 0;
         let most = self.arguments.max_fail.map_or(usize::MAX, NonZero::get);
         let mut each = |result: &CaseResult<'_>| {
-            bar.inc(1);
+            progress.add(1);
             failed += usize::from(result.verdict.divergence().is_some());
             if let Some(Err(why)) =
                 journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
@@ -226,7 +227,7 @@ impl<'a> Course<'a> {
             on_result: &mut each,
         };
         let run = run_plan(plan, controller, run_options);
-        bar.finish_and_clear();
+        progress.finish();
         match mismatch {
             Some(why) => Err(CliError::failure(format!("the journal: {why}"), "is the disk full?")),
             None => Ok(run),
@@ -300,17 +301,6 @@ fn open_journal<'a>(
     let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
     let done = done.map_err(|why| CliError::usage(why, "the journal belongs to another suite"))?;
     Ok((journal, done))
-}
-
-/// A bar on a terminal, nothing in a pipe.
-pub(crate) fn progress(cases: usize) -> indicatif::ProgressBar {
-    let cases = u64::try_from(cases).unwrap_or(u64::MAX);
-    let style = indicatif::ProgressStyle::with_template("{bar:32} {pos}/{len} cases, {elapsed}");
-    let bar = indicatif::ProgressBar::new(cases);
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }
 
 /// Writes the divergences as expectations, with the reasons that the earlier file had. Returns notes about reasons.

@@ -9,7 +9,7 @@ use gaugeblock_suite::Suite;
 
 pub(crate) use self::arguments::Arguments;
 use self::course::Course;
-pub(crate) use self::course::{print, progress, write_report};
+pub(crate) use self::course::{print, write_report};
 pub(crate) use self::selection::{known_profiles, known_rules};
 use super::comparison::earlier_expectations;
 use super::user_files;
