@@ -146,13 +146,13 @@ impl Source {
 
     /// Whether a line has one of these codes, written plainly, such as `g38.2` or `m0`.
     pub(crate) fn has_code(&self, codes: &[&str]) -> bool {
-        self.all().any(|(_, _, line)| {
-            let code = code(line);
-            codes.iter().any(|wanted| {
-                let behind = code.match_indices(wanted).map(|(at, _)| &code[at + wanted.len()..]);
-                let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-                behind.into_iter().any(ends)
-            })
+        self.all().any(|(_, _, line)| line_has_code(line, codes))
+    }
+
+    /// Whether the line of a block has one of these codes, written plainly.
+    pub(crate) fn has_code_at(&self, block: &BlockLocation, codes: &[&str]) -> bool {
+        self.all().any(|(file, number, line)| {
+            number == block.line && self.block(file, number) == *block && line_has_code(line, codes)
         })
     }
 
@@ -222,6 +222,15 @@ fn shows_open_name(line: &str) -> bool {
 }
 
 /// Lines without their ends; text after the last line break counts if there is any.
+fn line_has_code(line: &str, codes: &[&str]) -> bool {
+    let code = code(line);
+    codes.iter().any(|wanted| {
+        let behind = code.match_indices(wanted).map(|(at, _)| &code[at + wanted.len()..]);
+        let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        behind.into_iter().any(ends)
+    })
+}
+
 fn lines(text: &str) -> Vec<String> {
     text.split_terminator('\n').map(|line| line.trim_end_matches('\r').to_owned()).collect()
 }

@@ -37,6 +37,8 @@ pub(crate) struct Steps<'a> {
     turns: u32,
     /// Number of blocks after [`End::TURNS`] of them.
     turned: Option<usize>,
+    /// Whether the interpreter's position is that of the program, so that it is reported.
+    pub(crate) reports_position: bool,
     /// Mode of the controller, if it has modes.
     pub(crate) mode: Option<ControllerMode>,
     /// The blocks with what they did.
@@ -60,6 +62,7 @@ impl<'a> Steps<'a> {
             probe_log: false,
             turns: 0,
             turned: None,
+            reports_position: true,
             mode: None,
             taken: Vec::new(),
         }
@@ -252,7 +255,8 @@ impl<'a> Steps<'a> {
         let selects_none = observed.prepared_tool == Some(0) && !self.tools_change_places;
         let prepared_tool =
             if self.changed || selects_none { Some(-1) } else { observed.prepared_tool };
-        Ok(Rs274State { controller_mode: self.mode, prepared_tool, ..observed })
+        let position = observed.position.filter(|_| self.reports_position);
+        Ok(Rs274State { controller_mode: self.mode, prepared_tool, position, ..observed })
     }
 
     /// A block of which only its events are known.

@@ -31,6 +31,9 @@ use crate::instrumentation::refusal;
 use crate::instrumentation::source::Source;
 use crate::instrumentation::steps::{self, Steps};
 
+/// Codes that call a profile and read the position back from the machine.
+const LATHE_CYCLES: &[&str] = &["g70", "g71", "g71.1", "g71.2", "g72", "g72.1", "g72.2"];
+
 /// A block as it was read: what was printed meanwhile, and the checkpoint after it.
 type ReadBlock = (Vec<Effect>, Checkpoint);
 
@@ -129,6 +132,8 @@ impl<'a> Assembly<'a> {
             queued_moves: 0,
             moves_as: 0,
         };
+        // After a lathe cycle the interpreter takes its position from the machine, which may still move.
+        assembly.steps.reports_position = !source.has_code(LATHE_CYCLES);
         let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
         let (run, after) = items.split_at(end);
         for item in run {
@@ -354,6 +359,10 @@ impl<'a> Assembly<'a> {
         let mut fault = refusal::fault(&stderr, self.source, self.plan, next)?;
         if let Some(Entering::Block { line, .. }) = &self.entering {
             fault.block = Some(entering::block(*line));
+        }
+        // A block of the profile is executed within that of the cycle, and it is not reported which one is refused.
+        if fault.block.as_ref().is_some_and(|block| self.source.has_code_at(block, LATHE_CYCLES)) {
+            fault.block = None;
         }
         self.refused = Some(fault);
         Ok(())
