@@ -146,14 +146,7 @@ impl Source {
 
     /// Whether a line has one of these codes, written plainly, such as `g38.2` or `m0`.
     pub(crate) fn has_code(&self, codes: &[&str]) -> bool {
-        self.all().any(|(_, _, line)| line_has_code(line, codes))
-    }
-
-    /// Whether the line of a block has one of these codes, written plainly.
-    pub(crate) fn has_code_at(&self, block: &BlockLocation, codes: &[&str]) -> bool {
-        self.all().any(|(file, number, line)| {
-            number == block.line && self.block(file, number) == *block && line_has_code(line, codes)
-        })
+        self.all().any(|(_, _, line)| has_code(line, codes))
     }
 
     /// Whether an axis word has a number of seven digits or more before its point.
@@ -222,7 +215,8 @@ fn shows_open_name(line: &str) -> bool {
 }
 
 /// Lines without their ends; text after the last line break counts if there is any.
-fn line_has_code(line: &str, codes: &[&str]) -> bool {
+/// Whether a line has one of these codes, written plainly, such as `g38.2` or `m0`.
+pub(crate) fn has_code(line: &str, codes: &[&str]) -> bool {
     let code = code(line);
     codes.iter().any(|wanted| {
         let behind = code.match_indices(wanted).map(|(at, _)| &code[at + wanted.len()..]);

@@ -28,7 +28,7 @@ use super::trace::Trace;
 use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::instrument::Plan;
 use crate::instrumentation::refusal;
-use crate::instrumentation::source::Source;
+use crate::instrumentation::source::{Source, has_code};
 use crate::instrumentation::steps::{self, Steps};
 
 /// Codes that call a profile and read the position back from the machine.
@@ -132,8 +132,6 @@ impl<'a> Assembly<'a> {
             queued_moves: 0,
             moves_as: 0,
         };
-        // After a lathe cycle the interpreter takes its position from the machine, which may still move.
-        assembly.steps.reports_position = !source.has_code(LATHE_CYCLES);
         let end = items.iter().position(Item::is_end).map_or(items.len(), |place| place + 1);
         let (run, after) = items.split_at(end);
         for item in run {
@@ -315,6 +313,12 @@ impl<'a> Assembly<'a> {
             }
             let (file, line) = self.steps.next().unwrap_or((0, 1));
             let block = || self.source.block(file, line);
+            let mut events = events;
+            if has_code(self.source.line(file, line), LATHE_CYCLES) {
+                // The interpreter now takes its position from the machine, which may still move.
+                self.steps.reports_position = false;
+                events.push(Event::Unknown(["position".to_owned()].into()));
+            }
             self.waiting.block(&checkpoint, &events, self.steps.taken.len(), block);
             self.steps.record_block(&checkpoint, events, self.canon.tool)?;
         }
@@ -361,9 +365,9 @@ impl<'a> Assembly<'a> {
             fault.block = Some(entering::block(*line));
         }
         // A block of the profile is executed within that of the cycle, and it is not reported which one is refused.
-        if fault.block.as_ref().is_some_and(|block| self.source.has_code_at(block, LATHE_CYCLES)) {
-            fault.block = None;
-        }
+        let in_cycle =
+            next.is_some_and(|(file, line)| has_code(self.source.line(file, line), LATHE_CYCLES));
+        fault.block = fault.block.filter(|_| !in_cycle);
         self.refused = Some(fault);
         Ok(())
     }
