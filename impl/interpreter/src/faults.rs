@@ -59,6 +59,30 @@ faults! {
     "arcs.return-refused" ArcReturnRefused "An arc in centre format is refused that ends by its words where it begins.",
     "arcs.short-radius" ShortRadius "A radius that does not reach the end makes half a circle.",
     "arcs.turns-cut" TurnsCut "P of an arc is truncated to an integer.",
+    "compensation.arc-after-off" ArcAfterOff "An arc right after G40 is accepted.",
+    "compensation.depth-lost-on-arcs" DepthLostOnArcs
+        "The axis out of the plane stands still during a compensated arc.",
+    "compensation.dynamic-in-yz" DynamicInYz "G41.1 and G42.1 are accepted in the YZ plane.",
+    "compensation.dynamic-orientation-of-tool" DynamicOrientationOfTool
+        "G41.1 and G42.1 without L take the orientation of the loaded tool.",
+    "compensation.entry-needs-diameter" EntryNeedsDiameter
+        "An entry move shorter than the cutter's diameter is refused.",
+    "compensation.inside-corner-to-end" InsideCornerToEnd
+        "A move before an inside corner goes to the end of its compensated line.",
+    "compensation.kept-after-end" CompensationKept "M2 and M30 leave cutter compensation on.",
+    "compensation.negative-diameter-absolute" NegativeDiameterAbsolute
+        "A negative diameter of the tool table counts as a positive one.",
+    "compensation.other-side-replaces" OtherSideReplaces
+        "The code of the other side while compensation is on changes the side.",
+    "compensation.outside-corner-mitred" OutsideCornerMitred
+        "At an outside corner two lines go on to where they cross.",
+    "compensation.radius-of-selected-tool" RadiusOfSelectedTool "G41 and G42 without D take the tool that T selected.",
+    "compensation.radius-of-spindle-tool" RadiusOfSpindleTool
+        "G41 and G42 take the loaded tool though D names another one.",
+    "compensation.rapid-entry-on-path" RapidEntryOnPath "A rapid entry move leads to the programmed point itself.",
+    "compensation.sides-by-word-order" SidesByWordOrder "In the XZ plane G41 is on the right and G42 on the left.",
+    "compensation.tight-arc-accepted" TightArcAccepted
+        "An arc around the cutter may have a radius less than the cutter's.",
     "control.break-tests-do" BreakTestsDo "A break in a do loop goes to the condition, as a continue does.",
     "control.continue-leaves" ContinueLeaves "continue of a while leaves the loop.",
     "control.continue-untested" ContinueUntested "A continue in a do loop begins the next turn without its condition.",
@@ -363,6 +387,25 @@ faults! {
     "tool.spindle-turns-on" SpindleTurnsOn "The spindle turns on over a tool change.",
     "tool.stays-selected" StaysSelected "A tool stays selected after its change.",
     "tool.unload-cancels-length" UnloadCancelsLength "M6 that leaves the spindle empty cancels the tool length offset.",
+    "turning.chamfer-by-leg" ChamferByLeg "C in a profile is the length that is cut from each line.",
+    "turning.displacement-from-start" DisplacementFromStart "U and W in a profile count from where the cycle begins.",
+    "turning.distance-in-depth" DistanceInDepth "D of G71 and G72 shifts the profile along its depth only.",
+    "turning.either-axis-monotonic" EitherAxisMonotonic
+        "G71 and G72 accept a profile that is monotonic in one of Z and X.",
+    "turning.facing-along-z" FacingAlongZ "The layers of G72 lie along Z.",
+    "turning.feed-of-profile" FeedOfProfile "F in a profile sets the feed.",
+    "turning.first-type-cuts-pockets" FirstTypeCutsPockets "G71.1 and G72.1 cut pockets.",
+    "turning.kept-under-compensation" KeptUnderCompensation
+        "G71.1, G71.2, G72.1 and G72.2 are accepted under compensation.",
+    "turning.large-fillet-left-out" LargeFilletLeftOut "A fillet of a profile that does not fit is left out.",
+    "turning.one-word-moves-both" OneWordMovesBoth
+        "The first traverse of a lathe cycle with X alone leads to Z0 too, with Z alone to X0.",
+    "turning.pass-counts-whole" PassCountsWhole "The last pass of G70 keeps a share of D.",
+    "turning.passes-ascend" PassesAscend "G70 makes the pass next to the profile first.",
+    "turning.side-of-greater-x" SideOfGreaterX "A positive distance of G70 is towards greater X wherever the tool is.",
+    "turning.straight-to-next-pass" StraightToNextPass
+        "Between two passes G70 does not return to where the cycle starts.",
+    "turning.traverse-in-profile" TraverseInProfile "G0 in a profile is a traverse of G70.",
     "units-planes.diameter-absolute-only" DiameterAbsoluteOnly "In diameter mode an X word of G91 is not halved.",
     "units-planes.diameter-as-radius" DiameterAsRadius "An X word under G7 is a radius.",
     "units-planes.feed-number" FeedNumber "A change of unit leaves the number of the feed.",

@@ -70,7 +70,10 @@ impl Modal {
         self.controller_mode = ControllerMode::Mdi;
         self.reset_offsets(numbered);
         self.reset_feed();
-        self.cutter = Cutter::NONE;
+        let is_kept = planted(PlantedFault::CompensationKept);
+        if !is_kept {
+            self.cutter = Cutter::NONE;
+        }
         if !planted(PlantedFault::MotionStays) {
             self.motion = Motion::Feed;
         }
@@ -84,7 +87,7 @@ impl Modal {
         }
         let dynamic =
             matches!(modes.compensation, Compensation::DynamicLeft | Compensation::DynamicRight);
-        if !(dynamic && planted(PlantedFault::DynamicCompensationStays)) {
+        if !(is_kept || dynamic && planted(PlantedFault::DynamicCompensationStays)) {
             modes.compensation = Compensation::Off;
         }
         modes.feed_override = Switch::On;

@@ -4,6 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::super::refusal::{Refusal, refuse};
@@ -36,9 +37,12 @@ impl Corner {
         let turn = if turn < -TANGENT { turn + TAU } else { turn };
         let arc = next.as_arc().or_else(|| before.as_arc());
         let bend = arc.map_or(1.0, |arc| arc.bend(cutter));
+        let is_mitred = arc.is_none() && planted(PlantedFault::OutsideCornerMitred);
         if turn <= TANGENT {
             Self::Tangent
         } else if turn < PI - bend * TANGENT {
+            if planted(PlantedFault::InsideCornerToEnd) { Self::Tangent } else { Self::Inner }
+        } else if is_mitred {
             Self::Inner
         } else {
             Self::Outer

@@ -2,6 +2,8 @@
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::faults::{PlantedFault, planted};
+
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::path::LastMove;
@@ -14,9 +16,12 @@ pub(super) fn check_entry(
     emulates_rs274: bool,
 ) -> Result<(), Refusal> {
     let length = segment.to.minus(segment.from).length();
-    let short = length < cutter.radius || emulates_rs274 && length <= cutter.radius;
-    let small =
-        segment.as_arc().is_some_and(|arc| arc.bend(cutter) > 0.0 && arc.radius <= cutter.radius);
+    let least = if planted(PlantedFault::EntryNeedsDiameter) { 2.0 } else { 1.0 } * cutter.radius;
+    let short = length < least || emulates_rs274 && length <= least;
+    let small = !planted(PlantedFault::TightArcAccepted)
+        && segment
+            .as_arc()
+            .is_some_and(|arc| arc.bend(cutter) > 0.0 && arc.radius <= cutter.radius);
     if short || small {
         return refuse(FaultKind::Gouging, "an entry that is too short for the cutter's radius");
     }

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Motion};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::super::Modal;
@@ -31,6 +32,10 @@ impl Modal {
     pub(in super::super) fn leave_path(&mut self, block: &Block<'_>) -> Result<(), Refusal> {
         let Some(exit) = self.compensation.path.exit else { return Ok(()) };
         if matches!(self.motion, Motion::ArcClockwise | Motion::ArcCounterclockwise) {
+            if planted(PlantedFault::ArcAfterOff) {
+                self.lift_exit();
+                return Ok(());
+            }
             return refuse(FaultKind::Gouging, "an arc as the first move after G40");
         }
         if !self.emulates_rs274 {

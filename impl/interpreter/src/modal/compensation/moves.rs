@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{ControllerMode, Effect, FaultKind, FeedMode, Motion, Plane};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 use crate::words::Words;
 
 use super::super::Modal;
@@ -47,9 +48,13 @@ impl Modal {
         self.position = before.with_in_plane(plane, from);
         let start = self.position;
         self.move_to_end_point(block)?;
+        let is_arc = !matches!(self.motion, Motion::Traverse | Motion::Feed);
+        if is_arc && planted(PlantedFault::DepthLostOnArcs) {
+            let normal = normal_of(plane);
+            self.position = self.position.with_axis(normal, start.coordinate_of(normal));
+        }
         let end = self.position;
         let to = end.in_plane(plane);
-        let is_arc = !matches!(self.motion, Motion::Traverse | Motion::Feed);
         if !is_arc && to.minus(from).is_zero() {
             return self.move_out_of_plane(block.words.line, before, sink);
         }
@@ -69,6 +74,8 @@ impl Modal {
         let programmed = Programmed { line, motion, before, end, segment, turns };
         if self.compensation.has_path() {
             self.follow_path(&programmed, sink)
+        } else if motion == Motion::Traverse && planted(PlantedFault::RapidEntryOnPath) {
+            self.perform_move(line, before, &straight(motion, end), sink)
         } else {
             self.enter_path(&programmed, sink)
         }
@@ -252,6 +259,9 @@ impl Modal {
 
 /// An arc that bends towards the cutter needs a radius greater than R.
 fn check_radius(segment: &Segment, cutter: &Cutter) -> Result<(), Refusal> {
+    if planted(PlantedFault::TightArcAccepted) {
+        return Ok(());
+    }
     if segment.as_arc().is_some_and(|arc| arc.offset_radius(cutter) <= 0.0) {
         return refuse(FaultKind::Gouging, "an arc whose radius is not greater than the cutter's");
     }

@@ -23,25 +23,40 @@ impl Modal {
         if code == 400 {
             return self.switch_off(sink);
         }
-        self.refuse_under_compensation("cutter compensation")?;
         let plane = self.active.now().plane;
-        if !matches!(plane, Plane::Xy | Plane::Zx) {
+        let is_left = matches!(code, 410 | 411);
+        if self.is_other_side(is_left) && planted(PlantedFault::OtherSideReplaces) {
+            self.end_path(sink)?;
+        } else {
+            self.refuse_under_compensation("cutter compensation")?;
+        }
+        let is_free =
+            plane == Plane::Yz && matches!(code, 411 | 421) && planted(PlantedFault::DynamicInYz);
+        if !(is_free || matches!(plane, Plane::Xy | Plane::Zx)) {
             return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY and ZX");
         }
         if plane != Plane::Xy && self.choices.compensation_in_xy_only {
             return refuse(FaultKind::ModalConflict, "cutter compensation outside of XY");
         }
-        let is_left = matches!(code, 410 | 411);
+        let is_turned = plane == Plane::Zx && planted(PlantedFault::SidesByWordOrder);
+        let is_left = is_left != is_turned;
         self.cutter = if let 411 | 421 = code {
-            let orientation = dynamic_orientation(words, plane)?;
+            let orientation = self.or_of_tool(words, dynamic_orientation(words, plane)?, plane);
             Cutter::new(words.get(b'D').unwrap_or(0.0), is_left, orientation)
         } else {
             let diameter = words.get(b'D');
             let is_zero = diameter.is_some_and(|number| integer(number, "D") == Ok(0));
             let is_none = is_zero && self.choices.length_zero_is_none;
-            let tool = if is_none { None } else { self.named_tool(diameter, "D")? };
-            let (diameter, orientation) =
+            let mut tool =
+                if is_none { None } else { self.named_tool(self.or_selected(diameter), "D")? };
+            if planted(PlantedFault::RadiusOfSpindleTool) {
+                tool = self.named_tool(None, "D")?;
+            }
+            let (mut diameter, orientation) =
                 tool.map_or((0.0, 0), |tool| (tool.diameter, tool.orientation));
+            if planted(PlantedFault::NegativeDiameterAbsolute) {
+                diameter = diameter.abs();
+            }
             // Orientation 9 has its tip at the centre.
             if (1..=8).contains(&orientation) && plane != Plane::Zx {
                 return refuse(
@@ -66,6 +81,31 @@ impl Modal {
         self.active.put(|modes| &mut modes.compensation, compensation);
         self.note_compensation();
         Ok(())
+    }
+
+    /// Whether compensation is on, on the other side: only a planted fault asks.
+    fn is_other_side(&self, is_left: bool) -> bool {
+        match self.active.now().compensation {
+            Compensation::Off => false,
+            Compensation::Left | Compensation::DynamicLeft => !is_left,
+            Compensation::Right | Compensation::DynamicRight => is_left,
+        }
+    }
+
+    /// D, or as a planted fault the tool that T selected, where there is no D.
+    fn or_selected(&self, word: Option<f64>) -> Option<f64> {
+        let selected = self.selected.filter(|_| planted(PlantedFault::RadiusOfSelectedTool));
+        word.or(selected.map(f64::from))
+    }
+
+    /// The orientation of L, or as a planted fault that of the loaded tool, where there is no L.
+    fn or_of_tool(&self, words: &Words, orientation: u8, plane: Plane) -> u8 {
+        let takes = words.get(b'L').is_none() && plane == Plane::Zx;
+        if !(takes && planted(PlantedFault::DynamicOrientationOfTool)) {
+            return orientation;
+        }
+        let tool = self.named_tool(None, "L").ok().flatten();
+        tool.map_or(orientation, |tool| tool.orientation)
     }
 }
 

@@ -3,6 +3,7 @@
 use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Lathe, Plane};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 use crate::words::Words;
 
@@ -36,14 +37,20 @@ impl Modal {
         if self.active.now().plane != Plane::Zx {
             return refuse(FaultKind::ModalConflict, "a lathe cycle outside of ZX");
         }
-        if code != 700 && self.active.now().compensation != Compensation::Off {
+        let is_free =
+            matches!(code, 711 | 712 | 721 | 722) && planted(PlantedFault::KeptUnderCompensation);
+        if code != 700 && self.active.now().compensation != Compensation::Off && !is_free {
             return refuse(FaultKind::CompensationActive, "a lathe cycle under compensation");
         }
-        if !self.compensation.is_idle() && (self.compensates() || self.compensation.has_path()) {
+        if !is_free
+            && !self.compensation.is_idle()
+            && (self.compensates() || self.compensation.has_path())
+        {
             return Err(Refusal::Unsupported("a lathe cycle under cutter compensation".into()));
         }
         let distance = |letter: u8| words.get(letter).unwrap_or(0.0);
         let pockets = match code {
+            711 | 721 if planted(PlantedFault::FirstTypeCutsPockets) => Pockets::Cut,
             711 | 721 => Pockets::Left,
             712 | 722 => Pockets::Alone,
             _ => Pockets::Cut,
@@ -53,7 +60,7 @@ impl Modal {
             Kind::Finishing { from: distance(b'D'), to: distance(b'E'), passes }
         } else {
             Kind::Roughing {
-                faces: code >= 720,
+                faces: code >= 720 && !planted(PlantedFault::FacingAlongZ),
                 pockets,
                 distance: distance(b'D'),
                 increment: words.get(b'I').unwrap_or(INCREMENT),
@@ -103,6 +110,9 @@ impl Modal {
             match words.get(letter) {
                 Some(word) if is_incremental => here + word * scale,
                 Some(word) => word * scale,
+                None if words.present & (X | Z) != 0 && planted(PlantedFault::OneWordMovesBoth) => {
+                    0.0
+                }
                 None => here,
             }
         };

@@ -1,5 +1,6 @@
 //! G70: passes along the profile.
 
+use crate::faults::{PlantedFault, planted};
 use crate::math;
 
 use super::motions::CycleMotion;
@@ -49,7 +50,13 @@ impl Finishing {
     /// The distance of the pass in progress.
     pub(super) fn distance(&self) -> f64 {
         let (from, to, passes) = self.distances;
-        math::from_u64(self.passes.saturating_sub(1)) * (from - to) / passes + to
+        let mut pass = self.passes.saturating_sub(1);
+        if planted(PlantedFault::PassesAscend) {
+            pass = math::to_count(passes).saturating_sub(self.passes);
+        } else if planted(PlantedFault::PassCountsWhole) {
+            pass = self.passes;
+        }
+        math::from_u64(pass) * (from - to) / passes + to
     }
 
     fn begin_pass(&mut self, contour: &Contour, pieces_max: u32) {
@@ -74,7 +81,8 @@ impl Finishing {
             Place::Piece(place) => {
                 let Some(piece) = self.offset.pieces.get(place) else {
                     self.passes = self.passes.saturating_sub(1);
-                    self.place = Place::Start;
+                    let is_straight = planted(PlantedFault::StraightToNextPass);
+                    self.place = if is_straight { Place::Profile } else { Place::Start };
                     self.begin_pass(contour, pieces_max);
                     return None;
                 };

@@ -16,6 +16,7 @@ impl CycleMotion {
     pub(super) fn along(curve: Curve, to: Vector) -> Self {
         match curve {
             Curve::Line => Self::Feed(to),
+            Curve::Traverse => Self::Traverse(to),
             Curve::Arc(arc) => Self::Arc { to, arc },
         }
     }

@@ -92,7 +92,7 @@ fn longest_step(pieces: &[Piece]) -> f64 {
 /// A piece moved to the left, or with a negative distance to the right.
 fn parallel(piece: &Piece, distance: f64) -> Piece {
     match piece.curve {
-        Curve::Line => {
+        Curve::Line | Curve::Traverse => {
             let shift = piece.start_direction().quarter(1.0).times(distance);
             Piece { from: piece.from.plus(shift), to: piece.to.plus(shift), curve: piece.curve }
         }

@@ -22,6 +22,8 @@ pub(super) struct Piece {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Curve {
     Line,
+    /// A line of G0, which only a planted fault tells from other lines.
+    Traverse,
     Arc(Arc),
 }
 
@@ -46,7 +48,7 @@ impl Piece {
     pub(super) fn as_arc(&self) -> Option<Arc> {
         match self.curve {
             Curve::Arc(arc) => Some(arc),
-            Curve::Line => None,
+            Curve::Line | Curve::Traverse => None,
         }
     }
 
@@ -67,7 +69,7 @@ impl Piece {
 
     fn direction_at(&self, point: Vector) -> Vector {
         match self.curve {
-            Curve::Line => self.to.minus(self.from).unit(),
+            Curve::Line | Curve::Traverse => self.to.minus(self.from).unit(),
             Curve::Arc(arc) => point.minus(arc.centre).unit().quarter(arc.sense),
         }
     }
@@ -75,7 +77,7 @@ impl Piece {
     /// The same piece with its points moved; `flip` is -1 where that turns the plane over.
     pub(super) fn mapped(&self, map: impl Fn(Vector) -> Vector, flip: f64) -> Self {
         let curve = match self.curve {
-            Curve::Line => Curve::Line,
+            Curve::Line | Curve::Traverse => self.curve,
             Curve::Arc(arc) => Curve::Arc(Arc { centre: map(arc.centre), sense: arc.sense * flip }),
         };
         Self { from: map(self.from), to: map(self.to), curve }
@@ -132,7 +134,7 @@ impl Piece {
             return self.from;
         }
         match self.curve {
-            Curve::Line => self.on_line(depth),
+            Curve::Line | Curve::Traverse => self.on_line(depth),
             Curve::Arc(arc) => self.on_arc(arc, depth, -arc.sense),
         }
     }
@@ -157,7 +159,7 @@ impl Piece {
             return Some(self.to);
         }
         Some(match self.curve {
-            Curve::Line => self.on_line(depth),
+            Curve::Line | Curve::Traverse => self.on_line(depth),
             Curve::Arc(arc) => self.on_arc(arc, depth, arc.sense),
         })
     }

@@ -2,6 +2,8 @@
 
 use alloc::vec::Vec;
 
+use crate::faults::{PlantedFault, planted};
+
 use super::super::refusal::Refusal;
 use super::super::vector::Vector;
 use super::frame::Frame;
@@ -23,7 +25,7 @@ impl Turning {
         let after_lead = pieces.get(1..).unwrap_or(&[]);
         let mut frame = match self.cycle.kind {
             Kind::Finishing { .. } => finishing_frame(after_lead, emulates_rs274),
-            Kind::Roughing { faces, .. } => Frame::unturned(faces),
+            Kind::Roughing { faces, .. } => roughing_frame(after_lead, faces),
         };
         frame.along = if frame.of(last).p > frame.of(programmed.to).p { 1.0 } else { -1.0 };
         if !after_lead.iter().all(|piece| frame.piece(piece).travels()) {
@@ -34,7 +36,12 @@ impl Turning {
         if emulates_rs274 {
             at.p = at.p.min(frame.of(first).p);
         }
-        let side = side(&frame, at, after_lead);
+        let mut side = side(&frame, at, after_lead);
+        if matches!(self.cycle.kind, Kind::Finishing { .. })
+            && planted(PlantedFault::SideOfGreaterX)
+        {
+            side = side.map(|_| 1.0);
+        }
         let sinks = frame.of(last).q - frame.of(programmed.to).q;
         let inside = match self.cycle.kind {
             Kind::Finishing { .. } => false,
@@ -67,6 +74,22 @@ fn finishing_frame(pieces: &[Piece], emulates_rs274: bool) -> Frame {
     // Quirk rs274.finishing-one-arc: Z has to grow after the first piece.
     let grows = !emulates_rs274 || last.to.p > first.to.p;
     Frame::unturned(!(along(1.0) && grows))
+}
+
+/// The axes of G71 or G72; as a planted fault those of the other one where the profile is monotonic in its direction
+/// alone.
+fn roughing_frame(pieces: &[Piece], faces: bool) -> Frame {
+    let own = Frame::unturned(faces);
+    let travels = |frame: Frame| {
+        [1.0, -1.0].iter().any(|along| {
+            let frame = Frame { along: *along, ..frame };
+            pieces.iter().all(|piece| frame.piece(piece).travels())
+        })
+    };
+    if planted(PlantedFault::EitherAxisMonotonic) && !travels(own) {
+        return Frame::unturned(!faces);
+    }
+    own
 }
 
 /// On which side of the direction of travel an offset is: 1 for greater depths, -1 for smaller ones. It is open with

@@ -1,7 +1,8 @@
 //! The blocks of a profile's sub: their words become moves.
 
-use gaugeblock_vocabulary::{Distance, FaultKind, Lathe, Motion};
+use gaugeblock_vocabulary::{Axis, Distance, FaultKind, Lathe, Motion};
 
+use crate::faults::{PlantedFault, planted};
 use crate::limits::Limit;
 use crate::math;
 use crate::words::Words;
@@ -54,6 +55,9 @@ impl Modal {
             return refuse(FaultKind::ModalConflict, "polar words in the ZX plane");
         }
         let code = self.profile_code(words, reading)?;
+        if let Some(feed) = words.get(b'F').filter(|_| planted(PlantedFault::FeedOfProfile)) {
+            self.active.set_feed_rate(feed);
+        }
         if let Some(code) = code.filter(|code| !matches!(code, 700..=722)) {
             reading.motion = mode_of(code);
         }
@@ -74,6 +78,8 @@ impl Modal {
             self.profile_arc(words, reading.here, to, -1.0)?
         } else if reading.motion == Motion::ArcCounterclockwise {
             self.profile_arc(words, reading.here, to, 1.0)?
+        } else if reading.motion == Motion::Traverse && planted(PlantedFault::TraverseInProfile) {
+            Curve::Traverse
         } else {
             Curve::Line
         };
@@ -118,18 +124,23 @@ impl Modal {
             return refuse(FaultKind::AxisWords, "U or W together with X, Z or G91");
         }
         let half = if self.active.now().lathe == Lathe::Diameter { 0.5 } else { 1.0 };
-        let coordinate = |here: f64, absolute: u8, increment: u8, scale: f64| match (
+        let coordinate = |[here, base]: [f64; 2], absolute: u8, increment: u8, scale: f64| match (
             words.get(absolute),
             words.get(increment),
         ) {
             (Some(word), _) if is_incremental => here + word * scale,
             (Some(word), _) => word * scale,
-            (None, Some(word)) => here + word * scale,
+            (None, Some(word)) => base + word * scale,
             (None, None) => here,
         };
+        let mut base = here;
+        if !is_incremental && planted(PlantedFault::DisplacementFromStart) {
+            let start = [Axis::Z, Axis::X].map(|axis| self.position.coordinate_of(axis));
+            base = Vector { p: start[0], q: start[1] };
+        }
         Ok(Vector {
-            p: coordinate(here.p, b'Z', b'W', 1.0),
-            q: coordinate(here.q, b'X', b'U', half),
+            p: coordinate([here.p, base.p], b'Z', b'W', 1.0),
+            q: coordinate([here.q, base.q], b'X', b'U', half),
         })
     }
 

@@ -4,6 +4,8 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::FaultKind;
 
+use crate::faults::{PlantedFault, planted};
+
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::piece::{Arc, Curve, Piece, ROUNDING};
@@ -57,8 +59,14 @@ fn joint(last: &mut Piece, next: &mut Piece, corner: Corner) -> Result<Option<Pi
         return Err(Refusal::Unsupported("a fillet or chamfer between collinear moves".into()));
     }
     let sense = if cross > 0.0 { 1.0 } else { -1.0 };
-    let length = radius * cross.abs() / (1.0 + dot);
+    let mut length = radius * cross.abs() / (1.0 + dot);
+    if matches!(corner, Corner::Chamfer(_)) && planted(PlantedFault::ChamferByLeg) {
+        length = radius;
+    }
     if length >= last.chord() || length >= next.chord() {
+        if matches!(corner, Corner::Fillet(_)) && planted(PlantedFault::LargeFilletLeftOut) {
+            return Ok(None);
+        }
         return not_monotonic();
     }
     let corner_point = last.to;

@@ -1,8 +1,11 @@
 //! Performs a lathe cycle, a move or a round of its offset at a time.
 
+use alloc::vec::Vec;
+
 use gaugeblock_vocabulary::{Axis, Effect, FaultKind, FeedMode, Motion};
 
 use crate::canon::Sink;
+use crate::faults::{PlantedFault, planted};
 
 use super::super::Modal;
 use super::super::coordinates::Coordinates;
@@ -12,7 +15,7 @@ use super::finishing::Finishing;
 use super::motions::CycleMotion;
 use super::numbers::{Contour, Kind};
 use super::offset::Offset;
-use super::piece::Arc;
+use super::piece::{Arc, Piece};
 use super::reading::Reading;
 use super::roughing::{Cut, Roughing};
 use super::state::{Stage, Turning};
@@ -94,11 +97,12 @@ impl Modal {
             Kind::Roughing { distance, .. } => {
                 check_side(contour, distance)?;
                 let distance = distance * contour.side.unwrap_or(1.0);
-                Stage::Offset(Offset::new(
-                    &contour.pieces,
-                    distance,
-                    (moves_max, contour.joins_parallels),
-                ))
+                let bounds = (moves_max, contour.joins_parallels);
+                Stage::Offset(if planted(PlantedFault::DistanceInDepth) {
+                    Offset::new(&raised(contour, distance), 0.0, bounds)
+                } else {
+                    Offset::new(&contour.pieces, distance, bounds)
+                })
             }
         };
         Ok(false)
@@ -126,6 +130,9 @@ impl Modal {
         sink: &mut K,
     ) -> Result<(), Refusal> {
         let frame = contour.frame;
+        if planted(PlantedFault::FeedOfProfile) {
+            self.report(line, sink);
+        }
         match motion {
             CycleMotion::Traverse(to) => self.traverse_in_plane(line, frame.back(to), sink),
             CycleMotion::Feed(to) => {
@@ -190,6 +197,12 @@ impl Modal {
     fn in_plane(&self, point: Vector) -> Coordinates {
         self.position.with_axis(Axis::Z, point.p).with_axis(Axis::X, point.q)
     }
+}
+
+/// The profile moved along its depth: a planted fault.
+fn raised(contour: &Contour, distance: f64) -> Vec<Piece> {
+    let raised = |point: Vector| Vector { q: point.q + distance, ..point };
+    contour.pieces.iter().map(|piece| piece.mapped(raised, 1.0)).collect()
 }
 
 /// The side of an offset is open with one piece.
