@@ -60,8 +60,7 @@ faults! {
     "arcs.short-radius" ShortRadius "A radius that does not reach the end makes half a circle.",
     "arcs.turns-cut" TurnsCut "P of an arc is truncated to an integer.",
     "compensation.arc-after-off" ArcAfterOff "An arc right after G40 is accepted.",
-    "compensation.depth-lost-on-arcs" DepthLostOnArcs
-        "The axis out of the plane stands still during a compensated arc.",
+    "compensation.depth-lost-on-arcs" DepthLostOnArcs "A compensated arc does not move the axis out of the plane.",
     "compensation.dynamic-in-yz" DynamicInYz "G41.1 and G42.1 are accepted in the YZ plane.",
     "compensation.dynamic-orientation-of-tool" DynamicOrientationOfTool
         "G41.1 and G42.1 without L take the orientation of the loaded tool.",
