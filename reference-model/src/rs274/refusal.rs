@@ -21,8 +21,6 @@ pub struct Refusal {
 pub enum StepError {
     /// It is refused.
     Refused(Refusal),
-    /// It requests something that the model does not specify yet.
-    Unsupported(String),
     /// The documents leave it open, and no choice covers it; the sentence says what is open.
     Unspecified(String),
     /// The run ends here for another reason: the operator has ended it or does not let it go on, or the budget is used

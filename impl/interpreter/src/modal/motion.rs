@@ -147,7 +147,7 @@ impl Modal {
     /// Ends the run at a move whose compensation the documents leave open.
     pub(super) fn check_uncompensated_move(&self) -> Result<(), Refusal> {
         if self.compensates() {
-            return Err(Refusal::Unsupported("such a move under cutter compensation".into()));
+            return Err(Refusal::Unspecified("such a move under cutter compensation".into()));
         }
         Ok(())
     }

@@ -27,7 +27,7 @@ pub(crate) enum Flow {
 pub(crate) enum Refusal {
     /// The documents refuse it; the message is for people.
     Fault(FaultKind, String),
-    /// A code of a later round.
+    /// It needs what the source of the program does not offer, or what this interpreter does not compute.
     Unsupported(String),
     /// The documents leave open what it does; the message is for people.
     Unspecified(String),

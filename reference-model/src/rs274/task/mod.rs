@@ -386,7 +386,6 @@ impl ModelRun<'_> {
                 let message = format!("{message} ({rule})");
                 End::Fault(Fault { kind: Some(kind), block: Some(block), span, message })
             }
-            StepError::Unsupported(what) => End::Unsupported { block, what },
             StepError::Unspecified(why) => End::Unspecified { block, why },
             StepError::TooManyEffects => End::BudgetExhausted { bound: Bound::Effects },
             StepError::WaitsForEver => End::BudgetExhausted { bound: Bound::Time },

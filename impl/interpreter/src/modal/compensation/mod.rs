@@ -83,7 +83,7 @@ impl Modal {
     /// Ends the run where something changes under a compensated path that the documents leave open.
     pub(super) fn check_without_path(&self, what: &str) -> Result<(), Refusal> {
         if self.compensation.has_path() {
-            return Err(Refusal::Unsupported(format!("{what} between compensated moves")));
+            return Err(Refusal::Unspecified(format!("{what} between compensated moves")));
         }
         Ok(())
     }

@@ -101,7 +101,7 @@ impl Modal {
         } else {
             return Ok(());
         };
-        Err(Refusal::Unsupported(why.into()))
+        Err(Refusal::Unspecified(why.into()))
     }
 
     /// A move that displaces nothing in the plane; what waits before it decides where it is.
@@ -137,7 +137,7 @@ impl Modal {
             Curve::Line { .. } => (straight(to.motion, self.move_end(to, end)), None),
             Curve::Arc(_) if !self.plane_shift().is_zero() => {
                 let why = "an entry by an arc with the orientation of a lathe tool";
-                return Err(Refusal::Unsupported(why.into()));
+                return Err(Refusal::Unspecified(why.into()));
             }
             Curve::Arc(arc) => {
                 let circle = entry_circle(&to.segment, arc, end, &self.cutter)?;
@@ -170,7 +170,7 @@ impl Modal {
             }
             Corner::Inner if last.is_turned_over() => {
                 let why = "an inner corner after an entry by an arc that is turned over";
-                return Err(Refusal::Unsupported(why.into()));
+                return Err(Refusal::Unspecified(why.into()));
             }
             Corner::Inner if waits => {
                 let crossing = intersection(&last, &to.segment, &cutter)?;
@@ -180,7 +180,7 @@ impl Modal {
             }
             Corner::Inner if last.segment.as_arc().is_some() || to.segment.as_arc().is_some() => {
                 let why = "a stop before an inner corner at an arc under cutter compensation";
-                return Err(Refusal::Unsupported(why.into()));
+                return Err(Refusal::Unspecified(why.into()));
             }
             // After a stop the move starts where the tool is.
             Corner::Inner => last.end,
@@ -223,7 +223,7 @@ impl Modal {
             let now = self.active.now();
             if in_rapid && (now.feed_rate <= 0.0 || now.feed_mode == FeedMode::InverseTime) {
                 let why = "an arc round a corner in front of G0 that has no feed rate";
-                return Err(Refusal::Unsupported(why.into()));
+                return Err(Refusal::Unspecified(why.into()));
             }
             let turns = if self.cutter.side > 0.0 { -1 } else { 1 };
             arc_effect(point, to.segment.from.plus(shift), turns)

@@ -77,7 +77,7 @@ impl Modal {
         if self.compensation.has_path()
             && let Some(why) = self.compensation.path.undefined
         {
-            return Err(Refusal::Unsupported(why.into()));
+            return Err(Refusal::Unspecified(why.into()));
         }
         let queue = &self.compensation.queue;
         if queue.items.len() > usize::try_from(queue.limit).unwrap_or(usize::MAX) {

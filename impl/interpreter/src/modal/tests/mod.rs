@@ -198,8 +198,8 @@ pub(super) enum Expect {
     Refused(FaultKind),
     /// The probe of its last line finds nothing.
     Missed,
-    /// Its last line is of a later round.
-    Unsupported,
+    /// The documents leave open what its last line does.
+    Unspecified,
 }
 
 /// Choices that differ from the first ones.
@@ -220,8 +220,8 @@ pub(super) fn check_on(machine: &Machine, chosen: Chosen, program: &str, expect:
             assert_eq!(run.last, (lines, Err(Refusal::Missed)), "{place}");
             return;
         }
-        Expect::Unsupported => {
-            assert!(matches!(run.last.1, Err(Refusal::Unsupported(_))), "{place}: {:?}", run.last);
+        Expect::Unspecified => {
+            assert!(matches!(run.last.1, Err(Refusal::Unspecified(_))), "{place}: {:?}", run.last);
             return;
         }
         Expect::Effects(effects) => {

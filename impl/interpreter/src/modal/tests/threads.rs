@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::FaultKind::{
 use gaugeblock_vocabulary::Machine;
 use gaugeblock_vocabulary::scenario::AxisLimits;
 
-use super::Expect::{After, Effects, Refused, Unsupported};
+use super::Expect::{After, Effects, Refused, Unspecified};
 use super::cycles::shows;
 use super::{check, machine, run};
 use crate::modal::Refusal;
@@ -37,7 +37,7 @@ fn synchronised_motion() {
     check("m3 $1; g33 z1 k1", Refused(ZeroSpeed));
     check("m3; g33 z1 k1 $7", Refused(SpindleOutOfRange));
     check("m3; g33 z1 k1 i1", Refused(UnusedWord));
-    check("m3; g41 d1; g33 z1 k1", Unsupported);
+    check("m3; g41 d1; g33 z1 k1", Unspecified);
 }
 
 #[test]

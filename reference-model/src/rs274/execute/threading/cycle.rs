@@ -359,7 +359,7 @@ fn open(thread: &Thread, state: &mut State) -> Result<(), StepError> {
         return Err(StepError::Unspecified(what.to_owned()));
     }
     if state.modes.compensation != Compensation::Off {
-        return Err(StepError::Unsupported("a thread under cutter compensation".to_owned()));
+        return Err(StepError::Unspecified("a thread under cutter compensation".to_owned()));
     }
     if thread.slide.abs() > 0.0 {
         state.coverage.accepted(rule::threading::THREAD_SLIDE);

@@ -50,7 +50,7 @@ pub(crate) trait ThreadingRules {
             return Err(StepError::Unspecified(what.to_owned()));
         }
         if state.modes.compensation != Compensation::Off {
-            return Err(StepError::Unsupported(
+            return Err(StepError::Unspecified(
                 "a synchronised move under cutter compensation".to_owned(),
             ));
         }
