@@ -2,6 +2,7 @@
 
 mod endings;
 mod labels;
+mod offsets;
 mod records;
 mod robustness;
 mod subroutines;

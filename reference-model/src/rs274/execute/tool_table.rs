@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{Axis, Compensation, Effect, FaultKind, Position, Tool};
 
+use super::offset_storage::stored_offset;
 use super::target::offset_words;
 use super::{whole, word};
 use crate::ids::{choice, rule};
@@ -189,9 +190,10 @@ fn offset(
     } else {
         if values == Values::FixtureCoordinates {
             modes.work_offset = FIXTURE;
-            let parameters = &state.parameters;
+            let (parameters, choices) = (&state.parameters, &state.choices);
             let unit = state.stored_unit();
-            modes.load_work_offset(|number| parameters.stored(number), unit);
+            let stored = |number| stored_offset(number, parameters, choices, &state.machine);
+            modes.load_work_offset(stored, unit);
             modes.g92_offset = Position::default();
         }
         let plane = named.iter().filter(|(axis, _)| [Axis::X, Axis::Y].contains(axis)).count();
