@@ -102,6 +102,31 @@ fn outer_corner_has_an_arc_at_a_distance() {
 }
 
 #[test]
+fn piece_of_no_length_at_a_distance_is_dropped() {
+    makes("x8 z0; x5 z-4; x7; z-6", "g70 e1", "T(8.8,-.6) F(7,-3) C(8,-4;7,-4) F(8,-6)");
+}
+
+#[test]
+fn arc_that_a_block_begins_at_its_top_has_a_feed_in_place() {
+    let before = "T(10,1) F(10,-3) T(10.5,-2.5) T(10.5,.5) T(10,1) T(8,0) F(8,0) C(9,-1;8,-1)";
+    for (dome, after) in [
+        ("g3 x9 z-1 k-1; x8 z-2 i-1", "F(9,-1) F(9,-3) F(9,-3)"),
+        ("g3 x8 z-2 k-1", "F(9,-3) F(9,-3)"),
+    ] {
+        makes(&format!("x8 z0; {dome}; g1 x9 z-3"), "g71.1 i5", &format!("{before} {after}"));
+    }
+}
+
+#[test]
+fn arc_that_rises_from_its_lowest_point_has_a_feed_in_place() {
+    makes(
+        "x8 z0; z-2; g2 x9 z-3 i1",
+        "g71.1 i5",
+        "T(10,1) F(10,-3) T(10.5,-2.5) T(10.5,.5) T(10,1) T(8,0) F(8,0) F(8,-2) F(8,-2) C(9,-3;9,-2)",
+    );
+}
+
+#[test]
 fn inside_profile_is_followed_from_the_other_side() {
     makes("x8 z0; x5.5 z-2; x7 z-10", "g71", "F(8,0) F(5.5,-2) F(7,-10)");
 }
@@ -186,6 +211,10 @@ fn what_the_documents_leave_open_is_unspecified() {
     for (profile, cycle) in [
         ("x8 z0; x9 z-6", "g70 e.1"),
         ("x8 z0; g3 x8.5 z-2 r2; g3 x9 z-4 r2", "g70 e.1"),
+        ("x9 z0; g2 x9 z-4 k-2; g1 x10", "g71 i3"),
+        ("x8 z0; x5 z-1; x7; z-6", "g70 e1"),
+        ("x8 z0; x10; x8; z-5", "g70 e1"),
+        ("x8 z0; z-1; x10; z-6", "g70 e1"),
         ("g2 x8 z0 r3; g1 z-5; x9 z-6", "g71"),
         ("x8 z0; g81 z-3 r1; x9 z-6", "g70"),
     ] {

@@ -228,20 +228,55 @@ fn lines_in_a_row_keep_the_distance_and_rs274_refuses_them() {
 }
 
 #[test]
+fn a_piece_that_the_distance_makes_vanish_is_dropped() {
+    check_moves("x8 z0;x5 z-4;x7;z-6", "g70 q100 e1", "T(8.8,-0.6) F(7,-3) C(8,-4;7,-4) F(8,-6)");
+}
+
+#[test]
+fn a_dome_of_two_arcs_is_not_one_that_was_split() {
+    let before = "T(10,1) F(10,-3) T(10.5,-2.5) T(10.5,0.5) T(10,1) T(8,0) F(8,0) C(9,-1;8,-1)";
+    for (profile, after) in [
+        ("x8 z0;g3 x9 z-1 k-1;x8 z-2 i-1;g1 x9 z-3", "F(9,-1) F(9,-3) F(9,-3)"),
+        ("x8 z0;g3 x8 z-2 k-1;g1 x9 z-3", "F(9,-3) F(9,-3)"),
+    ] {
+        check_moves(profile, "g71.1 q100 i5", &format!("{before} {after}"));
+    }
+}
+
+#[test]
+fn levels_go_on_below_those_of_an_arc_that_has_risen_again() {
+    check_moves(
+        "x9 z0;g2 x9 z-4 k-2;g1 x6 z-10;x10 z-12",
+        "g71 q100 i.8",
+        "T(10,1) F(10,-12) T(10.5,-11.5) T(10.5,0.5) T(10,1) T(9.2,0.2) F(9.2,-11.6) T(9.7,-11.1) \
+         T(9.7,-0.3) T(9.2,0.2) T(9,0) C(8.4,-0.0921216;9,-2) F(8.4,-3.9078784) T(8.9,-3.4078784) \
+         T(8.9,-0.5921216) F(8.4,-0.0921216) C(7.6,-0.5717143;9,-2) F(7.6,-3.4282857) \
+         T(8.1,-2.9282857) T(8.1,-1.0717143) F(7.6,-0.5717143) C(9,-4;9,-2) F(6.8,-8.4) F(6.8,-10.4) \
+         T(7.3,-9.9) T(7.3,-8.9) F(6.8,-8.4) F(6,-10) F(10,-12)",
+    );
+}
+
+#[test]
 fn what_is_open_ends_the_run() {
     for (profile, cycle) in [
         ("x8 z0;z-5", "g71 q100 d.1"),
         ("x8 z0;z-5 a.1;z-6;x9", "g70 q100"),
         ("x8 z0;g3 x8.5 z-2 r2;g2 x9 z-4 r3", "g70 q100 e.1"),
+        // The joints of a piece pass each other.
+        ("x8 z0;x5 z-1;x7;z-6", "g70 q100 e1"),
+        ("x8 z0;x10;x8;z-5", "g70 q100 e1"),
+        ("x8 z0;z-1;x10;z-6", "g70 q100 e1"),
+        ("x8 z0;g2 x9 z-1.0001 i1;g1 z-6", "g70 q100 e.1"),
+        ("x9 z0;g2 x9 z-4 k-2;g1 x10", "g71 q100 i3"),
+        ("x8 z0", "g70 q100"),
+        (S, "g70 q100 p.5"),
     ] {
         let (_, end) = moves(profile, cycle, false);
-        assert!(matches!(end, Ok(Progress::Ended(End::Unsupported { .. }))), "{profile}: {end:?}");
-    }
-    for (profile, cycle) in [("x8 z0", "g70 q100"), (S, "g70 q100 p.5"), (V, "g71.1 q100")] {
-        let (_, end) = moves(profile, cycle, false);
         let is_open = matches!(end, Ok(Progress::Ended(End::Unspecified { .. })));
-        assert_eq!(is_open, profile != V, "{profile}: {end:?}");
+        assert!(is_open, "{profile}: {end:?}");
     }
+    let (_, end) = moves(V, "g71.1 q100", false);
+    assert_eq!(end, Ok(Progress::Ended(End::ProgramEnd)));
 }
 
 #[test]

@@ -74,29 +74,57 @@ fn longest_step(piece: &Piece) -> f64 {
     }
 }
 
+/// A piece of a step, and what its neighbours leave of it.
+struct Part {
+    /// The piece at its distance, before its neighbours cut or extend it. It has a direction.
+    whole: Piece,
+    start: Point,
+    end: Point,
+}
+
+impl Part {
+    fn of(whole: Piece) -> Self {
+        Self { whole, start: whole.start, end: whole.end }
+    }
+
+    fn piece(&self) -> Piece {
+        Piece { start: self.start, end: self.end, ..self.whole }
+    }
+
+    /// Whether it leads from its end to its start: it is so short that its neighbours pass one another.
+    fn is_turned_over(&self) -> bool {
+        match self.whole.curve {
+            Curve::Line => self.start.to(self.end).along(self.whole.leaves()) < 0.0,
+            // It would lead around the rest of its circle.
+            Curve::Arc { .. } => self.piece().sweep() > self.whole.sweep() + math::TURN / 2.0,
+        }
+    }
+}
+
 /// One step: each piece is moved, then neighbours are joined. Neither the first nor the last point is extended.
 fn step(pieces: &[Piece], distance: f64) -> Result<Vec<Piece>, StepError> {
-    let moved: Vec<Piece> = pieces.iter().map(|piece| shift(piece, distance)).collect();
-    let mut joined: Vec<Piece> = moved.first().copied().into_iter().collect();
-    for (pair, next) in pieces.windows(2).zip(&moved[1..]) {
-        let corner = pair[1].start;
-        let mut next = *next;
-        let last = joined.last_mut().expect("offset: a first piece is there");
-        if is_outer(pair, last.end, next.start, distance) {
-            let sense = -distance.signum();
-            let round = Curve::Arc { centre: corner, sense };
-            let join = Piece { start: last.end, end: next.start, curve: round };
-            joined.extend([join, next]);
-            continue;
+    let mut parts: Vec<Part> = Vec::with_capacity(pieces.len());
+    for (place, piece) in pieces.iter().enumerate() {
+        let mut next = Part::of(shift(piece, distance));
+        if let Some(last) = parts.last_mut() {
+            let pair = &pieces[place - 1..=place];
+            if is_outer(pair, [last.whole.end, next.whole.start], distance)? {
+                let round = Curve::Arc { centre: piece.start, sense: -distance.signum() };
+                let whole = Piece { start: last.end, end: next.start, curve: round };
+                parts.push(Part::of(whole));
+            } else {
+                let point = meeting(&last.whole, &next.whole, piece.start)?;
+                last.end = point;
+                next.start = point;
+            }
         }
-        let point = meeting(last, &next, corner)?;
-        last.end = point;
-        next.start = point;
-        joined.push(next);
+        parts.push(next);
     }
-    without_short(&mut joined)?;
-    pieces_keep_direction(pieces, &joined)?;
-    Ok(joined)
+    without_short(&mut parts)?;
+    if parts.iter().any(Part::is_turned_over) {
+        return Err(open("pieces that a step towards the distance turns over"));
+    }
+    Ok(parts.iter().map(Part::piece).collect())
 }
 
 /// A piece at a distance to its left: a parallel line, or an arc about the same centre.
@@ -106,10 +134,14 @@ fn shift(piece: &Piece, distance: f64) -> Piece {
     Piece { start, end, ..*piece }
 }
 
-/// Whether a corner turns away from the side of the offset so that an arc about it joins both ends.
-fn is_outer(pair: &[Piece], end: Point, start: Point, distance: f64) -> bool {
-    let turn = pair[0].arrives().turn_to(pair[1].leaves());
-    turn * distance < 0.0 && (start.w - end.w).abs() > SHORTEST_JOIN
+/// Whether a corner turns away from the side of the offset so that an arc about it joins the ends of both moved pieces.
+fn is_outer(pair: &[Piece], ends: [Point; 2], distance: f64) -> Result<bool, StepError> {
+    let (from, to) = (pair[0].arrives(), pair[1].leaves());
+    let turn = from.turn_to(to);
+    if turn.abs() <= ROUNDING && from.along(to) < 0.0 {
+        return Err(open("moves that go back on themselves, with a distance"));
+    }
+    Ok(turn * distance < 0.0 && (ends[1].w - ends[0].w).abs() > SHORTEST_JOIN)
 }
 
 /// The point where two offset pieces intersect, the one next to their corner.
@@ -154,40 +186,17 @@ fn on_circle(line: &Piece, arc: &Piece, centre: Point, corner: Point) -> Result<
     Ok(if one <= other { candidates[0] } else { candidates[1] })
 }
 
-/// Drops pieces that have become too short; their neighbours intersect.
-fn without_short(pieces: &mut Vec<Piece>) -> Result<(), StepError> {
-    let mut place = 0;
-    while place < pieces.len() {
-        if pieces[place].chord() >= SHORTEST {
-            place += 1;
-            continue;
-        }
-        if place == 0 || place + 1 == pieces.len() {
+/// Drops pieces that have become too short; their neighbours intersect, and may be too short then.
+fn without_short(parts: &mut Vec<Part>) -> Result<(), StepError> {
+    while let Some(place) = parts.iter().position(|part| part.piece().chord() < SHORTEST) {
+        if place == 0 || place + 1 == parts.len() {
             return Err(open("a first or last piece that the distance makes too short"));
         }
-        let dropped = pieces.remove(place);
+        let dropped = parts.remove(place);
         let middle = dropped.start.middle(dropped.end);
-        let point = meeting(&pieces[place - 1], &pieces[place], middle)?;
-        pieces[place - 1].end = point;
-        pieces[place].start = point;
-    }
-    Ok(())
-}
-
-/// Refuses to say what becomes of pieces that a step turns over.
-fn pieces_keep_direction(before: &[Piece], after: &[Piece]) -> Result<(), StepError> {
-    let is_turned_over = |piece: &Piece| match piece.curve {
-        Curve::Line => false,
-        Curve::Arc { .. } => piece.sweep() > math::TURN * 0.75,
-    };
-    let lines = |pieces: &[Piece]| -> Vec<Point> {
-        let lines = pieces.iter().filter(|piece| piece.curve == Curve::Line);
-        lines.map(Piece::leaves).collect()
-    };
-    let (from, to) = (lines(before), lines(after));
-    let same = |to: &Point| from.iter().any(|from| from.along(*to) > 1.0 - LEAST_CORNER);
-    if after.iter().any(is_turned_over) || !to.iter().all(same) {
-        return Err(open("pieces that a step towards the distance turns over"));
+        let point = meeting(&parts[place - 1].whole, &parts[place].whole, middle)?;
+        parts[place - 1].end = point;
+        parts[place].start = point;
     }
     Ok(())
 }

@@ -106,21 +106,20 @@ impl Piece {
         self.inside(Point { w: 0.0, u: -1.0 }).map_or(ends, |lowest| lowest.u.min(ends))
     }
 
-    /// Whether it sinks below its start somewhere. All others rise.
+    /// Whether it is an arc whose lowest point is between its ends.
+    pub(crate) fn is_lowest_inside(&self) -> bool {
+        self.inside(Point { w: 0.0, u: -1.0 }).is_some()
+    }
+
+    /// Whether it sinks below its start somewhere, by more than rounding. All others rise.
     pub(crate) fn falls(&self) -> bool {
-        self.lowest() < self.start.u
+        self.lowest() < self.start.u - ROUNDING
     }
 
     /// Whether it is an arc that starts at the highest point of its circle.
     pub(crate) fn starts_at_top(&self) -> bool {
         let Curve::Arc { centre, .. } = self.curve else { return false };
         (self.start.w - centre.w).abs() <= ROUNDING && self.start.u > centre.u
-    }
-
-    /// Whether it is an arc that starts at the lowest point of its circle.
-    pub(crate) fn starts_at_bottom(&self) -> bool {
-        let Curve::Arc { centre, .. } = self.curve else { return false };
-        (self.start.w - centre.w).abs() <= ROUNDING && self.start.u < centre.u
     }
 
     /// Its part up to one of its points, and the rest.
@@ -136,15 +135,20 @@ impl Piece {
         }
     }
 
-    /// The point on its way up that has a depth, if there is one.
+    /// The point on its way up that has a depth, if there is one. An end whose depth differs by rounding has it.
     pub(crate) fn rising_at(&self, depth: f64) -> Option<Point> {
-        let from = if self.falls() { self.lowest() } else { self.start.u };
-        let only_falls = self.falls() && self.end.u <= from;
-        if only_falls || depth < from || depth > self.end.u {
+        let is_at = |end: Point| (depth - end.u).abs() <= ROUNDING;
+        if !self.falls() && is_at(self.start) {
+            return Some(self.start);
+        }
+        let from = self.lowest();
+        if self.end.u <= from + ROUNDING || depth < from {
             return None;
         }
-        Some(match self.curve {
-            Curve::Line if self.start.u >= self.end.u => self.start,
+        if is_at(self.end) {
+            return Some(self.end);
+        }
+        (depth < self.end.u).then(|| match self.curve {
             Curve::Line => self.on_line(depth),
             Curve::Arc { .. } => self.on_circle(depth, self.end, 1.0),
         })

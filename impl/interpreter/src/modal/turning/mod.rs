@@ -9,7 +9,7 @@
 //! **Invariants.**
 //! * A step reads a block of the sub, or makes a bounded number of rounds of the offset and of moves.
 //! * A profile has no more moves than [`Limits`](crate::Limits) allows.
-//! * Where `docs/turning.md` names a fact open, the run ends as unsupported.
+//! * Where `docs/turning.md` names a fact open, the run ends as not specified.
 
 mod cycle;
 mod finishing;

@@ -9,11 +9,13 @@ use crate::math;
 
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
-use super::piece::{Arc, Curve, Piece};
+use super::piece::{Arc, Curve, Piece, ROUNDING};
 use super::rounding::SHORTEST;
 
 /// The ends of two pieces differ by more than this in travel where an arc joins them; program units.
 const GAP: f64 = 0.01;
+/// The radii of both ends of an arc differ by no more than this; program units.
+const CIRCLE: f64 = 1e-6;
 /// Most steps of an offset.
 const STEPS_MAX: u32 = 100_000;
 
@@ -58,35 +60,99 @@ impl Offset {
         if self.steps > STEPS_MAX {
             return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
         }
-        let step = self.left.min(longest_step(&self.pieces));
-        let shifted: Vec<Piece> =
-            self.pieces.iter().map(|piece| parallel(piece, step * self.side)).collect();
-        let mut joined: Vec<Piece> = Vec::with_capacity(shifted.len());
-        for (before, next) in self.pieces.iter().zip(&shifted) {
-            let mut next = *next;
-            if let Some(last) = joined.last_mut()
-                && let Some(joint) =
-                    join(last, &mut next, (before.from, step * self.side), self.joins_parallels)?
-            {
-                joined.push(joint);
-            }
-            joined.push(next);
+        if self.steps == 1 && !self.pieces.iter().all(ends_on_its_circle) {
+            return open("an arc that ends elsewhere than its radius, with a distance");
         }
+        let step = self.left.min(longest_step(&self.pieces));
+        let mut joined = moved_and_joined(&self.pieces, step * self.side, self.joins_parallels)?;
         self.left -= step;
-        check_turned_over(&joined)?;
         drop_short(&mut joined, self.joins_parallels)?;
+        if joined.iter().any(Moved::is_turned_over) {
+            return open("a profile with a piece too short for its offset");
+        }
         if joined.len() > self.pieces_max {
             return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
         }
-        self.pieces = joined;
+        self.pieces.clear();
+        self.pieces.extend(joined.iter().map(|moved| moved.piece));
         Ok(self.left <= 0.0)
     }
+}
+
+/// Ends the run at what `docs/turning.md` leaves open.
+fn open<T>(why: &str) -> Result<T, Refusal> {
+    Err(Refusal::Unspecified(why.into()))
+}
+
+/// Whether both ends of an arc have one radius.
+fn ends_on_its_circle(piece: &Piece) -> bool {
+    let Some(arc) = piece.as_arc() else { return true };
+    let [from, to] = [piece.from, piece.to].map(|end| end.minus(arc.centre).length());
+    (from - to).abs() <= CIRCLE
 }
 
 /// The longest step: half of the shortest chord, and of the least radius.
 fn longest_step(pieces: &[Piece]) -> f64 {
     let of = |piece: &Piece| piece.chord().min(piece.radius().unwrap_or(f64::INFINITY)) / 2.0;
     pieces.iter().map(of).fold(f64::INFINITY, f64::min)
+}
+
+/// A piece of a step.
+#[derive(Clone, Copy, Debug)]
+struct Moved {
+    /// From joint to joint.
+    piece: Piece,
+    /// Before its ends were joined: it has a direction, whatever is left of it.
+    whole: Piece,
+}
+
+impl Moved {
+    fn new(whole: Piece) -> Self {
+        Self { piece: whole, whole }
+    }
+
+    /// Whether it leads from its end to its start: the joints have passed each other.
+    fn is_turned_over(&self) -> bool {
+        let Self { piece, whole } = self;
+        match whole.curve {
+            Curve::Line | Curve::Traverse => {
+                piece.to.minus(piece.from).dot(whole.start_direction()) < 0.0
+            }
+            Curve::Arc(arc) => {
+                let turned = |from: Vector, to: Vector| {
+                    from.minus(arc.centre).angle_to(to.minus(arc.centre)) * arc.sense
+                };
+                whole.sweep() - turned(whole.from, piece.from) + turned(whole.to, piece.to) < 0.0
+            }
+        }
+    }
+}
+
+/// The pieces at a distance to the left, joined.
+fn moved_and_joined(
+    pieces: &[Piece],
+    distance: f64,
+    joins_parallels: bool,
+) -> Result<Vec<Moved>, Refusal> {
+    let mut joined: Vec<Moved> = Vec::with_capacity(pieces.len());
+    let mut before: Option<&Piece> = None;
+    for piece in pieces {
+        let mut next = Moved::new(parallel(piece, distance));
+        if let (Some(before), Some(last)) = (before, joined.last_mut()) {
+            let corner = Corner {
+                point: piece.from,
+                ends: before.end_direction(),
+                begins: piece.start_direction(),
+                distance,
+                joins_parallels,
+            };
+            let joint = corner.join(last, &mut next)?;
+            joined.extend(joint);
+        }
+        joined.push(next);
+        before = Some(piece);
+    }
+    Ok(joined)
 }
 
 /// A piece moved to the left, or with a negative distance to the right.
@@ -106,24 +172,41 @@ fn parallel(piece: &Piece, distance: f64) -> Piece {
     }
 }
 
-/// Joins two pieces that met in a corner and were moved by a distance: an arc comes between them, or they end and
-/// begin at their intersection.
-fn join(
-    last: &mut Piece,
-    next: &mut Piece,
-    (corner, distance): (Vector, f64),
+/// Where two pieces met before a step.
+struct Corner {
+    point: Vector,
+    /// The direction of the first one at its end.
+    ends: Vector,
+    /// The direction of the second one at its start.
+    begins: Vector,
+    /// The step, to the left.
+    distance: f64,
     joins_parallels: bool,
-) -> Result<Option<Piece>, Refusal> {
-    let (ends, begins) = (last.end_direction(), next.start_direction());
-    let is_outer = ends.cross(begins) * distance < 0.0;
-    if is_outer && (last.to.p - next.from.p).abs() > GAP {
-        let sense = if distance > 0.0 { -1.0 } else { 1.0 };
-        let curve = Curve::Arc(Arc { centre: corner, sense });
-        return Ok(Some(Piece { from: last.to, to: next.from, curve }));
+}
+
+impl Corner {
+    /// Joins both pieces: an arc comes between them, or they end and begin at their intersection.
+    fn join(&self, last: &mut Moved, next: &mut Moved) -> Result<Option<Moved>, Refusal> {
+        let turn = self.ends.cross(self.begins);
+        if turn.abs() <= ROUNDING && self.ends.dot(self.begins) < 0.0 {
+            return open("an offset of moves that go back on themselves");
+        }
+        let (ends, begins) = (last.whole.to, next.whole.from);
+        if turn * self.distance < 0.0 && (ends.p - begins.p).abs() > GAP {
+            let sense = if self.distance > 0.0 { -1.0 } else { 1.0 };
+            let curve = Curve::Arc(Arc { centre: self.point, sense });
+            return Ok(Some(Moved::new(Piece { from: ends, to: begins, curve })));
+        }
+        // Tangent curves still meet, and their intersection would lose half of the digits.
+        let is_arc = last.whole.as_arc().or(next.whole.as_arc()).is_some();
+        let point = if is_arc && ends.minus(begins).length() <= ROUNDING {
+            begins
+        } else {
+            intersection(&last.whole, &next.whole, self.point, self.joins_parallels)?
+        };
+        (last.piece.to, next.piece.from) = (point, point);
+        Ok(None)
     }
-    let point = intersection(last, next, corner, joins_parallels)?;
-    (last.to, next.from) = (point, point);
-    Ok(None)
 }
 
 /// The intersection of two curves next to a point.
@@ -141,7 +224,7 @@ fn intersection(
             if first.to.minus(second.from).length() <= 1e-6 {
                 return Ok(first.to.plus(second.from).times(0.5));
             }
-            Err(Refusal::Unsupported("an offset of two arcs that meet in a corner".into()))
+            open("an offset of two arcs that meet in a corner")
         }
     }
 }
@@ -150,7 +233,7 @@ fn two_lines(first: &Piece, second: &Piece, joins_parallels: bool) -> Result<Vec
     let (along, across) = (first.start_direction(), second.start_direction());
     let turn = along.cross(across);
     if turn.abs() <= 1e-12 && along.dot(across) < 0.0 {
-        return Err(Refusal::Unsupported("an offset of moves that go back on themselves".into()));
+        return open("an offset of moves that go back on themselves");
     }
     if turn.abs() <= 1e-12 && joins_parallels && first.to.minus(second.from).length() <= 1e-6 {
         return Ok(first.to);
@@ -176,7 +259,7 @@ fn line_and_arc(
     let height = foot.minus(centre).length();
     let square = (radius - height) * (radius + height);
     if square < -1e-6 {
-        return Err(Refusal::Unsupported("an offset in which a line misses an arc".into()));
+        return open("an offset in which a line misses an arc");
     }
     let half = math::sqrt(square.max(0.0));
     let crossings = [-half, half].map(|half| foot.plus(along.times(half)));
@@ -190,30 +273,27 @@ fn line_and_arc(
     Ok(if is_one { one } else { other })
 }
 
-/// Ends the run where a step has turned a piece over: a pit that is too narrow, or a spike.
-fn check_turned_over(pieces: &[Piece]) -> Result<(), Refusal> {
-    let is_turned = |piece: &Piece| piece.to.p < piece.from.p - SHORTEST;
-    if pieces.iter().any(is_turned) {
-        return Err(Refusal::Unsupported("a profile with a pit too narrow for its offset".into()));
-    }
-    Ok(())
-}
-
-/// Drops pieces that are too short; their neighbours end and begin at their intersection.
-fn drop_short(pieces: &mut Vec<Piece>, joins_parallels: bool) -> Result<(), Refusal> {
-    let mut place = 0;
-    while let Some(piece) = pieces.get(place).copied() {
-        if piece.chord() >= SHORTEST {
+/// Drops pieces that are too short; their neighbours end and begin at their intersection. The first point and the last
+/// one are not moved, so that the pieces at them have to stay.
+fn drop_short(pieces: &mut Vec<Moved>, joins_parallels: bool) -> Result<(), Refusal> {
+    let mut place = 0_usize;
+    while let Some(dropped) = pieces.get(place).copied() {
+        if dropped.piece.chord() >= SHORTEST {
             place = place.saturating_add(1);
             continue;
         }
+        let before = place.checked_sub(1).filter(|_| place.saturating_add(1) < pieces.len());
+        let Some(before) = before else {
+            return open("a first or last piece that its offset makes too short");
+        };
         pieces.remove(place);
-        let Some(before) = place.checked_sub(1) else { continue };
         if let Some([last, next]) = pieces.get_mut(before..).and_then(|rest| rest.get_mut(..2)) {
-            let middle = piece.from.plus(piece.to).times(0.5);
-            let point = intersection(last, next, middle, joins_parallels)?;
-            (last.to, next.from) = (point, point);
+            let middle = dropped.piece.from.plus(dropped.piece.to).times(0.5);
+            let point = intersection(&last.whole, &next.whole, middle, joins_parallels)?;
+            (last.piece.to, next.piece.from) = (point, point);
         }
+        // The one before may be too short now.
+        place = before;
     }
     Ok(())
 }

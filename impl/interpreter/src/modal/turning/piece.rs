@@ -94,7 +94,7 @@ impl Piece {
     }
 
     /// The angle of an arc from its start to its end: radians, above 0 up to a full turn.
-    fn sweep(&self) -> f64 {
+    pub(super) fn sweep(&self) -> f64 {
         let Curve::Arc(arc) = self.curve else { return 0.0 };
         let angle = self.from.minus(arc.centre).angle_to(self.to.minus(arc.centre)) * arc.sense;
         if angle <= ROUNDING { angle + TAU } else { angle }
@@ -114,13 +114,15 @@ impl Piece {
         self.turning_point().filter(|_| self.as_arc().is_some_and(|arc| arc.sense < 0.0))
     }
 
+    /// The lowest point, if it is inside of the piece.
+    pub(super) fn lowest_inside(&self) -> Option<Vector> {
+        self.turning_point().filter(|_| self.as_arc().is_some_and(|arc| arc.sense > 0.0))
+    }
+
     /// The least depth of it; its highest point is not inside of it.
     pub(super) fn lowest(&self) -> f64 {
         let ends = self.from.q.min(self.to.q);
-        match (self.as_arc(), self.turning_point()) {
-            (Some(arc), Some(point)) if arc.sense > 0.0 => ends.min(point.q),
-            _ => ends,
-        }
+        self.lowest_inside().map_or(ends, |point| ends.min(point.q))
     }
 
     /// Whether it sinks below its start.

@@ -19,6 +19,10 @@ const LEVELS_MAX: f64 = 1e15;
 pub(super) struct Roughing {
     /// The lead, the pieces, and the line from their end to the depth of the start.
     path: Vec<Piece>,
+    /// The depths of its corners.
+    heights: Heights,
+    /// The places of the second halves of arcs that were split at their highest point.
+    halves: Vec<usize>,
     /// How many of them are followed.
     followed: usize,
     pockets: Pockets,
@@ -34,6 +38,25 @@ pub(super) struct Roughing {
     has_risen: bool,
     /// Whether a pocket was reached.
     has_pocket: bool,
+}
+
+/// Depths that differ by more than rounding.
+#[derive(Clone, Debug)]
+struct Heights(Vec<f64>);
+
+impl Heights {
+    /// The known depth that is equal within rounding, if there is one.
+    fn near(&self, depth: f64) -> Option<f64> {
+        self.0.iter().copied().find(|known| (known - depth).abs() <= ROUNDING)
+    }
+
+    /// The same, and it is known from now on.
+    fn of(&mut self, depth: f64) -> f64 {
+        self.near(depth).unwrap_or_else(|| {
+            self.0.push(depth);
+            depth
+        })
+    }
 }
 
 /// The levels: from a depth downwards.
@@ -89,15 +112,21 @@ impl Roughing {
     ) -> Self {
         let start = contour.start;
         let mut path = Vec::with_capacity(pieces.len().saturating_add(2));
+        let mut halves = Vec::new();
         path.extend(pieces.first().map(|first| Piece::line(start, first.from)));
         for piece in pieces {
             match piece.highest_inside() {
                 Some(top) => {
                     path.push(Piece { to: top, ..*piece });
+                    halves.push(path.len());
                     path.push(Piece { from: top, ..*piece });
                 }
                 None => path.push(*piece),
             }
+        }
+        let mut heights = Heights(alloc::vec![start.q]);
+        for piece in &mut path {
+            (piece.from.q, piece.to.q) = (heights.of(piece.from.q), heights.of(piece.to.q));
         }
         let mut followed = path.len();
         if let Some(last) = path.last().copied()
@@ -112,6 +141,8 @@ impl Roughing {
         let next = if at_start { Next::Begin } else { Next::Start };
         Self {
             path,
+            heights,
+            halves,
             followed,
             pockets,
             increment,
@@ -175,7 +206,12 @@ impl Roughing {
         self.here = piece.from;
         let climbed = self.has_risen;
         self.has_risen |= !falls;
-        self.grid.count = 0;
+        let before = self.place.checked_sub(1).and_then(|place| self.path.get(place));
+        // After a falling piece its levels go on below those of that piece.
+        let follows_rise = !before.is_some_and(Piece::falls);
+        if follows_rise {
+            self.grid.count = 0;
+        }
         match self.pockets {
             Pockets::Cut if falls => self.next = Next::Level,
             Pockets::Left if falls && !climbed => self.next = Next::Level,
@@ -190,7 +226,7 @@ impl Roughing {
                 return Ok(Some(CycleMotion::Feed(piece.from)));
             }
             Pockets::Alone if falls && climbed => {
-                if !self.has_pocket || piece.from.q > self.grid.top {
+                if !self.has_pocket || follows_rise && piece.from.q > self.grid.top {
                     self.grid = Grid { top: piece.from.q, count: 0 };
                 }
                 self.has_pocket = true;
@@ -204,10 +240,7 @@ impl Roughing {
     /// Whether a piece is an arc that begins at its highest point, and not the second half of one that was split.
     fn begins_at_top(&self, piece: &Piece) -> bool {
         let Some(arc) = piece.as_arc() else { return false };
-        let before = self.place.checked_sub(1).and_then(|place| self.path.get(place));
-        let is_split =
-            before.and_then(Piece::as_arc).is_some_and(|before| before.centre == arc.centre);
-        !is_split && (piece.from.p - arc.centre.p).abs() <= ROUNDING
+        (piece.from.p - arc.centre.p).abs() <= ROUNDING && !self.halves.contains(&self.place)
     }
 
     /// G71.1 goes over a pocket, along a level to the first point that is as high as its edge.
@@ -242,7 +275,10 @@ impl Roughing {
             depth = self.depth(count);
         }
         self.grid.count = count;
-        if depth <= lowest {
+        if piece.lowest_inside().is_some_and(|point| (depth - point.q).abs() <= ROUNDING) {
+            return Err(Refusal::Unspecified("a level at the lowest point of an arc".into()));
+        }
+        if depth <= lowest + ROUNDING {
             self.next = Next::Rest;
             return Ok(None);
         }
@@ -253,14 +289,18 @@ impl Roughing {
     }
 
     fn depth(&self, count: u64) -> f64 {
-        self.grid.top - math::from_u64(count) * self.increment
+        let depth = self.grid.top - math::from_u64(count) * self.increment;
+        self.heights.near(depth).unwrap_or(depth)
     }
 
     /// A level is cut from a point of the path to the next one that is as high.
     fn cut(&mut self, from: Vector) -> Result<Option<CycleMotion>, Refusal> {
         let Some((_, to)) = self.rising(self.place, from.q) else {
-            return Err(Refusal::Unsupported("a level that no part of the profile ends".into()));
+            return Err(Refusal::Unspecified("a level that no part of the profile ends".into()));
         };
+        if to.p < from.p - ROUNDING {
+            return Err(Refusal::Unspecified("a level that ends before its start".into()));
+        }
         if to.minus(from).length() <= ROUNDING {
             self.next = Next::Level;
             return Ok(None);

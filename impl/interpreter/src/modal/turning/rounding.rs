@@ -51,12 +51,12 @@ fn joint(last: &mut Piece, next: &mut Piece, corner: Corner) -> Result<Option<Pi
         return Ok(None);
     }
     if last.as_arc().is_some() || next.as_arc().is_some() {
-        return Err(Refusal::Unsupported("a fillet or chamfer next to an arc of a profile".into()));
+        return Err(Refusal::Unspecified("a fillet or chamfer next to an arc of a profile".into()));
     }
     let (before, after) = (last.end_direction(), next.start_direction());
     let (cross, dot) = (before.cross(after), before.dot(after));
     if cross.abs() <= ROUNDING {
-        return Err(Refusal::Unsupported("a fillet or chamfer between collinear moves".into()));
+        return Err(Refusal::Unspecified("a fillet or chamfer between collinear moves".into()));
     }
     let sense = if cross > 0.0 { 1.0 } else { -1.0 };
     let mut length = radius * cross.abs() / (1.0 + dot);

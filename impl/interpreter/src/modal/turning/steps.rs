@@ -208,7 +208,7 @@ fn raised(contour: &Contour, distance: f64) -> Vec<Piece> {
 /// The side of an offset is open with one piece.
 fn check_side(contour: &Contour, distance: f64) -> Result<(), Refusal> {
     if contour.side.is_none() && distance.abs() > 0.0 {
-        return Err(Refusal::Unsupported("the side of an offset of one piece".into()));
+        return Err(Refusal::Unspecified("the side of an offset of one piece".into()));
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::cycle::Cycle;
 use super::tool::Tool;
 use crate::ids::rule;
 use crate::rs274::refusal::StepError;
-use crate::rs274::turning::{Curve, Piece, Point, is_tied};
+use crate::rs274::turning::{Curve, Piece, Point, ROUNDING, is_tied};
 
 /// A roughing cycle on its way along its path.
 pub(super) struct Roughing<'a> {
@@ -13,6 +13,8 @@ pub(super) struct Roughing<'a> {
     pub(super) cycle: &'a Cycle,
     /// The lead, then the profile at its distance, then the line that closes it.
     pub(super) path: Vec<Piece>,
+    /// The places of the second parts of arcs that were split at their highest point.
+    pub(super) halves: Vec<usize>,
     /// The depth from which layers are counted.
     pub(super) highest: f64,
     /// The number of the next layer.
@@ -107,10 +109,6 @@ impl Roughing<'_> {
         if place == self.closes && !self.goes_on {
             return Ok(());
         }
-        if self.path[place].starts_at_bottom() {
-            let why = "a feed in place before an arc that starts at its lowest point";
-            return Err(StepError::Unspecified(why.to_owned()));
-        }
         self.tool.feed(self.path[place].start)
     }
 
@@ -128,7 +126,7 @@ impl Roughing<'_> {
         loop {
             let depth = self.highest - self.layer * self.cycle.increment;
             if self.is_open(place, &rest, depth) {
-                let why = "a layer at the depth of a corner of the profile, within rounding";
+                let why = "a layer at the depth of a corner within rounding, or at the lowest point of an arc";
                 return Err(StepError::Unspecified(why.to_owned()));
             }
             if depth <= bottom {
@@ -147,9 +145,12 @@ impl Roughing<'_> {
         place == 0 || !self.path[place - 1].falls()
     }
 
-    /// Whether rounding decides if a layer meets a corner.
+    /// Whether rounding decides if a layer meets a corner, or it meets the lowest point inside an arc.
     fn is_open(&self, place: usize, piece: &Piece, depth: f64) -> bool {
         let own = self.path[place];
+        if own.is_lowest_inside() && (depth - own.lowest()).abs() <= ROUNDING {
+            return true;
+        }
         if is_tied(depth, own.start.u) || is_tied(depth, own.lowest()) {
             return true;
         }
@@ -168,11 +169,11 @@ impl Roughing<'_> {
             let why = "a layer of a lathe cycle without an end";
             return Err(StepError::Unspecified(why.to_owned()));
         };
-        if to.w < from.w {
+        if to.w < from.w - ROUNDING {
             let why = "a layer of a lathe cycle against the direction of travel";
             return Err(StepError::Unspecified(why.to_owned()));
         }
-        if to != from {
+        if to.distance(from) > ROUNDING {
             self.tool.feed(to)?;
             self.retract(from, to)?;
             if place == 0 {
@@ -217,7 +218,7 @@ impl Roughing<'_> {
     /// place of this piece, and nothing where the path does not rise as high.
     fn pass_over(&mut self, place: usize) -> Result<Option<usize>, StepError> {
         let piece = self.path[place];
-        if matches!(piece.curve, Curve::Arc { .. }) && self.starts_at_top(place) {
+        if self.starts_at_top(place) {
             self.tool.feed(piece.start)?;
         }
         let Some((place, point)) = self.rises_to(place, &piece, piece.start.u) else {
@@ -236,7 +237,6 @@ impl Roughing<'_> {
     /// Whether an arc starts at the highest point of its circle, and is not the second part of one that was split
     /// there.
     fn starts_at_top(&self, place: usize) -> bool {
-        let (piece, before) = (&self.path[place], &self.path[place - 1]);
-        piece.starts_at_top() && before.curve != piece.curve
+        self.path[place].starts_at_top() && !self.halves.contains(&place)
     }
 }

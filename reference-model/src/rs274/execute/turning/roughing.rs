@@ -11,7 +11,7 @@ use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
 use crate::rs274::turning::{
-    Curve, Frame, Move, Piece, Point, Travel, check_corners, left_of, offset,
+    Curve, Frame, Move, Piece, Point, ROUNDING, Travel, check_corners, left_of, offset,
 };
 
 /// Roughs a profile.
@@ -36,7 +36,7 @@ pub(super) fn perform(
     let profile = at_distance(cycle, &lead, &pieces[1..], frame, state)?;
     lead.end = profile[0].start;
     let start = lead.start;
-    let (path, closes) = path(lead, profile);
+    let Path { pieces: path, halves, closes } = path(lead, profile);
     let again = state.dialect().traverses_to_start_again(state);
     let goes_on = state.dialect().goes_on_to_start_depth(state);
     let mut tool = Tool { frame, state: &mut *state, record };
@@ -44,7 +44,7 @@ pub(super) fn perform(
         tool.traverse(start)?;
     }
     let highest = start.u;
-    let mut roughing = Roughing { tool, cycle, path, highest, layer: 0.0, closes, goes_on };
+    let mut roughing = Roughing { tool, cycle, path, halves, highest, layer: 0.0, closes, goes_on };
     let rule = match cycle.pockets() {
         Pockets::Cut => {
             roughing.whole()?;
@@ -112,20 +112,33 @@ fn at_distance(
     offset(pieces, if is_left { cycle.distance } else { -cycle.distance })
 }
 
-/// The path of the cycle: the lead to the start of the profile, the profile, and, if this ends lower than the cycle
-/// starts, a line along the depth axis that closes it; the place of this line. An arc is split at its highest point.
-fn path(lead: Piece, profile: Vec<Piece>) -> (Vec<Piece>, usize) {
-    let mut path = vec![lead];
+/// The path of a cycle.
+struct Path {
+    /// The lead to the start of the profile, the profile, and, if this ends lower than the cycle starts, a line along
+    /// the depth axis that closes it. An arc is split at its highest point.
+    pieces: Vec<Piece>,
+    /// The places of the second parts of arcs that were split.
+    halves: Vec<usize>,
+    /// The place of the line that closes it.
+    closes: usize,
+}
+
+fn path(lead: Piece, profile: Vec<Piece>) -> Path {
+    let (mut pieces, mut halves) = (vec![lead], Vec::new());
     for piece in profile {
         match piece.highest_inside() {
-            Some(highest) => path.extend(<[Piece; 2]>::from(piece.split(highest))),
-            None => path.push(piece),
+            Some(highest) => {
+                halves.push(pieces.len() + 1);
+                pieces.extend(<[Piece; 2]>::from(piece.split(highest)));
+            }
+            None => pieces.push(piece),
         }
     }
-    let end = path[path.len() - 1].end;
-    let closes = path.len();
-    if end.u < lead.start.u {
-        path.push(Piece { start: end, end: Point { u: lead.start.u, ..end }, curve: Curve::Line });
+    let end = pieces[pieces.len() - 1].end;
+    let closes = pieces.len();
+    if end.u < lead.start.u - ROUNDING {
+        let above = Point { u: lead.start.u, ..end };
+        pieces.push(Piece { start: end, end: above, curve: Curve::Line });
     }
-    (path, closes)
+    Path { pieces, halves, closes }
 }
