@@ -80,6 +80,7 @@ pub fn scenario_and_kinds(
         (readable.supports)(&changed)
     };
     let mut state = State::of(&scenario);
+    state.no_arcs_at_distance = config.setups == Setups::StandAlone;
     if config.only.is_empty() && entropy.chance(15) {
         let name = *entropy.pick(&["cave", "drill_row", "x1"]);
         let blocks = entropy.range(1, 6);

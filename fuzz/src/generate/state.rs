@@ -56,6 +56,8 @@ pub(crate) struct State {
     pub(crate) in_sub: bool,
     /// Within a branch or loop, so that nothing may be defined.
     pub(crate) nested: bool,
+    /// Whether lathe cycles keep no distance from arcs: where LinuxCNC's program drops a piece, it prints it.
+    pub(crate) no_arcs_at_distance: bool,
 }
 
 impl State {
@@ -86,6 +88,7 @@ impl State {
             depth: 0,
             in_sub: false,
             nested: false,
+            no_arcs_at_distance: false,
         }
     }
 

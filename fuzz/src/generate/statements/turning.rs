@@ -57,10 +57,10 @@ struct Move {
     line: Option<[i32; 2]>,
 }
 
-/// Defines the sub of a profile that travels in one direction; its label. It needs G90. It has arcs, of corners too,
-/// only where the cycle has no distance: which crossing joins an arc and its neighbour at a distance is open for some
-/// corners (docs/turning.md, "Open").
-fn profile(w: &mut Writer<'_, '_>, axes: &Axes, arcs: bool) -> u32 {
+/// Defines the sub of a profile that travels in one direction; its label. It needs G90. Some controllers have arcs, of
+/// corners too, only where the cycle has no distance.
+fn profile(w: &mut Writer<'_, '_>, axes: &Axes, no_distance: bool) -> u32 {
+    let arcs = no_distance || !w.state.no_arcs_at_distance;
     let label = w.new_label();
     w.structure(&format!("o{label} sub"));
     let code = *w.entropy.pick(&["g1 ", "g0 ", ""]);
@@ -116,17 +116,35 @@ fn line(w: &mut Writer<'_, '_>, axes: &Axes, at: &mut [i32; 2]) -> Move {
     Move { text, line: Some([travel, depth]) }
 }
 
-/// A quarter of a circle that goes on in the direction of travel.
+/// Parts of circles below their centres, from the first point to the second one: displacements from the centre in the
+/// direction of travel and in depth. First quarters, then parts of a half.
+const PARTS: &[[[i32; 2]; 2]] = &[
+    [[0, -2], [2, 0]],
+    [[0, -4], [4, 0]],
+    [[0, -6], [6, 0]],
+    [[-4, 0], [0, -4]],
+    [[-6, 0], [0, -6]],
+    [[-4, 0], [4, 0]],
+    [[-4, -3], [4, -3]],
+    [[-5, 0], [3, -4]],
+    [[-3, -4], [5, 0]],
+    [[-4, -3], [-3, -4]],
+    [[0, -5], [4, -3]],
+    [[-8, -6], [6, -8]],
+];
+
+/// An arc that goes on in the direction of travel: below its centre, or above it.
 fn arc(w: &mut Writer<'_, '_>, axes: &Axes, at: &mut [i32; 2]) -> Move {
-    let radius = *w.entropy.pick(&[2, 4, 6]);
-    let (rises, hollow) = (w.entropy.chance(70), w.entropy.chance(50));
-    let (from, to) = (*at, [at[0] - radius, at[1] + if rises { radius } else { -radius }]);
-    let centre = if hollow == rises { [from[0], to[1]] } else { [to[0], from[1]] };
+    let part = *w.entropy.pick(PARTS);
+    let hollow = w.entropy.chance(50);
+    let [first, last] = part.map(|[travel, depth]| [-travel, if hollow { depth } else { -depth }]);
+    let (from, centre) = (*at, [at[0] - first[0], at[1] - first[1]]);
+    let to = [centre[0] + last[0], centre[1] + last[1]];
     let code = if hollow == (axes.travel[0] == "z") { "g2" } else { "g3" };
     *at = to;
     let ([travel, _, k], [depth, _, i]) = (axes.travel, axes.depth);
     let circle = if w.entropy.chance(20) {
-        format!("r{radius}")
+        format!("r{}", (first[0] * first[0] + first[1] * first[1]).isqrt())
     } else {
         format!("{k}{} {i}{}", centre[0] - from[0], centre[1] - from[1])
     };
