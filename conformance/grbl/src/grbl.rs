@@ -14,7 +14,7 @@ use crate::interrupt::Interrupt;
 use crate::port::Traffic;
 use crate::session::{Limits, Session};
 use crate::setup::{Motion, Setup};
-use crate::supports::{supports, supports_local_offset};
+use crate::supports::{supports, supports_kept_offsets, supports_negative_codes};
 use crate::words::Words;
 
 /// A controller of the family.
@@ -84,7 +84,8 @@ impl Grbl {
     fn may_run(&self, scenario: &Scenario) -> Result<(), String> {
         supports(scenario, &self.setup)?;
         if self.identity.dialect == Dialect::GrblHal {
-            supports_local_offset(&scenario.program, &self.setup, &self.identity.stored)?;
+            supports_kept_offsets(&scenario.program, &self.setup, &self.identity.stored)?;
+            supports_negative_codes(&scenario.program, &self.setup)?;
         }
         Ok(())
     }
@@ -127,7 +128,7 @@ impl Grbl {
             // The run's own error says more.
             let _halted = session.halt();
         }
-        if !changes_stored_offsets(&scenario.program) {
+        if !changes_kept_offsets(&scenario.program, self.identity.dialect) {
             return run;
         }
         // The Ctrl-C that ended the run does not end this.
@@ -137,7 +138,7 @@ impl Grbl {
         match restored {
             Ok(()) => run,
             Err(error) => Err(HarnessError::NotRun(format!(
-                "the coordinate systems could not be restored ({error}); they were {:?}",
+                "the offsets could not be restored ({error}); they were {:?}",
                 self.identity.stored
             ))),
         }
@@ -220,6 +221,12 @@ impl Adapter for Grbl {
                     .to_owned(),
             );
         }
+        if !self.identity.stored.has_zero_tool_offset() {
+            notes.push(
+                "a tool length offset is set, so that tool length offsets are not compared"
+                    .to_owned(),
+            );
+        }
         notes
     }
 
@@ -242,9 +249,14 @@ impl Drop for Grbl {
     }
 }
 
-fn changes_stored_offsets(program: &Program) -> bool {
+/// Whether a program can change offsets that a reset does not restore.
+fn changes_kept_offsets(program: &Program, dialect: Dialect) -> bool {
     let mut words = program.language.lines(&program.main).map(Words::of);
-    words.any(|words| words.writes_coordinate_system() || words.changes_local_offset())
+    words.any(|words| {
+        words.writes_coordinate_system()
+            || words.changes_local_offset()
+            || dialect == Dialect::GrblHal && words.changes_tool_offset()
+    })
 }
 
 fn sum(one: Traffic, other: Traffic) -> Traffic {

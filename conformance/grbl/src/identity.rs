@@ -128,6 +128,9 @@ impl Identity {
             if !self.stored.has_zero_systems() {
                 fields.remove("g5x_offset");
             }
+            if !self.stored.has_zero_tool_offset() {
+                fields.remove("tool_offset");
+            }
         }
         if motion == Motion::Real {
             fields.insert("position".to_owned());

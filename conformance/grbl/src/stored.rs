@@ -35,7 +35,16 @@ impl Stored {
 
     /// Whether the G92 offset is zero, or not reported.
     pub(crate) fn has_zero_local_offset(&self) -> bool {
-        let offset = self.0.get("G92").into_iter().flatten();
+        self.is_zero("G92")
+    }
+
+    /// Whether the tool length offset is zero, or not reported.
+    pub(crate) fn has_zero_tool_offset(&self) -> bool {
+        self.is_zero("TLO")
+    }
+
+    fn is_zero(&self, name: &str) -> bool {
+        let offset = self.0.get(name).into_iter().flatten();
         offset.copied().all(|value: f64| value.abs() < PRINTED_DIFFERENCE_MIN)
     }
 
@@ -64,7 +73,7 @@ impl Stored {
     }
 
     /// Blocks that give each coordinate system that differs in `now` the value that it has here, and cancel a G92
-    /// offset that is zero here.
+    /// offset and a tool length offset that are zero here.
     pub(crate) fn blocks_from(&self, now: &Self, axes: &[Axis], unit: LengthUnit) -> Vec<String> {
         let unit = if unit == LengthUnit::Inch { "G20" } else { "G21" };
         let mut blocks = Vec::new();
@@ -80,6 +89,9 @@ impl Stored {
         }
         if self.has_zero_local_offset() && !now.has_zero_local_offset() {
             blocks.push("G92.1".to_owned());
+        }
+        if self.has_zero_tool_offset() && !now.has_zero_tool_offset() {
+            blocks.push("G49".to_owned());
         }
         blocks
     }
@@ -151,6 +163,16 @@ mod tests {
         before.0.insert("G92".to_owned(), vec![0.0; 3]);
         assert!(before.has_zero_local_offset() && !now.has_zero_local_offset());
         assert_eq!(before.blocks_from(&now, &AXES, MM), ["G92.1"]);
+    }
+
+    #[test]
+    fn tool_offset_is_cancelled_if_it_was_zero() {
+        let now = stored("0.000,0.000,0.000");
+        let mut before = now.clone();
+        before.0.insert("TLO".to_owned(), vec![0.0]);
+        assert!(before.has_zero_tool_offset() && !now.has_zero_tool_offset());
+        assert_eq!(before.blocks_from(&now, &AXES, MM), ["G49"]);
+        assert_eq!(now.blocks_from(&before, &AXES, MM), [""; 0]);
     }
 
     #[test]

@@ -30,18 +30,23 @@ pub(crate) fn supports(scenario: &Scenario, setup: &Setup) -> Result<(), String>
     program(&scenario.program, setup)
 }
 
-/// Whether a controller that stores the G92 offset can run a program: only if the offset is zero at the start, so that
-/// it can be restored, and if that is permitted.
+/// Whether a controller that keeps the G92 offset and the tool length offset over a reset can run a program: only if
+/// those that it changes are zero at the start, so that they can be restored. G92 writes the EEPROM besides.
 ///
 /// # Errors
 /// The reason why not.
-pub(crate) fn supports_local_offset(
+pub(crate) fn supports_kept_offsets(
     program: &Program,
     setup: &Setup,
     stored: &Stored,
 ) -> Result<(), String> {
-    let mut lines = program.language.lines(&program.main);
-    if !lines.any(|line| Words::of(line).changes_local_offset()) {
+    let blocks: Vec<Words> = program.language.lines(&program.main).map(Words::of).collect();
+    if blocks.iter().any(Words::changes_tool_offset) && !stored.has_zero_tool_offset() {
+        return Err(
+            "a tool length offset is set that could not be restored; cancel it with G49".to_owned()
+        );
+    }
+    if !blocks.iter().any(Words::changes_local_offset) {
         return Ok(());
     }
     if !setup.eeprom {
@@ -52,6 +57,19 @@ pub(crate) fn supports_local_offset(
         return Err(
             "a G92 offset is stored that could not be restored; cancel it with G92.1".to_owned()
         );
+    }
+    Ok(())
+}
+
+/// Whether a controller that takes a negative number of an M code for M0 can run a program.
+///
+/// # Errors
+/// The reason why not.
+pub(crate) fn supports_negative_codes(program: &Program, setup: &Setup) -> Result<(), String> {
+    let mut blocks = program.language.lines(&program.main).map(Words::of);
+    let is_negative = |block: Words| block.numbers('M').any(|number| number < 0.0);
+    if setup.motion == Motion::Checked && blocks.any(is_negative) {
+        return Err("a negative M number can be M0, at which check mode does not pause".to_owned());
     }
     Ok(())
 }
@@ -199,11 +217,11 @@ mod tests {
     }
 
     #[test]
-    fn local_offset_is_stored_only_if_it_can_be_restored() {
+    fn offset_is_changed_only_if_it_can_be_restored() {
         let program = Scenario::of("g92 x1\nm2\n").program;
         let mut stored = Stored::default();
         let found = |options, stored: &Stored| {
-            supports_local_offset(&program, &setup(options), stored)
+            supports_kept_offsets(&program, &setup(options), stored)
                 .map_err(|why| why.contains("eeprom"))
         };
         assert_eq!(found("", &stored), Err(true));
@@ -211,7 +229,22 @@ mod tests {
         assert!(stored.take("G92", "1.000,0.000,0.000"));
         assert_eq!(found("eeprom=restore", &stored), Err(false));
         let plain = Scenario::of("g0 x1\nm2\n").program;
-        assert_eq!(supports_local_offset(&plain, &setup(""), &stored), Ok(()));
+        assert_eq!(supports_kept_offsets(&plain, &setup(""), &stored), Ok(()));
+        let tool = Scenario::of("g43.1 z1\nm2\n").program;
+        assert_eq!(supports_kept_offsets(&tool, &setup(""), &stored), Ok(()));
+        assert!(stored.take("TLO", "0.000,0.000,2.000"));
+        assert!(supports_kept_offsets(&tool, &setup(""), &stored).is_err());
+        assert_eq!(supports_kept_offsets(&plain, &setup(""), &stored), Ok(()));
+    }
+
+    #[test]
+    fn negative_m_number_is_not_sent_in_check_mode() {
+        let found = |line: &str, options| {
+            supports_negative_codes(&Scenario::of(line).program, &setup(options))
+        };
+        assert!(found("m-5\n", "").is_err());
+        assert_eq!(found("m-5\n", "motion=real"), Ok(()));
+        assert_eq!(found("g-1 x1\nm5\n", ""), Ok(()));
     }
 
     #[test]

@@ -90,6 +90,11 @@ impl Words {
         self.has_folded('G', &[920, 921, 922, 923])
     }
 
+    /// Whether it sets or cancels the tool length offset, which some controllers keep over a reset.
+    pub(crate) fn changes_tool_offset(&self) -> bool {
+        self.has_folded('G', &[430, 431, 432, 490])
+    }
+
     /// Whether it can pause the program: M0, M60, or an M number too long to be exact.
     pub(crate) fn may_pause(&self) -> bool {
         let is_inexact = |number: f64| number.abs() >= SINGLE_EXACT;
@@ -221,6 +226,14 @@ mod tests {
         assert!(Words::of("g16412.1").writes_reference_point());
         assert!(Words::of("g4294967306 l2 p1 x0").has_computed_code);
         assert!(!Words::of("g0 x[10]").has_computed_code);
+    }
+
+    #[test]
+    fn codes_of_the_tool_offset_are_found() {
+        for line in ["g43.1 z1", "g43 h1", "g0 x1 g49", "g305"] {
+            assert!(Words::of(line).changes_tool_offset(), "{line}");
+        }
+        assert!(!Words::of("g4 p0").changes_tool_offset());
     }
 
     #[test]
