@@ -46,6 +46,9 @@ impl Grbl {
     /// The edition that describes what Grbl 1.1h really does.
     pub const OBSERVED: &str = "grbl-1.1-observed";
 
+    /// The edition that describes what grblHAL really does.
+    pub const HAL_OBSERVED: &str = "grblhal-observed";
+
     /// Connects to a controller, resets it and queries what it is. The first Ctrl-C then ends runs instead of the
     /// process, so that a machine is stopped and restored.
     ///
@@ -196,7 +199,10 @@ impl Adapter for Grbl {
     }
 
     fn observed_edition(&self) -> Option<&str> {
-        (self.identity.dialect == Dialect::Grbl).then_some(Self::OBSERVED)
+        Some(match self.identity.dialect {
+            Dialect::Grbl => Self::OBSERVED,
+            Dialect::GrblHal => Self::HAL_OBSERVED,
+        })
     }
 
     fn best_jobs(&self) -> Option<NonZero<usize>> {

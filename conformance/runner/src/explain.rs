@@ -27,6 +27,7 @@ pub fn other_controller(controller: &str, name: &str) -> Option<&'static str> {
     match name.split_once('.')?.0 {
         "rs274" | "linuxcnc" if !matches!(named.as_str(), "rs274" | "linuxcnc") => Some("LinuxCNC"),
         "grbl" if !named.starts_with("grbl") => Some("Grbl"),
+        "grblhal" if !named.starts_with("grblhal") => Some("grblHAL"),
         "nist" if !named.contains("nist") => Some("NIST's interpreter"),
         _ => None,
     }

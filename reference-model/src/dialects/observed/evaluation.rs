@@ -61,12 +61,17 @@ impl EvaluationRules for Observed {
 
     /// Quirk grbl.code-number-bits. Fourteen bits of the whole part count.
     /// Quirk grbl.length-off-decimals. G49 has any decimals.
+    /// Quirk grblhal.negative-code. What is below zero is zero.
     fn parts_of_code(
         &self,
         letter: char,
         (whole, hundredths): (i64, i64),
         choices: &Choices,
     ) -> (i64, i64) {
+        let is_negative = whole < 0 || hundredths < 0;
+        if is_negative && choices.has_quirk(quirk::grblhal::NEGATIVE_CODE) {
+            return (0, 0);
+        }
         let wraps = whole > 0x3fff && choices.has_quirk(quirk::grbl::CODE_NUMBER_BITS);
         let whole = if wraps { fourteen_bits(whole) } else { whole };
         let is_off = letter == 'g' && whole == 49 && hundredths != 0;

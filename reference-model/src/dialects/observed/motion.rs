@@ -26,6 +26,14 @@ impl MotionRules for Observed {
         feed_of_move(motion, start, end, state);
     }
 
+    /// Quirk grblhal.words-after-cancel. Those of G10, G28, G30 and G92 are accepted.
+    fn refuses_words_after_cancel(&self, words: &Words, state: &State) -> bool {
+        let uses = |codes: &[u32]| words.g_tenths.iter().any(|code| codes.contains(code));
+        let accepts = state.has_quirk(quirk::grblhal::WORDS_AFTER_CANCEL);
+        !(accepts && uses(&[100, 280, 300, 920]))
+            && Documented.refuses_words_after_cancel(words, state)
+    }
+
     /// Quirk rs274.nurbs-machine-coordinates. G53 can be in the block of G5.2, but not in those of the points after
     /// it. A spline of one point is refused, so that no effect of this G53 is observable.
     fn check_machine_coordinates(

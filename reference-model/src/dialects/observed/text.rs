@@ -70,7 +70,11 @@ impl TextRules for Observed {
 
 impl SyntaxRules for Observed {
     /// Quirk grbl.line-number-limit. The greatest is 10,000,000, and what 32 bits do not hold is not above it.
+    /// Quirk grblhal.line-number-limit. The greatest is 10,000,000.
     fn is_above_greatest_line_number(&self, number: f64, choices: &Choices) -> bool {
+        if choices.has_quirk(quirk::grblhal::LINE_NUMBER_LIMIT) {
+            return number >= 10_000_001.0;
+        }
         if choices.has_quirk(quirk::grbl::LINE_NUMBER_LIMIT) {
             return number >= 10_000_001.0 && number <= f64::from(u32::MAX);
         }

@@ -1,9 +1,10 @@
 //! The number of the first quirk of each chapter; written from the pages by `cargo run -p gaugeblock-suite --bin model-ids`.
 
 pub(super) const GRBL: u16 = 0;
-pub(super) const LINUXCNC: u16 = 7;
-pub(super) const NIST: u16 = 32;
-pub(super) const RS274: u16 = 44;
+pub(super) const GRBLHAL: u16 = 7;
+pub(super) const LINUXCNC: u16 = 10;
+pub(super) const NIST: u16 = 35;
+pub(super) const RS274: u16 = 47;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 210;
+pub(crate) const COUNT: u16 = 213;

@@ -142,6 +142,11 @@ pub(crate) trait MotionRules {
     ) {
     }
 
+    /// Rule motion.offset-words-after-cancel. Whether axis words that a code uses are refused while G80 is active.
+    fn refuses_words_after_cancel(&self, _words: &Words, state: &State) -> bool {
+        state.choices.is(choice::motion::OffsetWordsAfterCancel::Refused)
+    }
+
     /// Rule offsets.machine-needs-motion. G53 needs G0 or G1 to be active, in its block or before
     /// (offsets.machine-motion).
     /// Rule offsets.machine-under-compensation. It is refused while cutter compensation is on.

@@ -36,7 +36,7 @@ pub(super) fn check_words_after_cancel(words: &Words, state: &mut State) -> Resu
         return Ok(());
     }
     let rule = rule::motion::OFFSET_WORDS_AFTER_CANCEL;
-    if state.choices.is(choice::motion::OffsetWordsAfterCancel::Refused) {
+    if state.dialect().refuses_words_after_cancel(words, state) {
         let message = "axis words while G80 is active";
         return Err(refuse(rule, FaultKind::AxisWords, message));
     }
