@@ -1,6 +1,6 @@
 //! Quirks of cutter compensation.
 
-use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::{Compensation, Position};
 
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
@@ -42,6 +42,21 @@ impl CompensationRules for Observed {
         if is_synchronised || !state.has_quirk(quirk::rs274::COMPENSATION_EXIT_ARC) {
             Documented.lead_away_by_other_move(is_synchronised, state);
         }
+    }
+
+    /// Quirk rs274.compensation-side. A negative radius is a positive one of the other side.
+    fn in_force(&self, side: Compensation, radius: f64, state: &State) -> (Compensation, f64) {
+        if radius >= 0.0 || !state.has_quirk(quirk::rs274::COMPENSATION_SIDE) {
+            return Documented.in_force(side, radius, state);
+        }
+        let other = match side {
+            Compensation::Off => Compensation::Off,
+            Compensation::Left => Compensation::Right,
+            Compensation::Right => Compensation::Left,
+            Compensation::DynamicLeft => Compensation::DynamicRight,
+            Compensation::DynamicRight => Compensation::DynamicLeft,
+        };
+        (other, -radius)
     }
 
     /// Quirk rs274.orientation-too-large. L of G41.1 and G42.1 above 9 is accepted, too.

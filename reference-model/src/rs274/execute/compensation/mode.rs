@@ -44,6 +44,12 @@ pub(crate) trait CompensationRules {
         state.contour.exit = None;
     }
 
+    /// Rules compensation.tool-radius, compensation.dynamic-diameter. The side that is in force, and the radius: those
+    /// of the block.
+    fn in_force(&self, side: Compensation, radius: f64, _state: &State) -> (Compensation, f64) {
+        (side, radius)
+    }
+
     /// Rule tool.dynamic-compensation-orientation. Whether a number is one of a tool's orientations: 0 to 9.
     fn is_orientation(&self, number: i32, _state: &State) -> bool {
         (0..=9).contains(&number)
@@ -83,7 +89,8 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
         Compensation::DynamicLeft | Compensation::DynamicRight => dynamic(words, state)?,
         Compensation::Left | Compensation::Right | Compensation::Off => by_tool(words, state)?,
     }
-    state.modes.compensation = compensation;
+    let in_force = state.dialect().in_force(compensation, state.modes.compensation_radius, state);
+    (state.modes.compensation, state.modes.compensation_radius) = in_force;
     Ok(())
 }
 
