@@ -323,7 +323,7 @@ fn a_step_is_bounded_and_an_abort_leaves_the_cycle() {
     for (profile, cycle) in [
         ("x1 z0;z-5;x20 z-6", "g71 q1 i.000000000001"),
         ("x8 z0;z-5;x9 z-6", "g70 q1 p999999999999"),
-        ("x8 z0;z-5;x9 z-6", "g71 q1 d1000000000"),
+        ("x8 z0;x9 z-1;z-6", "g71 q1 d1000000000"),
         ("o2 while [1]\nx8\no2 endwhile", "g70 q1"),
     ] {
         let profile = profile.replace(';', "\n");

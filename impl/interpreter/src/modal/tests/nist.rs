@@ -188,15 +188,15 @@ fn lengths_are_stored_as_programmed_by_choice() {
 fn offsets_have_no_flag_and_no_rotation_by_choice() {
     check("g92 x7", After("#5210 = 1"));
     check("g10 l2 p1 r90; g54", After("rotation = 90"));
-    let fixture = "g10 l2 p9 r180; g10 l11 p1 x0 y1; g43 h1";
-    check(fixture, After("tool_offset = (y1)"));
+    let fixture = "g10 l2 p9 r180; g10 l11 p1 y1; g43 h1";
+    check(fixture, After("tool_offset = (x0.00000000000000012246467991473532 y1 z10)"));
     check_under(
         &[("offsets.flag-and-rotation", "none")],
         &[
             ("g92 x7", After("#5210 = 0, #5211 = -7")),
             ("g92 x7; g92.2; g92.3", After("#5210 = 0, g92_offset = (x-7)")),
             ("g10 l2 p1 r90; g54", After("rotation = 0, #5230 = 90")),
-            (fixture, After("tool_offset = (y-1)")),
+            (fixture, After("tool_offset = (y-1 z10)")),
         ],
     );
 }
