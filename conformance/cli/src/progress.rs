@@ -8,11 +8,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::streams::write_error;
 
-/// How far long work has come.
+/// The progress of long work.
 pub(crate) struct Progress {
-    /// Drawn on a terminal alone; it counts everywhere.
+    /// Drawn only on a terminal; without one it only counts.
     bar: ProgressBar,
-    /// What is counted, in the plural.
+    /// The plural of what is counted, such as `cases`.
     what: &'static str,
     /// The minute of the last line.
     minute: AtomicU64,
@@ -26,7 +26,7 @@ impl Progress {
         Self::with(bar, &template, what)
     }
 
-    /// Work that ends when it ends.
+    /// Work of an unknown size.
     pub(crate) fn endless(what: &'static str) -> Self {
         let template = format!("{{spinner}} {{pos}} {what}{{msg}}, {{elapsed}}");
         Self::with(ProgressBar::new_spinner(), &template, what)
@@ -40,20 +40,20 @@ impl Progress {
         Self { bar, what, minute: AtomicU64::new(0) }
     }
 
-    /// So many more are done.
+    /// Adds items that are complete.
     pub(crate) fn add(&self, more: usize) {
         self.bar.inc(u64::try_from(more).unwrap_or_default());
         self.log();
     }
 
-    /// So many are done in all, and what else there is to say about them.
+    /// Sets the number of complete items and a remark about them.
     pub(crate) fn set(&self, done: u64, remark: &str) {
         self.bar.set_position(done);
         self.bar.set_message(format!(", {remark}"));
         self.log();
     }
 
-    /// Writes to the terminal where no bar is drawn meanwhile.
+    /// Writes to the terminal without the bar.
     #[cfg(feature = "faulty")]
     pub(crate) fn suspend(&self, write: impl FnOnce()) {
         self.bar.suspend(write);
@@ -73,7 +73,7 @@ impl Progress {
     }
 }
 
-/// A line of a log.
+/// The line for a log.
 fn line(bar: &ProgressBar, what: &str, elapsed: Duration) -> String {
     let of_all = bar.length().map_or_else(String::new, |all| format!(" of {all}"));
     let minutes = elapsed.as_secs() / 60;
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_log_says_how_far_the_work_has_come() {
+    fn line_of_a_log_has_the_count_and_the_minutes() {
         let cases = Progress::of(200, "cases");
         cases.add(3);
         cases.add(4);

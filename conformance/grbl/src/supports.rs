@@ -30,8 +30,8 @@ pub(crate) fn supports(scenario: &Scenario, setup: &Setup) -> Result<(), String>
     program(&scenario.program, setup)
 }
 
-/// Whether a controller that keeps the G92 offset and the tool length offset over a reset can run a program: only if
-/// those that it changes are zero at the start, so that they can be restored. G92 writes the EEPROM besides.
+/// Checks a program that changes offsets which the controller keeps over a reset: G92 and tool length. They must be
+/// zero at the start, so that the adapter can restore them. G92 also writes the EEPROM.
 ///
 /// # Errors
 /// The reason why not.
@@ -61,7 +61,7 @@ pub(crate) fn supports_kept_offsets(
     Ok(())
 }
 
-/// Whether a controller that takes a negative number of an M code for M0 can run a program.
+/// Checks a program for a controller that reads a negative M number as M0.
 ///
 /// # Errors
 /// The reason why not.

@@ -56,7 +56,7 @@ pub(crate) struct State {
     pub(crate) in_sub: bool,
     /// Within a branch or loop, so that nothing may be defined.
     pub(crate) nested: bool,
-    /// Whether lathe cycles keep no distance from arcs: where LinuxCNC's program drops a piece, it prints it.
+    /// Whether lathe cycles with arcs have no distance: LinuxCNC's program prints a message when it drops a piece.
     pub(crate) no_arcs_at_distance: bool,
 }
 

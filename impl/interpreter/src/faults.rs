@@ -63,7 +63,7 @@ faults! {
     "compensation.depth-lost-on-arcs" DepthLostOnArcs "A compensated arc does not move the axis out of the plane.",
     "compensation.dynamic-in-yz" DynamicInYz "G41.1 and G42.1 are accepted in the YZ plane.",
     "compensation.dynamic-orientation-of-tool" DynamicOrientationOfTool
-        "G41.1 and G42.1 without L take the orientation of the loaded tool.",
+        "G41.1 and G42.1 without L use the orientation of the loaded tool.",
     "compensation.entry-needs-diameter" EntryNeedsDiameter
         "An entry move shorter than the cutter's diameter is refused.",
     "compensation.inside-corner-to-end" InsideCornerToEnd
@@ -75,9 +75,9 @@ faults! {
         "The code of the other side while compensation is on changes the side.",
     "compensation.outside-corner-mitred" OutsideCornerMitred
         "At an outside corner two lines go on to where they cross.",
-    "compensation.radius-of-selected-tool" RadiusOfSelectedTool "G41 and G42 without D take the tool that T selected.",
+    "compensation.radius-of-selected-tool" RadiusOfSelectedTool "G41 and G42 without D use the tool that T selected.",
     "compensation.radius-of-spindle-tool" RadiusOfSpindleTool
-        "G41 and G42 take the loaded tool though D names another one.",
+        "G41 and G42 use the loaded tool although D names another one.",
     "compensation.rapid-entry-on-path" RapidEntryOnPath "A rapid entry move leads to the programmed point itself.",
     "compensation.sides-by-word-order" SidesByWordOrder "In the XZ plane G41 is on the right and G42 on the left.",
     "compensation.tight-arc-accepted" TightArcAccepted
@@ -391,7 +391,7 @@ faults! {
     "turning.distance-in-depth" DistanceInDepth "D of G71 and G72 shifts the profile along its depth only.",
     "turning.either-axis-monotonic" EitherAxisMonotonic
         "G71 and G72 accept a profile that is monotonic in one of Z and X.",
-    "turning.facing-along-z" FacingAlongZ "The layers of G72 lie along Z.",
+    "turning.facing-along-z" FacingAlongZ "G72 cuts its layers along Z.",
     "turning.feed-of-profile" FeedOfProfile "F in a profile sets the feed.",
     "turning.first-type-cuts-pockets" FirstTypeCutsPockets "G71.1 and G72.1 cut pockets.",
     "turning.kept-under-compensation" KeptUnderCompensation

@@ -1,4 +1,4 @@
-//! Offsets under a choice that no edition with G10 L11 has.
+//! G10 L11 under an option that no edition with this code has.
 
 use gaugeblock_reference::run;
 use gaugeblock_vocabulary::{Scenario, Tool};

@@ -214,7 +214,6 @@ fn shows_open_name(line: &str) -> bool {
     shows && (open || text.ends_with('#'))
 }
 
-/// Lines without their ends; text after the last line break counts if there is any.
 /// Whether a line has one of these codes, written plainly, such as `g38.2` or `m0`.
 pub(crate) fn has_code(line: &str, codes: &[&str]) -> bool {
     let code = code(line);
@@ -225,6 +224,7 @@ pub(crate) fn has_code(line: &str, codes: &[&str]) -> bool {
     })
 }
 
+/// Lines without their ends; text after the last line break counts if there is any.
 fn lines(text: &str) -> Vec<String> {
     text.split_terminator('\n').map(|line| line.trim_end_matches('\r').to_owned()).collect()
 }

@@ -37,7 +37,7 @@ pub(crate) struct Steps<'a> {
     turns: u32,
     /// Number of blocks after [`End::TURNS`] of them.
     turned: Option<usize>,
-    /// Whether the interpreter's position is that of the program, so that it is reported.
+    /// Whether the interpreter's position is that of the program; if not, it is not reported.
     pub(crate) reports_position: bool,
     /// Mode of the controller, if it has modes.
     pub(crate) mode: Option<ControllerMode>,

@@ -44,7 +44,7 @@ impl CompensationRules for Observed {
         }
     }
 
-    /// Quirk rs274.compensation-side. A negative radius is a positive one of the other side.
+    /// Quirk rs274.compensation-side. A negative radius becomes a positive radius on the other side.
     fn in_force(&self, side: Compensation, radius: f64, state: &State) -> (Compensation, f64) {
         if radius >= 0.0 || !state.has_quirk(quirk::rs274::COMPENSATION_SIDE) {
             return Documented.in_force(side, radius, state);

@@ -61,7 +61,7 @@ impl EvaluationRules for Observed {
 
     /// Quirk grbl.code-number-bits. Fourteen bits of the whole part count.
     /// Quirk grbl.length-off-decimals. G49 has any decimals.
-    /// Quirk grblhal.negative-code. What is below zero is zero.
+    /// Quirk grblhal.negative-code. A negative code number is read as zero.
     fn parts_of_code(
         &self,
         letter: char,

@@ -26,7 +26,7 @@ impl MotionRules for Observed {
         feed_of_move(motion, start, end, state);
     }
 
-    /// Quirk grblhal.words-after-cancel. Those of G10, G28, G30 and G92 are accepted.
+    /// Quirk grblhal.words-after-cancel. Axis words of G10, G28, G30 and G92 are accepted.
     fn refuses_words_after_cancel(&self, words: &Words, state: &State) -> bool {
         let uses = |codes: &[u32]| words.g_tenths.iter().any(|code| codes.contains(code));
         let accepts = state.has_quirk(quirk::grblhal::WORDS_AFTER_CANCEL);

@@ -70,7 +70,7 @@ impl TextRules for Observed {
 
 impl SyntaxRules for Observed {
     /// Quirk grbl.line-number-limit. The greatest is 10,000,000, and what 32 bits do not hold is not above it.
-    /// Quirk grblhal.line-number-limit. The greatest is 10,000,000.
+    /// Quirk grblhal.line-number-limit. The greatest line number is 10,000,000.
     fn is_above_greatest_line_number(&self, number: f64, choices: &Choices) -> bool {
         if choices.has_quirk(quirk::grblhal::LINE_NUMBER_LIMIT) {
             return number >= 10_000_001.0;

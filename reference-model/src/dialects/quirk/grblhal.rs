@@ -5,7 +5,7 @@ quirks! {
 
     /// The greatest line number is 10,000,000.
     LINE_NUMBER_LIMIT = "grblhal.line-number-limit",
-    /// A number below zero after G is G0, after M it is M0.
+    /// A negative number after G is read as G0, after M as M0.
     NEGATIVE_CODE = "grblhal.negative-code",
     /// Axis words of G10, G28, G30 and G92 are accepted while G80 is active; those of G43.1 are refused.
     WORDS_AFTER_CANCEL = "grblhal.words-after-cancel",

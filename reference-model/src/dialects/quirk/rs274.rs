@@ -44,7 +44,7 @@ quirks! {
     COMPENSATION_EXIT_LENGTH = "rs274.compensation-exit-length",
     /// L, an integer of zero or more, is allowed with G41 and G42. It does nothing.
     COMPENSATION_L_WORD = "rs274.compensation-l-word",
-    /// G41 and G42 of a negative diameter switch the other side on, and its code is in force.
+    /// With a negative diameter G41 and G42 select the other side, and the code of that side is active.
     COMPENSATION_SIDE = "rs274.compensation-side",
     /// A continue in a do loop is remembered until a loop ends that tests first or counts: a repeat that ends
     /// next begins again, and a while that is broken next tests its condition once more.

@@ -74,7 +74,7 @@ fn longest_step(piece: &Piece) -> f64 {
     }
 }
 
-/// A piece of a step, and what its neighbours leave of it.
+/// A piece of a step, cut or extended at its neighbours.
 struct Part {
     /// The piece at its distance, before its neighbours cut or extend it. It has a direction.
     whole: Piece,
@@ -134,7 +134,7 @@ fn shift(piece: &Piece, distance: f64) -> Piece {
     Piece { start, end, ..*piece }
 }
 
-/// Whether a corner turns away from the side of the offset so that an arc about it joins the ends of both moved pieces.
+/// Whether a corner turns away from the side of the offset, so that an arc about it joins both moved pieces.
 fn is_outer(pair: &[Piece], ends: [Point; 2], distance: f64) -> Result<bool, StepError> {
     let (from, to) = (pair[0].arrives(), pair[1].leaves());
     let turn = from.turn_to(to);

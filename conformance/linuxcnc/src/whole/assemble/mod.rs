@@ -294,7 +294,7 @@ impl<'a> Assembly<'a> {
                 self.steps.begin(&checkpoint)?;
                 continue;
             }
-            let events = self.events(printed, &issued, &checkpoint)?;
+            let mut events = self.events(printed, &issued, &checkpoint)?;
             if (checkpoint.file, checkpoint.line) == (0, 0) && self.restarts < self.starts {
                 self.restarts += 1;
                 if issued.iter().any(is_end) {
@@ -313,7 +313,6 @@ impl<'a> Assembly<'a> {
             }
             let (file, line) = self.steps.next().unwrap_or((0, 1));
             let block = || self.source.block(file, line);
-            let mut events = events;
             if has_code(self.source.line(file, line), LATHE_CYCLES) {
                 // The interpreter now takes its position from the machine, which may still move.
                 self.steps.reports_position = false;
@@ -364,7 +363,7 @@ impl<'a> Assembly<'a> {
         if let Some(Entering::Block { line, .. }) = &self.entering {
             fault.block = Some(entering::block(*line));
         }
-        // A block of the profile is executed within that of the cycle, and it is not reported which one is refused.
+        // The controller executes the profile within the block of the cycle; which block it refuses is not reported.
         let in_cycle =
             next.is_some_and(|(file, line)| has_code(self.source.line(file, line), LATHE_CYCLES));
         fault.block = fault.block.filter(|_| !in_cycle);

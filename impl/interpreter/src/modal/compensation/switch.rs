@@ -83,7 +83,7 @@ impl Modal {
         Ok(())
     }
 
-    /// Whether compensation is on, on the other side: only a planted fault asks.
+    /// Whether compensation is on for the other side. Only a planted fault uses it.
     fn is_other_side(&self, is_left: bool) -> bool {
         match self.active.now().compensation {
             Compensation::Off => false,
@@ -92,13 +92,13 @@ impl Modal {
         }
     }
 
-    /// D, or as a planted fault the tool that T selected, where there is no D.
+    /// The number of D. Without D a planted fault returns the tool that T selected.
     fn or_selected(&self, word: Option<f64>) -> Option<f64> {
         let selected = self.selected.filter(|_| planted(PlantedFault::RadiusOfSelectedTool));
         word.or(selected.map(f64::from))
     }
 
-    /// The orientation of L, or as a planted fault that of the loaded tool, where there is no L.
+    /// The orientation of L. Without L a planted fault returns that of the loaded tool.
     fn or_of_tool(&self, words: &Words, orientation: u8, plane: Plane) -> u8 {
         let takes = words.get(b'L').is_none() && plane == Plane::Zx;
         if !(takes && planted(PlantedFault::DynamicOrientationOfTool)) {

@@ -1,7 +1,7 @@
 //! Lathe cycles: G70 (11.5.38), and G71, G71.1, G71.2, G72, G72.1, G72.2 (11.5.39).
 //!
 //! ```text
-//! Words ─► Cycle, first motion ─► control runs the sub ─► reading ─► profile ─► offset ─► finishing or roughing
+//! Words ─► Cycle, first motion ─► control runs the sub ─► reading ─► profile ─► offset ─► passes
 //! ```
 //!
 //! The formulas, and what of them is open, are in `docs/turning.md`.
@@ -9,7 +9,7 @@
 //! **Invariants.**
 //! * A step reads a block of the sub, or makes a bounded number of rounds of the offset and of moves.
 //! * A profile has no more moves than [`Limits`](crate::Limits) allows.
-//! * Where `docs/turning.md` names a fact open, the run ends as not specified.
+//! * Where `docs/turning.md` lists an open point, the run ends as not specified.
 
 mod cycle;
 mod finishing;

@@ -100,9 +100,9 @@ fn longest_step(pieces: &[Piece]) -> f64 {
 /// A piece of a step.
 #[derive(Clone, Copy, Debug)]
 struct Moved {
-    /// From joint to joint.
+    /// The part between its joints.
     piece: Piece,
-    /// Before its ends were joined: it has a direction, whatever is left of it.
+    /// The piece before its ends were joined, which has a direction.
     whole: Piece,
 }
 
@@ -111,7 +111,7 @@ impl Moved {
         Self { piece: whole, whole }
     }
 
-    /// Whether it leads from its end to its start: the joints have passed each other.
+    /// Whether its joints have passed each other, so that it runs backwards.
     fn is_turned_over(&self) -> bool {
         let Self { piece, whole } = self;
         match whole.curve {

@@ -22,7 +22,7 @@ pub(super) struct Piece {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Curve {
     Line,
-    /// A line of G0, which only a planted fault tells from other lines.
+    /// A line of G0. Only a planted fault distinguishes it from other lines.
     Traverse,
     Arc(Arc),
 }

@@ -76,8 +76,7 @@ fn finishing_frame(pieces: &[Piece], emulates_rs274: bool) -> Frame {
     Frame::unturned(!(along(1.0) && grows))
 }
 
-/// The axes of G71 or G72; as a planted fault those of the other one where the profile is monotonic in its direction
-/// alone.
+/// The axes of G71 or G72. A planted fault exchanges them if the profile is monotonic in the other direction only.
 fn roughing_frame(pieces: &[Piece], faces: bool) -> Frame {
     let own = Frame::unturned(faces);
     let travels = |frame: Frame| {

@@ -199,7 +199,7 @@ impl Modal {
     }
 }
 
-/// The profile moved along its depth: a planted fault.
+/// Moves the profile along its depth. Only a planted fault uses it.
 fn raised(contour: &Contour, distance: f64) -> Vec<Piece> {
     let raised = |point: Vector| Vector { q: point.q + distance, ..point };
     contour.pieces.iter().map(|piece| piece.mapped(raised, 1.0)).collect()

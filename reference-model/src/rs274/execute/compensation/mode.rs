@@ -44,8 +44,7 @@ pub(crate) trait CompensationRules {
         state.contour.exit = None;
     }
 
-    /// Rules compensation.tool-radius, compensation.dynamic-diameter. The side that is in force, and the radius: those
-    /// of the block.
+    /// Rules compensation.tool-radius, compensation.dynamic-diameter. The active side and the radius, as programmed.
     fn in_force(&self, side: Compensation, radius: f64, _state: &State) -> (Compensation, f64) {
         (side, radius)
     }
