@@ -109,6 +109,13 @@ pub(crate) fn others(checkpoint: &Checkpoint) -> Settings {
     }
 }
 
+/// Settings whose calls wait under cutter compensation while a move does, as far as parameters expose them.
+pub(crate) fn waiting(checkpoint: &Checkpoint) -> Settings {
+    let Settings { feed_rate, mist, flood, spindle, spindle_mode, spindle_speed, .. } =
+        others(checkpoint);
+    Settings { feed_rate, mist, flood, spindle, spindle_mode, spindle_speed, ..Settings::default() }
+}
+
 /// The state after a block, as far as it is observable. The tool comes from the calls: its parameter keeps an old
 /// value.
 pub(crate) fn state(
@@ -157,7 +164,8 @@ fn unknown(name: &str, value: i64) -> HarnessError {
     HarnessError::Unreadable { what: "mode".to_owned(), line: format!("#<{name}> = {value}") }
 }
 
-fn feed_mode(checkpoint: &Checkpoint) -> FeedMode {
+/// The feed mode.
+pub(crate) fn feed_mode(checkpoint: &Checkpoint) -> FeedMode {
     match (checkpoint.is("_inverse_time"), checkpoint.is("_units_per_minute")) {
         (true, _) => FeedMode::InverseTime,
         (false, true) => FeedMode::PerMinute,

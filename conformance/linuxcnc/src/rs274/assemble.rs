@@ -42,6 +42,8 @@ struct Assembly<'a> {
     start: Settings,
     steps: Steps<'a>,
     end: Option<End>,
+    /// What the last checkpoint's parameters tell of settings whose calls can wait.
+    shown: Settings,
 }
 
 /// The outcome of a run.
@@ -62,6 +64,7 @@ pub(super) fn outcome(
         start: Settings::default(),
         steps: Steps::new(source, plan, scenario),
         end: None,
+        shown: Settings::default(),
     };
     let lines = if plan.compensates {
         waiting::in_program_order(captured.lines)
@@ -72,6 +75,8 @@ pub(super) fn outcome(
         match line {
             Ordered::Line(line) => assembly.line(line, captured)?,
             Ordered::Rescaled => assembly.unsupported(RESCALED.to_owned()),
+            Ordered::Overtaken => assembly.unsupported(OVERTAKEN.to_owned()),
+            Ordered::Unfinished(checkpoint) => assembly.unfinished(checkpoint),
         }
         if assembly.end.is_some() {
             break;
@@ -110,13 +115,18 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
     }
 }
 
-/// Why a block is not judged that has a spline and a tool change or the program end.
-const HIDDEN_SPLINE: &str =
-    "where a spline ends that has a tool change or the program end in its block";
+/// Why a block is not judged that has a spline and a tool change or the program end, or depends on #<_line>.
+const HIDDEN_SPLINE: &str = "where a spline ends that has a tool change or the program end in its block, or follows #<_line>";
 
 /// Why a block is not judged after which the length unit changes while its move waits: the call has the other unit, and
 /// four decimals of an inch are too few for millimetres.
 const RESCALED: &str = "a move that waits for the next one while the length unit changes";
+
+/// Why a block is not judged that a spline overtakes.
+const OVERTAKEN: &str = "a compensated move that waits while a spline is made";
+
+/// Why a block is not judged whose M19 waits when the program stops.
+const ORIENTS: &str = "an M19 that waits for the next move when the program stops";
 
 impl Assembly<'_> {
     fn line(&mut self, line: &Line, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {
@@ -146,7 +156,7 @@ impl Assembly<'_> {
             self.canon.take_events();
             self.start = self.canon.now.clone();
             self.steps.begin(checkpoint)?;
-        } else if self.canon.hides_spline(false) {
+        } else if self.canon.hides_spline(self.source.names_line()) {
             self.unsupported(HIDDEN_SPLINE.to_owned());
         } else {
             self.canon.settle(checkpoint)?;
@@ -154,9 +164,23 @@ impl Assembly<'_> {
             let events = self.canon.take_events();
             self.steps.record_block(checkpoint, events, self.canon.tool)?;
         }
+        self.shown = state::waiting(checkpoint);
         self.canon.position = state::position(checkpoint);
         self.canon.block(self.source.line(checkpoint.file, checkpoint.line + 1));
         Ok(())
+    }
+
+    /// A block whose calls wait when the program stops: parameters tell its settings.
+    fn unfinished(&mut self, checkpoint: &Checkpoint) {
+        if self.canon.has_word("m19") {
+            return self.unsupported(ORIENTS.to_owned());
+        }
+        let shown = state::waiting(checkpoint);
+        let mut changed = shown.since(&self.shown);
+        if self.canon.has_word("f") {
+            changed.feed_rate = shown.feed_rate;
+        }
+        self.canon.set_waiting(changed, state::feed_mode(checkpoint));
     }
 
     fn program_end(&mut self, captured: &CapturedRun<'_>) -> Result<(), HarnessError> {

@@ -6,6 +6,7 @@
 //! printed when nothing waits any more.
 
 use super::output::{Call, Line};
+use crate::instrumentation::checkpoint::Checkpoint;
 
 /// A part of the output in program order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +15,10 @@ pub(super) enum Ordered<'a> {
     Line(&'a Line),
     /// A move that was printed after the length unit had changed.
     Rescaled,
+    /// A move that waits while a spline is made, which does not wait.
+    Overtaken,
+    /// The begin of a block whose checkpoint waits at the end of the output: calls of the block may wait, too.
+    Unfinished(&'a Checkpoint),
 }
 
 /// The lines after one checkpoint, up to the next and with it.
@@ -38,7 +43,15 @@ pub(super) fn in_program_order(lines: &[Line]) -> Vec<Ordered<'_>> {
                 let at = place(&blocks[passed], call);
                 blocks[passed].insert(at, late);
             }
+            Line::Call(call) if passed < now && call.name == "NURBS_FEED" => {
+                blocks[passed].insert(0, Ordered::Overtaken);
+            }
             Line::Call(_) | Line::Text(_) => blocks[now].push(Ordered::Line(line)),
+        }
+    }
+    for block in blocks.iter_mut().skip(passed) {
+        if let Some(Ordered::Line(Line::Checkpoint(checkpoint))) = block.last() {
+            block.insert(0, Ordered::Unfinished(checkpoint));
         }
     }
     blocks.concat()
@@ -51,7 +64,10 @@ fn place(block: &[Ordered<'_>], late: &Call) -> usize {
     let is_later = |line: &Ordered<'_>| match line {
         Ordered::Line(Line::Checkpoint(_)) => true,
         Ordered::Line(Line::Call(call)) => !waits(call) && self::order(call) > order,
-        Ordered::Line(Line::Text(_) | Line::Passed) | Ordered::Rescaled => false,
+        Ordered::Line(Line::Text(_) | Line::Passed)
+        | Ordered::Rescaled
+        | Ordered::Overtaken
+        | Ordered::Unfinished(_) => false,
     };
     block.iter().rposition(|line| !is_later(line)).map_or(0, |last| last + 1)
 }
@@ -137,6 +153,8 @@ mod tests {
             Ordered::Line(Line::Checkpoint(_)) => "|".to_owned(),
             Ordered::Line(Line::Text(_) | Line::Passed) => String::new(),
             Ordered::Rescaled => "rescaled".to_owned(),
+            Ordered::Overtaken => "overtaken".to_owned(),
+            Ordered::Unfinished(_) => "unfinished".to_owned(),
         });
         shown.collect::<Vec<_>>().join(" ")
     }
@@ -164,6 +182,18 @@ mod tests {
             ordered(&printed),
             "| STRAIGHT_FEED(1) | SET_FEED_RATE(3) SELECT_TOOL(2) | ARC_FEED(2) STRAIGHT_FEED(4) | DWELL(1)"
         );
+    }
+
+    #[test]
+    fn block_that_waits_at_the_end_of_the_output_is_marked() {
+        // G1 X1; F3; an error.
+        assert_eq!(ordered(&["+", "|", "|", "|"]), "| unfinished | unfinished |");
+    }
+
+    #[test]
+    fn move_that_a_spline_overtakes_is_recognised() {
+        let printed = ["+", "|", "|", "NURBS_FEED(3, ...)", "|", "STRAIGHT_FEED(1)", "+", "+"];
+        assert_eq!(ordered(&printed), "| overtaken STRAIGHT_FEED(1) | |");
     }
 
     #[test]

@@ -79,6 +79,11 @@ impl Canon {
         self.block = code(line);
     }
 
+    /// Whether the block's code has this word, or a letter of any word.
+    pub(super) fn has_word(&self, word: &str) -> bool {
+        self.block.contains(word)
+    }
+
     /// The events since the last time.
     pub(super) fn take_events(&mut self) -> Vec<Event> {
         self.speed = None;
@@ -95,17 +100,25 @@ impl Canon {
         self.position = position;
     }
 
-    /// Whether a spline is among the events together with something that hides its end: the program end, or a tool
-    /// change, after which the controller's point is what its memory held.
-    pub(super) fn hides_spline(&self, ends: bool) -> bool {
+    /// Whether a spline is among the events together with something that hides its end: what the caller knows of, or a
+    /// tool change, after which the controller's point is what its memory held.
+    pub(super) fn hides_spline(&self, is_hidden: bool) -> bool {
         let spline = |event: &Event| matches!(event, Event::Do(Effect::NurbsFeed { .. }));
         let change = |event: &Event| matches!(event, Event::Do(Effect::ChangeTool { .. }));
-        self.events.iter().any(spline) && (ends || self.events.iter().any(change))
+        self.events.iter().any(spline) && (is_hidden || self.events.iter().any(change))
     }
 
     /// Takes over a setting; an event only where it changes something.
     pub(super) fn set(&mut self, change: Settings) {
         state::set(&mut self.now, &mut self.events, &change);
+    }
+
+    /// Takes over settings whose calls wait, before the block changes the length unit.
+    pub(super) fn set_waiting(&mut self, change: Settings, feed_mode: FeedMode) {
+        if let Some(rate) = change.feed_rate {
+            self.lengths.feed(rate, Some(feed_mode));
+        }
+        self.set(change);
     }
 
     /// Takes over the modes of a checkpoint.
