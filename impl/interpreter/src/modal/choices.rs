@@ -87,6 +87,8 @@ choices! {
     arc_zero_radius: "arcs.zero-radius", "refused", "accepted";
     /// In front of a G0 an arc leads round an outer corner, too.
     arc_before_traverse: "compensation.corner-before-traverse", "straight", "arc";
+    /// Any move may follow cutter compensation.
+    any_exit: "compensation.exit-move", "line", "any";
     /// One block may have M7 and M8.
     both_coolants: "coolant.both-in-one-block", "refused", "accepted";
     /// G85 feeds out to the clear level.

@@ -1,6 +1,6 @@
 //! Quirks of offsets.
 
-use gaugeblock_vocabulary::Position;
+use gaugeblock_vocabulary::{Compensation, FaultKind, Position};
 
 use super::program_end::without_local_offset;
 use super::values::in_single_precision;
@@ -11,7 +11,7 @@ use crate::rs274::evaluate::Words;
 use crate::rs274::execute::local_offset::LocalOffsetRules;
 use crate::rs274::execute::offsets::OffsetRules;
 use crate::rs274::execute::{whole, word};
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
 impl OffsetRules for Observed {
@@ -73,6 +73,16 @@ fn eight_bits(number: f64) -> f64 {
 }
 
 impl LocalOffsetRules for Observed {
+    /// Quirk nist.local-offset-under-compensation. Not while the cutter is compensated.
+    fn check_local_offset(&self, state: &State) -> Result<(), StepError> {
+        let quirk = quirk::nist::LOCAL_OFFSET_UNDER_COMPENSATION;
+        if state.modes.compensation != Compensation::Off && state.has_quirk(quirk) {
+            let message = "the local offset is changed while cutter compensation is on";
+            return Err(refuse(quirk, FaultKind::CompensationActive, message));
+        }
+        Documented.check_local_offset(state)
+    }
+
     /// Quirk rs274.position-omitted-axes. Axes without a word in the block of G92 keep their local offset.
     fn offset_without_word(&self, before: Position, state: &State) -> Position {
         if state.has_quirk(quirk::rs274::POSITION_OMITTED_AXES) {

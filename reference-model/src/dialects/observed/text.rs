@@ -6,6 +6,9 @@ use super::{HasQuirk, Observed};
 use crate::Choices;
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
+use crate::rs274::evaluate::Words;
+use crate::rs274::execute::word;
+use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::syntax::{Comment, Parser, SyntaxRules};
@@ -53,7 +56,11 @@ impl TextRules for Observed {
             return Err(refuse(quirk, FaultKind::BadCharacter, "an O-word in a skipped line"));
         }
         let words = evaluate::words(&block, state)?;
-        check::check(&words, state)
+        check::check(&words, state)?;
+        if let Some(message) = incomplete(&words) {
+            return Err(refuse(quirk, FaultKind::MissingWord, message));
+        }
+        Ok(())
     }
 
     /// Quirk rs274.percent-in-file. If the main program begins with a percent line, the first percent line of a called
@@ -65,6 +72,21 @@ impl TextRules for Observed {
         called.first = 0;
         called.percent = main.percent;
         called.memory.ignores_percent = !main.percent;
+    }
+}
+
+/// Quirk nist.skipped-line-is-read. What a code of a line that is not executed lacks.
+fn incomplete(words: &Words) -> Option<&'static str> {
+    let has = |wanted: &[u32]| words.g_tenths.iter().any(|code| wanted.contains(code));
+    let is_system = |number: f64| (1.0..=9.0).contains(&number) && number.fract() == 0.0;
+    let sets_system = word(words, 'l') == Some(2.0) && word(words, 'p').is_some_and(is_system);
+    let moves = has(&[0, 10, 20, 30, 810, 820, 830, 840, 850, 860, 870, 880, 890]);
+    if has(&[100]) && !sets_system {
+        Some("G10 without L2 and a P from 1 to 9 in a skipped line")
+    } else if (moves || has(&[920])) && !has_axis_words(words) {
+        Some("a code without an axis word in a skipped line")
+    } else {
+        None
     }
 }
 

@@ -4,7 +4,7 @@ pub(super) const GRBL: u16 = 0;
 pub(super) const GRBLHAL: u16 = 7;
 pub(super) const LINUXCNC: u16 = 10;
 pub(super) const NIST: u16 = 35;
-pub(super) const RS274: u16 = 47;
+pub(super) const RS274: u16 = 48;
 
 /// How many there are.
-pub(crate) const COUNT: u16 = 214;
+pub(crate) const COUNT: u16 = 215;

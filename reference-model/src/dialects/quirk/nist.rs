@@ -18,6 +18,8 @@ quirks! {
     INVERSE_TIME_AT_LEAST_A_TENTH = "nist.inverse-time-at-least-a-tenth",
     /// A canned cycle is accepted under inverse time, with or without F, and feeds at the rate of before.
     INVERSE_TIME_CYCLE = "nist.inverse-time-cycle",
+    /// G92 and G92.1 to G92.3 are refused while the cutter is compensated.
+    LOCAL_OFFSET_UNDER_COMPENSATION = "nist.local-offset-under-compensation",
     /// The offset that `#5211` to `#5216` hold applies from the start of the next run.
     OFFSET_AT_START = "nist.offset-at-start",
     /// The program end keeps the G92 offset of Y and Z in force, but removes it from the coordinates.

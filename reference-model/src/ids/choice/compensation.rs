@@ -11,4 +11,13 @@ choices! {
         /// an arc about the corner, as in front of other moves
         Arc = "arc",
     }
+
+    /// What may follow cutter compensation: in LinuxCNC's manual a line longer than the tool's diameter, in
+    /// NIST's report any move.
+    ExitMove = "compensation.exit-move" {
+        /// a line that is longer than the diameter of the tool
+        Line = "line",
+        /// any move
+        Any = "any",
+    }
 }

@@ -14,6 +14,11 @@ use crate::rs274::state::State;
 
 /// The rules of the local offset that a controller may follow differently.
 pub(crate) trait LocalOffsetRules {
+    /// Whether the local offset may be set, cancelled or restored now.
+    fn check_local_offset(&self, _state: &State) -> Result<(), StepError> {
+        Ok(())
+    }
+
     /// Rules offsets.position-omitted-axes and offsets.position-other-axes. The local offset of axes for which G92 has
     /// no word: whether they have none, or keep theirs, is a choice.
     fn offset_without_word(&self, before: Position, state: &State) -> Position {
@@ -30,6 +35,9 @@ pub(crate) trait LocalOffsetRules {
 /// Those of G52 and G92.
 pub(super) fn change(words: &Words, state: &mut State) -> Result<(), StepError> {
     let code = |wanted: &[u32]| words.g_tenths.iter().copied().find(|code| wanted.contains(code));
+    if code(&[520, 920, 921, 922, 923]).is_some() {
+        state.dialect().check_local_offset(state)?;
+    }
     match code(&[520, 920]) {
         Some(520) => shift(words, state)?,
         Some(_) => name_point(words, state)?,

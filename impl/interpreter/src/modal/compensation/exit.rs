@@ -82,7 +82,8 @@ impl Modal {
     /// G40: what waits is put out, and the next move leads away.
     pub(super) fn switch_off<K: Sink>(&mut self, sink: &mut K) -> Result<(), Refusal> {
         let was_on = self.active.now().compensation != Compensation::Off;
-        let is_due = self.compensation.has_path() || was_on && !self.emulates_rs274;
+        let is_due = !self.choices.any_exit
+            && (self.compensation.has_path() || was_on && !self.emulates_rs274);
         let cutter_point = self.cutter_point();
         self.end_path(sink)?;
         let mut exit = self.compensation.path.exit;

@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{Compensation, FaultKind, Plane, Position, Tool};
 use super::ending::switch_off;
 use super::exit;
 use super::orientation::shifts;
+use crate::ids::choice::compensation::ExitMove;
 use crate::ids::{choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::tool::named;
@@ -23,9 +24,9 @@ pub(crate) trait CompensationRules {
     }
 
     /// Rules compensation.exit-length, compensation.exit-arc. Whether the end of compensation makes the next move the
-    /// one that leads away, also where no move was compensated.
-    fn has_exit(&self, _along_path: bool, _state: &State) -> bool {
-        true
+    /// one that leads away, also where no move was compensated. Choice compensation.exit-move: or none does.
+    fn has_exit(&self, _along_path: bool, state: &State) -> bool {
+        state.choices.is(ExitMove::Line)
     }
 
     /// Rule compensation.exit-length. The line that leads away is longer than the diameter of the tool.
