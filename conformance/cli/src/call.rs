@@ -8,8 +8,9 @@ use gaugeblock_report::escape_text;
 use gaugeblock_suite::Suite;
 
 use crate::command::{
-    adapter, book, certificate, certify, compare, explain, fingerprint, fuzz, manual, motion_check,
-    motion_fuzz, offline, plan, report, rs274, rules, run, schema, serve, shrink, suite,
+    adapter, book, certificate, certify, compare, explain, fingerprint, fuzz, manual, measure,
+    motion_check, motion_fuzz, offline, plan, report, rs274, rules, run, schema, serve, shrink,
+    suite,
 };
 use crate::documents::read_suite;
 use crate::error::CliError;
@@ -68,6 +69,8 @@ enum Command {
     Motion(Motion),
     /// Detect the option of each choice, and the quirks, of a controller
     Fingerprint(fingerprint::Arguments),
+    /// Measure a controller's limits: tolerances, depths, lengths, resolution, rounding of corners
+    Measure(measure::Arguments),
     /// Merge the reports of shards
     #[command(subcommand)]
     Report(report::Reports),
@@ -171,6 +174,9 @@ fn execute(call: &Call) -> Result<u8, CliError> {
         }
         Command::Fingerprint(arguments) => {
             suite(call).and_then(|suite| fingerprint::fingerprint(arguments, &suite))
+        }
+        Command::Measure(arguments) => {
+            suite(call).and_then(|suite| measure::measure(arguments, &suite))
         }
         Command::Report(command) => suite(call).and_then(|suite| report::report(command, &suite)),
         Command::Rules(arguments) => suite(call).and_then(|suite| rules::rules(arguments, &suite)),

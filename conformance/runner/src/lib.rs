@@ -17,6 +17,7 @@ pub mod fingerprint;
 pub mod fuzz;
 pub mod journal;
 pub mod language;
+pub mod measure;
 mod model_run;
 pub mod motion_programs;
 mod observables;

@@ -18,6 +18,7 @@ pub(crate) mod fuzz_report;
 pub(crate) mod grbl;
 pub(crate) mod manual;
 pub(crate) mod matrix;
+pub(crate) mod measure;
 pub(crate) mod motion_check;
 pub(crate) mod motion_fuzz;
 pub(crate) mod offline;

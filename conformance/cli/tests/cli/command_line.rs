@@ -373,6 +373,7 @@ fn each_command_has_help_with_examples() {
         "explain",
         "fingerprint",
         "fuzz",
+        "measure",
         "motion check",
         "motion fuzz",
         "offline",

@@ -19,6 +19,7 @@ mod known_issues;
 mod language;
 mod libraries;
 mod linuxcnc;
+mod measure;
 mod motion;
 mod not_a_report;
 mod offline;

@@ -1,6 +1,7 @@
 //! What runs elsewhere (the action, workflows, jobs of a cluster, fuzzing in containers) and the pages about it: each
 //! is in its form, and calls this command as it can be called.
 
+mod artifacts;
 mod shell;
 
 use std::collections::BTreeMap;

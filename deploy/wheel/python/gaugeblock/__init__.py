@@ -1,0 +1,1 @@
+"""Gaugeblock: the command, and a kit for adapters in Python (`gaugeblock.adapter`)."""
