@@ -49,6 +49,9 @@ pub(super) fn in_program_order(lines: &[Line]) -> Vec<Ordered<'_>> {
             Line::Call(_) | Line::Text(_) => blocks[now].push(Ordered::Line(line)),
         }
     }
+    if blocks.iter().skip(passed + 1).flatten().any(changes_unit) {
+        blocks[passed].insert(0, Ordered::Rescaled);
+    }
     for block in blocks.iter_mut().skip(passed) {
         if let Some(Ordered::Line(Line::Checkpoint(checkpoint))) = block.last() {
             block.insert(0, Ordered::Unfinished(checkpoint));
@@ -188,6 +191,15 @@ mod tests {
     fn block_that_waits_at_the_end_of_the_output_is_marked() {
         // G1 X1; F3; an error.
         assert_eq!(ordered(&["+", "|", "|", "|"]), "| unfinished | unfinished |");
+    }
+
+    #[test]
+    fn move_that_waits_at_the_end_in_another_unit_is_recognised() {
+        let printed = ["+", "|", "|", "USE_LENGTH_UNITS(CANON_UNITS_INCHES)", "|"];
+        assert_eq!(
+            ordered(&printed),
+            "| unfinished rescaled | unfinished USE_LENGTH_UNITS(CANON_UNITS_INCHES) |"
+        );
     }
 
     #[test]
