@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaugeblock_vocabulary::LengthUnit;
+use gaugeblock_vocabulary::{LengthUnit, Switch};
 
 /// State that is saved and restored together with the modes.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +13,9 @@ pub(crate) struct ModalMemory(Option<Box<Remembered>>);
 pub(super) struct Remembered {
     /// F as it was programmed, in the length unit that was active then.
     pub(super) feed_number: f64,
+    /// Quirk rs274.thread-feed-override: the interpreter's own flag of the feed override, where a thread has enabled the
+    /// control of the machine behind it.
+    pub(super) override_flag: Option<Switch>,
     /// The length unit in which the tool offset was programmed.
     pub(super) tool_offset_unit: LengthUnit,
     /// The length unit in which the tolerances of G64 were programmed.
@@ -28,6 +31,7 @@ pub(super) struct Remembered {
 /// The values before the first block.
 static AT_START: Remembered = Remembered {
     feed_number: 0.0,
+    override_flag: None,
     tool_offset_unit: LengthUnit::Millimetre,
     tolerance_unit: LengthUnit::Millimetre,
     has_read_end: false,

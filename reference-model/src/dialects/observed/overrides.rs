@@ -7,6 +7,7 @@ use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
 use crate::rs274::evaluate::Words;
 use crate::rs274::execute::overrides::OverrideRules;
+use crate::rs274::modes::Modes;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 
@@ -39,6 +40,13 @@ impl OverrideRules for Observed {
         !disabled && !changes_tool && Documented.rapid_override_counts(state)
     }
 
+    /// Quirk rs274.thread-feed-override. The control of the machine and the flag of the interpreter are the same again.
+    fn feed_override_is_set(&self, state: &mut State) {
+        if state.modes.memory.get().override_flag.is_some() {
+            state.modes.memory.get_mut().override_flag = None;
+        }
+    }
+
     /// Quirk rs274.override-any-p. Each P other than zero enables the override.
     fn switch(&self, value: f64, state: &State) -> Result<Switch, StepError> {
         if state.has_quirk(quirk::rs274::OVERRIDE_ANY_P) {
@@ -46,4 +54,9 @@ impl OverrideRules for Observed {
         }
         Documented.switch(value, state)
     }
+}
+
+/// Quirk rs274.thread-feed-override. Whether the interpreter takes the feed override to be enabled.
+pub(super) fn override_flag(modes: &Modes) -> Switch {
+    modes.memory.get().override_flag.unwrap_or(modes.feed_override)
 }

@@ -1,7 +1,8 @@
 //! Quirks of parameters.
 
-use gaugeblock_vocabulary::{Compensation, FeedMode};
+use gaugeblock_vocabulary::{Compensation, FeedMode, Switch};
 
+use super::overrides::override_flag;
 use super::{HasQuirk, Observed};
 use crate::Choices;
 use crate::dialects::quirk;
@@ -30,6 +31,11 @@ impl ParameterRules for Observed {
             return 5601;
         }
         Documented.last_parameter(choices)
+    }
+
+    /// Quirk rs274.thread-feed-override. It is the flag of the interpreter, whatever a thread has done to the machine.
+    fn feed_override_parameter(&self, state: &State) -> Switch {
+        override_flag(&state.modes)
     }
 
     /// Quirk rs274.hal-assignment. A parameter whose name has the form of a HAL item or an INI entry can be assigned if

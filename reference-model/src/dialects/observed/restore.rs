@@ -8,6 +8,7 @@ use gaugeblock_vocabulary::{
     SpindleTurn, Switch,
 };
 
+use super::overrides::override_flag;
 use super::path::path_under;
 use super::spindle::{choose_spindle, known_turn, send_speed, set_released};
 use super::tool_length::tool_offset_as_programmed;
@@ -195,11 +196,12 @@ impl RestoreRules for Observed {
         if !state.has_quirk(quirk::rs274::OVERRIDE_RESTORE) {
             return Documented.restore_overrides(saved, state);
         }
-        if saved.feed_override == state.modes.feed_override {
+        if override_flag(saved) == override_flag(&state.modes) {
             return;
         }
-        if saved.feed_override == Switch::On {
+        if override_flag(saved) == Switch::On {
             state.modes.feed_override = Switch::On;
+            state.dialect().feed_override_is_set(state);
         }
         for spindle in &mut state.modes.spindles {
             spindle.speed_override = Switch::On;
@@ -376,8 +378,8 @@ fn disabled_by_path(saved: &Modes, now: &Modes, state: &State) -> Option<Control
         || none(saved) && !none(now);
     if earlier {
         None
-    } else if saved.feed_override != now.feed_override {
-        (saved.feed_override == Switch::Off).then_some(Control::SpeedOverride)
+    } else if override_flag(saved) != override_flag(now) {
+        (override_flag(saved) == Switch::Off).then_some(Control::SpeedOverride)
     } else if comes_on(saved.adaptive_feed, now.adaptive_feed) {
         Some(Control::AdaptiveFeed)
     } else {

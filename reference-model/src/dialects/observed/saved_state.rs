@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{FeedMode, Position};
 
+use super::overrides::override_flag;
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
 use crate::rs274::dialect::Documented;
@@ -37,5 +38,5 @@ fn programs_again(saved: &Modes, now: &Modes) -> bool {
     is_on(saved) != is_on(now)
         || !timed && !same(feed_number(saved), feed_number(now))
         || !same(saved.spindles[0].speed, now.spindles[0].speed)
-        || saved.feed_override != now.feed_override
+        || override_flag(saved) != override_flag(now)
 }

@@ -2,6 +2,7 @@
 
 use gaugeblock_vocabulary::{FaultKind, Motion, Position, Switch};
 
+use super::overrides::override_flag;
 use super::spindle::choose_spindle;
 use super::{HasQuirk, Observed};
 use crate::dialects::quirk;
@@ -122,15 +123,18 @@ impl ThreadRules for Observed {
     }
 
     /// Quirk rs274.thread-feed-override. The feed override is disabled during a pass and enabled after it, even if it
-    /// was disabled before.
+    /// was disabled before. The flag of the interpreter stays.
     fn feed_pass(&self, thread: &Thread, pass: &Pass, state: &mut State, record: &mut Record) {
         let disables = state.has_quirk(quirk::rs274::THREAD_FEED_OVERRIDE);
+        let flag = override_flag(&state.modes);
         if disables {
             state.modes.feed_override = Switch::Off;
         }
         Documented.feed_pass(thread, pass, state, record);
         if disables {
             state.modes.feed_override = Switch::On;
+            state.modes.memory.get_mut().override_flag =
+                (flag == Switch::Off).then_some(Switch::Off);
         }
     }
 

@@ -337,7 +337,8 @@ quirks! {
     /// Each pass of G76 begins and ends as much further out than the drive line as it is less deep than the
     /// last one, and a last traverse leads to the end of the drive line, even from there.
     THREAD_CLEARANCE = "rs274.thread-clearance",
-    /// The feed override is disabled while a pass of G76 cuts, and enabled after it.
+    /// The feed override is disabled while a pass of G76 cuts, and enabled after it; what the interpreter
+    /// saves and reports of it stays.
     THREAD_FEED_OVERRIDE = "rs274.thread-feed-override",
     /// E of G76 may be more than half the length of the thread. Where the thread leads nowhere, the tapers
     /// and the slide lead down.

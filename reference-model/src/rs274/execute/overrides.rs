@@ -52,6 +52,9 @@ pub(crate) trait OverrideRules {
         true
     }
 
+    /// A code has set the feed override, or the program end.
+    fn feed_override_is_set(&self, _state: &mut State) {}
+
     /// Rule overrides.other-p. P is 1 or 0.
     fn switch(&self, value: f64, _state: &State) -> Result<Switch, StepError> {
         match whole(value) {
@@ -84,6 +87,7 @@ fn both(switch: Switch, words: &Words, state: &mut State) -> Result<(), StepErro
     }
     if !selected || state.choices.is(choice::overrides::SelectedFeed::Switched) {
         state.modes.feed_override = switch;
+        state.dialect().feed_override_is_set(state);
     }
     for place in spindles {
         state.modes.spindles[place].speed_override = switch;
@@ -99,6 +103,7 @@ fn single(code: u32, words: &Words, state: &mut State) -> Result<(), StepError> 
     let rule = match code {
         50 => {
             state.modes.feed_override = switch;
+            state.dialect().feed_override_is_set(state);
             rule::overrides::FEED
         }
         51 => {

@@ -90,6 +90,7 @@ pub(crate) trait ProgramEndRules {
     /// Rule program-end.overrides. Feed override and speed overrides are enabled.
     fn enable_overrides_at_end(&self, state: &mut State) {
         state.modes.feed_override = Switch::On;
+        state.dialect().feed_override_is_set(state);
         for spindle in &mut state.modes.spindles {
             spindle.speed_override = Switch::On;
         }

@@ -123,6 +123,7 @@ pub(crate) trait RestoreRules {
     /// comes back (saved-state.mixed-overrides).
     fn restore_overrides(&self, saved: &Modes, state: &mut State) {
         state.modes.feed_override = saved.feed_override;
+        state.dialect().feed_override_is_set(state);
         for (spindle, saved) in state.modes.spindles.iter_mut().zip(&saved.spindles) {
             spindle.speed_override = saved.speed_override;
         }

@@ -121,6 +121,11 @@ pub(crate) trait ParameterRules {
         }
     }
 
+    /// Rule parameters.override-flags. Whether the feed override is enabled.
+    fn feed_override_parameter(&self, state: &State) -> Switch {
+        state.modes.feed_override
+    }
+
     /// Rule parameters.ini-read-only. Whether a name of the form of an INI or HAL parameter can be assigned: it cannot.
     fn may_assign_outside(&self, _name: &str, _state: &State) -> bool {
         false
@@ -264,8 +269,11 @@ fn lathe(state: &State, mode: Lathe) -> f64 {
 /// Choice parameters.override-names: each as it is named, or each under the other one's code.
 fn override_flag(state: &State, feed: bool) -> f64 {
     let by_name = state.choices.is(choice::parameters::OverrideNames::ByName);
-    let switch =
-        if feed == by_name { state.modes.feed_override } else { spindle(state).speed_override };
+    let switch = if feed == by_name {
+        state.dialect().feed_override_parameter(state)
+    } else {
+        spindle(state).speed_override
+    };
     flag(switch == Switch::On)
 }
 
