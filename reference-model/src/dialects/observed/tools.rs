@@ -10,6 +10,12 @@ use crate::rs274::refusal::StepError;
 use crate::rs274::state::State;
 
 impl ToolChangeRules for Observed {
+    /// Quirk grbl.tool-number-cut. The whole part counts.
+    fn selected_number(&self, value: f64, state: &State) -> Option<i32> {
+        let cut = state.has_quirk(quirk::grbl::TOOL_NUMBER_CUT);
+        Documented.selected_number(if cut { value.trunc() } else { value }, state)
+    }
+
     /// Quirk linuxcnc.selection-kept. The tool of a change that changed nothing is selected still.
     fn selected_tool(&self, state: &State) -> Option<i32> {
         Documented.selected_tool(state).or(state.memory.kept_selection)

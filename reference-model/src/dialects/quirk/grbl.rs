@@ -18,4 +18,6 @@ quirks! {
     SET_WITHOUT_NUMBER = "grbl.set-without-number",
     /// Of P of G10 L2 and L20 the whole part counts, and of that eight bits.
     SYSTEM_NUMBER_BITS = "grbl.system-number-bits",
+    /// Of T the whole part counts.
+    TOOL_NUMBER_CUT = "grbl.tool-number-cut",
 }

@@ -2,7 +2,7 @@
 
 use gaugeblock_vocabulary::{Effect, FaultKind, Tool};
 
-use super::{whole, word};
+use super::word;
 use crate::ids::{Rule, choice, rule};
 use crate::rs274::evaluate::Words;
 use crate::rs274::refusal::{StepError, refuse};
@@ -18,7 +18,7 @@ use crate::rs274::task::Record;
 /// Rules tool.select-integer, tool.select-negative, tool.select-unknown, tool.select-zero-random.
 pub fn select(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
     let Some(value) = word(words, 't') else { return Ok(()) };
-    let number = whole(value).ok_or_else(|| {
+    let number = state.dialect().selected_number(value, state).ok_or_else(|| {
         let message = format!("T{value} is not a whole number");
         refuse(rule::tool::SELECT_INTEGER, FaultKind::NotAnInteger, message)
     })?;

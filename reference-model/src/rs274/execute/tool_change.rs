@@ -120,6 +120,11 @@ fn swap(tool: i32, state: &mut State) -> i32 {
 
 /// Which tools are selected, and which numbers are those of tools.
 pub(crate) trait ToolChangeRules {
+    /// Rule tool.select-integer. The number that T selects.
+    fn selected_number(&self, value: f64, _state: &State) -> Option<i32> {
+        whole(value)
+    }
+
     /// Rule tool.change-without-selection. The tool that T has selected since the last change.
     fn selected_tool(&self, state: &State) -> Option<i32> {
         state.selected_for_change.then_some(state.prepared_tool)
