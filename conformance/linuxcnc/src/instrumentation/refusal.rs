@@ -43,7 +43,7 @@ pub(crate) fn fault(
         next.and_then(|next| too_long(source, next))
     } else if matches!(kind, FaultKind::UnknownSub | FaultKind::MixedStyles)
         || message.starts_with("M7x:")
-        || message.starts_with("G7X error") && ends_sub(echo)
+        || ends_profile(echo, source, next)
     {
         // The echo is the last line that a call sought through, or the definition that it found, or what a restore
         // tried, or the end of the profile that a lathe cycle has read.
@@ -58,6 +58,14 @@ pub(crate) fn fault(
         span: None,
         message: plan.untagged(message).to_owned(),
     })
+}
+
+/// Whether a line ends the profile of the lathe cycle that is the next block: the cycle is refused then, by itself or
+/// one of its moves.
+fn ends_profile(echo: &str, source: &Source, next: Option<(usize, u32)>) -> bool {
+    let next = next.map_or("", |(file, line)| source.line(file, line));
+    let is_cycle = ["g70", "g71", "g72"].iter().any(|cycle| code(next).contains(cycle));
+    is_cycle && ends_sub(echo) && !echo.contains('[')
 }
 
 /// Whether a line is the end of a sub or a return from it.
@@ -186,6 +194,7 @@ mod tests {
             at(&read(main, &format!("executing\n{message}\n{echo}\n"), 5).unwrap())
         };
         assert_eq!(of("G7X error: Not monotonic", "o1 endsub"), Some(5));
+        assert_eq!(of("Cannot do G1 with zero feed rate", "o1 endsub"), Some(5));
         let in_a_block = "G7x error: Cannot use W and Z in the same block";
         assert_eq!(of(in_a_block, "g1 x8 w-1 z0"), Some(2));
         assert_eq!(of("Non integer value for integer", "O1.500000 CALL"), Some(5));
