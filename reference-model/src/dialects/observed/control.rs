@@ -85,12 +85,15 @@ impl SubroutineRules for Observed {
     }
 
     /// Quirk rs274.value-at-definition. The value of an endsub is evaluated when the sub is defined.
+    ///
+    /// Quirk rs274.return-after-call. After a definition no call counts that was before it.
     fn skip_body(
         &self,
         control: &mut Control,
         end: u32,
         state: &mut State,
     ) -> Result<Next, StepError> {
+        control.memory.has_called = false;
         if state.has_quirk(quirk::rs274::VALUE_AT_DEFINITION) {
             value_at_definition(control, end, state)?;
         }
@@ -102,8 +105,8 @@ impl SubroutineRules for Observed {
         state.has_quirk(quirk::rs274::ANY_ENDSUB) || Documented.ends_sub(own, label, state)
     }
 
-    /// Quirk rs274.return-after-call. After the first call, a return in the main program is not an error: it sets
-    /// the value parameters like the return of a sub, and the next block is executed.
+    /// Quirk rs274.return-after-call. After a call, and until a sub is defined, a return in the main program is
+    /// not an error: it sets the value parameters like the return of a sub, and the next block is executed.
     fn return_from(
         &self,
         control: &mut Control,

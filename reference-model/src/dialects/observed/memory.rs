@@ -53,7 +53,7 @@ pub(crate) struct ControlMemory {
     pub(super) continue_remembered: bool,
     /// Quirk rs274.break-remembered: whether a while was broken since the last do loop tested its condition.
     pub(super) break_remembered: bool,
-    /// Quirk rs274.return-after-call: whether a sub or a numbered program was called before.
+    /// Quirk rs274.return-after-call: whether a sub or a numbered program was called since a sub was defined.
     pub(super) has_called: bool,
     /// Quirk rs274.sub-found-later: definitions that a call found further on in the file.
     pub(super) found_later: BTreeSet<Place>,

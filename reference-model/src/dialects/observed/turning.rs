@@ -17,6 +17,8 @@ use crate::rs274::turning::{Curve, Piece, Point, ROUNDING, Travel};
 impl TurningRules for Observed {
     /// Quirk rs274.turning-traverse-in-place. Without an axis word the first motion is a traverse in place.
     ///
+    /// Quirk rs274.turning-profile-position. Where a compensated move waits it gets the end of the profile for its own.
+    ///
     /// Quirk rs274.turning-start-incremental. Under G91 it takes the axis words for a position; the traverse that
     /// follows adds them to the position before the cycle.
     fn traverse_to_start(
@@ -26,6 +28,11 @@ impl TurningRules for Observed {
         state: &mut State,
         record: &mut Record,
     ) -> Result<(), StepError> {
+        let follows = state.has_quirk(quirk::rs274::TURNING_PROFILE_POSITION);
+        if follows && state.contour.path.is_some() {
+            let why = "G70 after a compensated move, where the position follows the profile";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
         if !has_start(words) {
             let in_place = state.has_quirk(quirk::rs274::TURNING_TRAVERSE_IN_PLACE);
             return if in_place { traverse(start, state, record) } else { Ok(()) };
@@ -73,6 +80,13 @@ impl TurningRules for Observed {
     /// Quirk rs274.turning-profile-codes. Axis words are a move, whatever code of the block uses them.
     fn moves_by_other_codes(&self, state: &State) -> bool {
         state.has_quirk(quirk::rs274::TURNING_PROFILE_CODES)
+    }
+
+    /// Quirk rs274.turning-profile-position. The position is the end of the last move of the profile.
+    fn profile_reaches(&self, end: Point, state: &mut State) {
+        if state.has_quirk(quirk::rs274::TURNING_PROFILE_POSITION) {
+            state.position = Position { x: end.u, z: end.w, ..state.position };
+        }
     }
 
     /// Quirk rs274.finishing-one-arc. Towards greater Z the profile has to lead on after its first piece.

@@ -370,6 +370,8 @@ quirks! {
     TURNING_PARALLEL_PIECES = "rs274.turning-parallel-pieces",
     /// Blocks of a profile are checked as blocks are, and the axes of G92 and G10 count as a move.
     TURNING_PROFILE_CODES = "rs274.turning-profile-codes",
+    /// While a profile is read, the position that parameters report is the end of its last move.
+    TURNING_PROFILE_POSITION = "rs274.turning-profile-position",
     /// Under G91 the first traverse of a lathe cycle takes X and Z for a position, and the second one adds
     /// them to the position before.
     TURNING_START_INCREMENTAL = "rs274.turning-start-incremental",

@@ -76,8 +76,12 @@ pub fn perform(words: &Words, state: &mut State, record: &mut Record) -> Result<
     }
 }
 
-/// A lathe cycle, which ends series of other cycles as any motion does.
+/// A lathe cycle, which ends series of other cycles as any motion does: its first motion, and once its profile has been
+/// read the rest.
 fn turn(words: &Words, state: &mut State, record: &mut Record) -> Result<(), StepError> {
+    if let Some(profile) = state.profile.take() {
+        return turning::cut(&profile.moves, words, state, record);
+    }
     if state.curve.open.is_some() {
         return Err(StepError::Unspecified("another motion in an open data block".to_owned()));
     }
@@ -85,7 +89,7 @@ fn turn(words: &Words, state: &mut State, record: &mut Record) -> Result<(), Ste
         state.coverage.accepted(rule::cycles::CANCELLED_BY_MOTION);
     }
     state.curve = Curve::default();
-    turning::perform(words, state, record)
+    turning::begin(words, state, record)
 }
 
 /// Names the rule by which a block has its motion: by its own code, or by the mode in force.

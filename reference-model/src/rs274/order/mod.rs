@@ -11,6 +11,7 @@ pub use rules::{ORDER_RULES, OrderRule};
 use super::evaluate::Words;
 use super::execute;
 use super::execute::compensation::Surroundings;
+use super::execute::turning;
 use super::refusal::StepError;
 use super::state::State;
 use super::task::Record;
@@ -75,6 +76,10 @@ pub(crate) fn fault_after(
     let mut record = Record::new(&state);
     let mut later = phases.iter().skip_while(|before| *before != phase).skip(1);
     later.find_map(|phase| {
+        if phase == Phase::Motion && turning::is_programmed(words) {
+            let why = "a lathe cycle in a block that waits for ever".to_owned();
+            return Some(StepError::Unspecified(why));
+        }
         let executed = execute_phase(phase, words, &mut state, &mut record);
         executed.err().filter(|error| !matches!(error, StepError::WaitsForEver))
     })

@@ -22,7 +22,7 @@ use super::environment::EnvironmentState;
 use super::modes::Modes;
 use super::parameters::Parameters;
 use super::syntax::Room;
-use super::turning::Move;
+use super::turning::Profile;
 use crate::Choices;
 use crate::RuleCoverage;
 use crate::dialects::Memory;
@@ -67,8 +67,9 @@ pub struct State {
     pub curve: Curve,
     /// The contour along which the cutter is compensated.
     pub contour: Contour,
-    /// The moves of the profile of the lathe cycle that is about to be executed; none at other times.
-    pub(crate) profile: Option<Vec<Move>>,
+    /// The profile of the lathe cycle that is being executed, once the cycle has made its first motion; none at other
+    /// times. Its moves are read after this motion.
+    pub(crate) profile: Option<Profile>,
     /// What the dialect remembers; nothing by the documents.
     #[cfg_attr(not(feature = "dialects"), expect(dead_code, reason = "only a dialect reads it"))]
     pub(crate) memory: Memory,

@@ -12,6 +12,7 @@ use crate::rs274::execute::turning::{self, Reading};
 use crate::rs274::refusal::{Refusal, StepError, refuse};
 use crate::rs274::syntax;
 use crate::rs274::text::Line;
+use crate::rs274::turning::Profile;
 
 impl ModelRun<'_> {
     /// Reads the profile of a lathe cycle.
@@ -20,14 +21,13 @@ impl ModelRun<'_> {
     /// expressions and parameters have their meaning in it.
     ///
     /// # Errors
-    /// A cycle that is refused before its profile is. A block of the profile that is refused is the block of the fault.
+    /// A subroutine that cannot be called. A block of the profile that is refused is the block of the fault.
     pub(super) fn read_profile(&mut self, words: &Words) -> Result<(), StepError> {
-        let start = turning::start_of(words, &mut self.state)?;
+        let profile = self.state.profile.take().expect("program: the first motion has been made");
         let label = turning::called_label(words)?;
         let (place, line) = (self.control.place, self.state.line);
         let (position, motion) = (self.state.position, self.state.modes.motion);
-        let mut reading = Reading::begin(start, &mut self.state);
-        self.state.position = start;
+        let mut reading = Reading::begin(profile.start, &mut self.state);
         let level = self.state.frames.len();
         let called = self.control.call_with(&label, &[], &mut self.state).map_err(unknown);
         self.go_to(called?);
@@ -40,7 +40,7 @@ impl ModelRun<'_> {
         self.state.line = line;
         self.state.position = position;
         self.state.modes.motion = motion;
-        self.state.profile = Some(reading.into_moves());
+        self.state.profile = Some(Profile { moves: reading.into_moves(), ..profile });
         Ok(())
     }
 

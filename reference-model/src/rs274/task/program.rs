@@ -259,7 +259,8 @@ impl ModelRun<'_> {
         Ok(after_phase)
     }
 
-    /// Executes a phase; that of a lathe cycle needs its profile first. `began` becomes the time of the last wait.
+    /// Executes a phase; a lathe cycle makes its first motion, and then its profile is read. `began` becomes the time of
+    /// the last wait.
     fn perform_phase(
         &mut self,
         phase: Phase,
@@ -267,8 +268,20 @@ impl ModelRun<'_> {
         began: &mut f64,
     ) -> Result<AfterPhase, StepError> {
         if phase == Phase::Motion && execute::turning::is_programmed(words) {
+            self.state.profile = None;
+            self.perform_moves(phase, words, began)?;
             self.read_profile(words)?;
         }
+        self.perform_moves(phase, words, began)
+    }
+
+    /// Executes a phase; what holds its moves may change meanwhile.
+    fn perform_moves(
+        &mut self,
+        phase: Phase,
+        words: &Words,
+        began: &mut f64,
+    ) -> Result<AfterPhase, StepError> {
         if self.is_watched(phase, words) {
             return self.watched(phase, words, began);
         }

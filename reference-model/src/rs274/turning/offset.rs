@@ -69,7 +69,7 @@ const LEAST_CORNER: f64 = 1e-6;
 fn longest_step(piece: &Piece) -> f64 {
     let chord = piece.chord() / 2.0;
     match piece.curve {
-        Curve::Line => chord,
+        Curve::Line | Curve::NoCircle => chord,
         Curve::Arc { centre, .. } => chord.min(centre.distance(piece.start) / 2.0),
     }
 }
@@ -87,6 +87,10 @@ impl Part {
         Self { whole, start: whole.start, end: whole.end }
     }
 
+    fn is_arc(&self) -> bool {
+        matches!(self.whole.curve, Curve::Arc { .. })
+    }
+
     fn piece(&self) -> Piece {
         Piece { start: self.start, end: self.end, ..self.whole }
     }
@@ -94,7 +98,9 @@ impl Part {
     /// Whether it leads from its end to its start: it is so short that its neighbours pass one another.
     fn is_turned_over(&self) -> bool {
         match self.whole.curve {
-            Curve::Line => self.start.to(self.end).along(self.whole.leaves()) < 0.0,
+            Curve::Line | Curve::NoCircle => {
+                self.start.to(self.end).along(self.whole.leaves()) < 0.0
+            }
             // It would lead around the rest of its circle.
             Curve::Arc { .. } => self.piece().sweep() > self.whole.sweep() + math::TURN / 2.0,
         }
@@ -186,11 +192,16 @@ fn on_circle(line: &Piece, arc: &Piece, centre: Point, corner: Point) -> Result<
     Ok(if one <= other { candidates[0] } else { candidates[1] })
 }
 
-/// Drops pieces that have become too short; their neighbours intersect, and may be too short then.
+/// Drops pieces that have become too short; their neighbours intersect, and may be too short then. After an arc this is
+/// open, and in front of one, too, unless nothing is left of the piece.
 fn without_short(parts: &mut Vec<Part>) -> Result<(), StepError> {
     while let Some(place) = parts.iter().position(|part| part.piece().chord() < SHORTEST) {
         if place == 0 || place + 1 == parts.len() {
             return Err(open("a first or last piece that the distance makes too short"));
+        }
+        let has_length = parts[place].piece().chord() > ROUNDING;
+        if parts[place - 1].is_arc() || parts[place + 1].is_arc() && has_length {
+            return Err(open("a piece next to an arc that the distance makes too short"));
         }
         let dropped = parts.remove(place);
         let middle = dropped.start.middle(dropped.end);

@@ -17,6 +17,8 @@ pub(crate) struct Piece {
 pub(crate) enum Curve {
     /// Straight.
     Line,
+    /// An arc whose radius does not reach its end. It is never cut.
+    NoCircle,
     /// Round.
     Arc {
         centre: Point,
@@ -40,7 +42,7 @@ impl Piece {
     /// The same piece in the axes of a cycle.
     pub(crate) fn within(&self, frame: Frame) -> Self {
         let curve = match self.curve {
-            Curve::Line => Curve::Line,
+            Curve::Line | Curve::NoCircle => self.curve,
             Curve::Arc { centre, sense } => {
                 Curve::Arc { centre: frame.of(centre), sense: sense * frame.sense() }
             }
@@ -60,7 +62,7 @@ impl Piece {
 
     fn direction_at(&self, point: Point) -> Point {
         match self.curve {
-            Curve::Line => self.start.to(self.end).unit(),
+            Curve::Line | Curve::NoCircle => self.start.to(self.end).unit(),
             Curve::Arc { centre, sense } => {
                 let left = centre.to(point).unit().left();
                 Point { w: sense * left.w, u: sense * left.u }
@@ -130,7 +132,7 @@ impl Piece {
     /// The point of a falling piece, on its way down, that has a depth between those of its start and its lowest point.
     pub(crate) fn sinking_at(&self, depth: f64) -> Point {
         match self.curve {
-            Curve::Line => self.on_line(depth),
+            Curve::Line | Curve::NoCircle => self.on_line(depth),
             Curve::Arc { .. } => self.on_circle(depth, self.start, -1.0),
         }
     }
@@ -149,7 +151,7 @@ impl Piece {
             return Some(self.end);
         }
         (depth < self.end.u).then(|| match self.curve {
-            Curve::Line => self.on_line(depth),
+            Curve::Line | Curve::NoCircle => self.on_line(depth),
             Curve::Arc { .. } => self.on_circle(depth, self.end, 1.0),
         })
     }

@@ -72,11 +72,6 @@ impl Modal {
         if number.is_none() {
             return refuse(FaultKind::NotAnInteger, "Q of a lathe cycle is not an integer");
         }
-        if let Kind::Roughing { increment, .. } = kind
-            && increment <= 0.0
-        {
-            return refuse(FaultKind::WordOutOfRange, "I of a lathe cycle is not positive");
-        }
         let cycle = Cycle { kind, start };
         self.turning = Some(Turning::new(cycle, distance(b'Q')).into());
         self.begin_turning_job(words.line);

@@ -274,7 +274,8 @@ fn line_and_arc(
 }
 
 /// Drops pieces that are too short; their neighbours end and begin at their intersection. The first point and the last
-/// one are not moved, so that the pieces at them have to stay.
+/// one are not moved, so that the pieces at them have to stay. What `rs274` does after an arc is open, and in front of one,
+/// too, unless nothing is left of the piece.
 fn drop_short(pieces: &mut Vec<Moved>, joins_parallels: bool) -> Result<(), Refusal> {
     let mut place = 0_usize;
     while let Some(dropped) = pieces.get(place).copied() {
@@ -287,6 +288,12 @@ fn drop_short(pieces: &mut Vec<Moved>, joins_parallels: bool) -> Result<(), Refu
             return open("a first or last piece that its offset makes too short");
         };
         pieces.remove(place);
+        let is_arc =
+            |place: usize| pieces.get(place).is_some_and(|moved| moved.whole.as_arc().is_some());
+        let has_length = dropped.piece.chord() > ROUNDING;
+        if !joins_parallels && (is_arc(before) || is_arc(place) && has_length) {
+            return open("a piece next to an arc that its offset makes too short");
+        }
         if let Some([last, next]) = pieces.get_mut(before..).and_then(|rest| rest.get_mut(..2)) {
             let middle = dropped.piece.from.plus(dropped.piece.to).times(0.5);
             let point = intersection(&last.whole, &next.whole, middle, joins_parallels)?;

@@ -52,6 +52,11 @@ impl Piece {
         }
     }
 
+    /// Whether it is an arc whose radius does not reach its end.
+    pub(super) fn has_no_circle(&self) -> bool {
+        self.as_arc().is_some_and(|arc| arc.centre.p.is_nan())
+    }
+
     /// The radius of an arc.
     pub(super) fn radius(&self) -> Option<f64> {
         self.as_arc().map(|arc| self.from.minus(arc.centre).length())

@@ -2,9 +2,11 @@
 
 use alloc::vec::Vec;
 
+use gaugeblock_vocabulary::FaultKind;
+
 use crate::faults::{PlantedFault, planted};
 
-use super::super::refusal::Refusal;
+use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
 use super::frame::Frame;
 use super::numbers::{Contour, Kind};
@@ -21,6 +23,9 @@ impl Turning {
         let Some(programmed) = moves.first().filter(|_| moves.len() > 1) else { return Ok(None) };
         let pieces = rounded(start, moves)?;
         let (Some(first), Some(last)) = (pieces.get(1), pieces.last()) else { return Ok(None) };
+        if pieces.iter().any(Piece::has_no_circle) {
+            return refuse(FaultKind::BadArc, "the radius of an arc does not reach its end");
+        }
         let (first, last) = (first.from, last.to);
         let after_lead = pieces.get(1..).unwrap_or(&[]);
         let mut frame = match self.cycle.kind {

@@ -13,7 +13,7 @@ use super::super::letters::{A, C, E, I, K, U, W, X, Z};
 use super::super::motion_codes::mode_of;
 use super::super::refusal::{Refusal, refuse};
 use super::super::vector::Vector;
-use super::piece::{Arc, Curve};
+use super::piece::{Arc, Curve, ROUNDING};
 use super::reading::{Corner, ProfileMove, Reading};
 use super::state::{ProfileStage, Stage, Turning};
 
@@ -34,6 +34,9 @@ impl Modal {
     /// The sub has ended.
     pub(crate) fn end_profile(&mut self) {
         self.set_stage(Stage::Read);
+        if let Some(tool) = self.turning.as_deref().and_then(|turning| turning.reading.tool) {
+            self.position = tool;
+        }
     }
 
     fn set_stage(&mut self, stage: Stage) {
@@ -91,6 +94,11 @@ impl Modal {
             return Err(Refusal::LimitExceeded(Limit::ProfileMoves));
         }
         reading.here = to;
+        if self.emulates_rs274 {
+            // Quirk rs274.turning-profile-position.
+            reading.tool.get_or_insert(self.position);
+            self.position = self.in_plane(to);
+        }
         reading.moves.push(ProfileMove { to, curve, corner });
         Ok(())
     }
@@ -171,11 +179,14 @@ impl Modal {
     }
 }
 
-/// The arc of a radius, at most half a circle; a centre that is not a number where the radius does not reach.
+/// The arc of a radius, at most half a circle. Where the radius does not reach the centre is not a number, and the arc
+/// is refused when it is cut.
 fn radius_arc(radius: f64, from: Vector, to: Vector, sense: f64) -> Curve {
     let chord = to.minus(from);
     let half = chord.length() / 2.0;
-    let height = math::sqrt((radius - half) * (radius + half));
+    let square = (radius - half) * (radius + half);
+    let is_half_circle = (radius - half).abs() <= ROUNDING;
+    let height = math::sqrt(if is_half_circle { square.max(0.0) } else { square });
     let middle = from.plus(chord.times(0.5));
     let centre = middle.plus(chord.unit().quarter(sense).times(height));
     Curve::Arc(Arc { centre, sense })

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::Motion;
 
+use super::super::coordinates::Coordinates;
 use super::super::vector::Vector;
 use super::piece::Curve;
 
@@ -30,6 +31,8 @@ pub(super) enum Corner {
 pub(super) struct Reading {
     /// Where the last move ends: Z, X.
     pub(super) here: Vector,
+    /// Where the tool is, if the position follows the moves.
+    pub(super) tool: Option<Coordinates>,
     /// The motion mode within the sub.
     pub(super) motion: Motion,
     pub(super) moves: Vec<ProfileMove>,
@@ -38,6 +41,6 @@ pub(super) struct Reading {
 impl Reading {
     /// A profile before its first block.
     pub(super) fn new(start: Vector) -> Self {
-        Self { here: start, motion: Motion::Feed, moves: Vec::new() }
+        Self { here: start, tool: None, motion: Motion::Feed, moves: Vec::new() }
     }
 }

@@ -81,6 +81,11 @@ impl Modal {
     /// The profile is complete. Returns whether the cycle is over: too few moves, or no pass.
     fn begin_cutting(&mut self, turning: &mut Turning) -> Result<bool, Refusal> {
         let moves_max = self.profile_moves;
+        if let Kind::Roughing { increment, .. } = turning.cycle.kind
+            && increment <= 0.0
+        {
+            return refuse(FaultKind::WordOutOfRange, "I of a lathe cycle is not positive");
+        }
         let contour = turning.contour(self.emulates_rs274)?;
         let is_cut = !matches!(turning.cycle.kind, Kind::Finishing { passes, .. } if passes < 1.0);
         let Some(contour) = contour.filter(|_| is_cut) else {
@@ -194,7 +199,7 @@ impl Modal {
         self.perform_move(line, start, &effect, sink)
     }
 
-    fn in_plane(&self, point: Vector) -> Coordinates {
+    pub(super) fn in_plane(&self, point: Vector) -> Coordinates {
         self.position.with_axis(Axis::Z, point.p).with_axis(Axis::X, point.q)
     }
 }

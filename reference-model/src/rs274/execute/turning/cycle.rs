@@ -54,8 +54,6 @@ pub(crate) fn is_programmed(words: &Words) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cycle {
     kind: Kind,
-    /// Where it starts.
-    pub(super) start: Position,
     /// D: the first distance of G70, or the distance that all others leave.
     pub(super) distance: f64,
     /// E of G70: the last distance.
@@ -103,8 +101,8 @@ pub(crate) fn called_label(words: &Words) -> Result<String, StepError> {
     Ok(label.to_string())
 }
 
-/// Checks what a cycle is refused for before its profile is read, and returns where it starts: at its axis words.
-pub(crate) fn start_of(words: &Words, state: &mut State) -> Result<Position, StepError> {
+/// Checks what a cycle is refused for before its first motion, and returns where it starts: at its axis words.
+pub(super) fn start_of(words: &Words, state: &mut State) -> Result<Position, StepError> {
     check(words, state)?;
     end_point(words, state)
 }
@@ -135,13 +133,11 @@ fn check(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// The numbers of a block. D, E, I and R are radial, also in diameter mode, and in the active length unit.
 ///
 /// Rule turning.roughing-increment. I is greater than zero.
-pub(super) fn find(words: &Words, state: &mut State) -> Result<Cycle, StepError> {
+pub(super) fn find(words: &Words) -> Result<Cycle, StepError> {
     let kind = kind_of(words).expect("motion: the block programs a lathe cycle");
-    let start = start_of(words, state)?;
     let value = |letter, default| word(words, letter).unwrap_or(default);
     let cycle = Cycle {
         kind,
-        start,
         distance: value('d', 0.0),
         last_distance: value('e', 0.0),
         passes: value('p', 1.0),

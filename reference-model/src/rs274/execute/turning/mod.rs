@@ -18,9 +18,9 @@ mod profile;
 mod roughing;
 mod tool;
 
-use gaugeblock_vocabulary::{Axis, Position};
+use gaugeblock_vocabulary::{Axis, FaultKind, Position};
 
-pub(crate) use cycle::{called_label, is_programmed, start_of};
+pub(crate) use cycle::{called_label, is_programmed};
 pub(crate) use profile::Reading;
 pub(crate) use tool::traverse;
 
@@ -28,10 +28,10 @@ use super::letter;
 use super::word;
 use crate::ids::rule;
 use crate::rs274::evaluate::Words;
-use crate::rs274::refusal::StepError;
+use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
 use crate::rs274::task::Record;
-use crate::rs274::turning::{Curve, Move, Piece, Point, Travel, pieces};
+use crate::rs274::turning::{Curve, Move, Piece, Point, Profile, Travel, pieces};
 
 /// Operations on lathe cycles that a dialect can replace.
 pub(crate) trait TurningRules {
@@ -73,6 +73,9 @@ pub(crate) trait TurningRules {
         false
     }
 
+    /// Rule parameters.position. A move of the profile has been read: the position remains where the tool is.
+    fn profile_reaches(&self, _end: Point, _state: &mut State) {}
+
     /// Rule turning.finishing-monotonic. Whether G70 follows a profile along Z: it leads one way in Z.
     fn finishes_along_z(&self, travel: Travel, _ends: [Point; 2], _state: &State) -> bool {
         travel.is_monotonic()
@@ -99,42 +102,59 @@ pub(crate) fn has_start(words: &Words) -> bool {
     Axis::ALL.iter().any(|axis| word(words, letter(*axis)).is_some())
 }
 
-/// Executes a lathe cycle whose profile has been read.
+/// Begins a lathe cycle; its profile is read next.
 ///
-/// Rule turning.first-traverse. It begins with a traverse to X and Z. What a profile of fewer than two moves leaves is
-/// open.
+/// Rule turning.first-traverse. It begins with a traverse to X and Z.
 ///
 /// # Errors
-/// What a profile is refused for. A profile that nothing has read.
-pub(crate) fn perform(
+/// What a cycle is refused for before its first motion, and what this motion is refused for.
+pub(crate) fn begin(
     words: &Words,
     state: &mut State,
     record: &mut Record,
 ) -> Result<(), StepError> {
-    let Some(moves) = state.profile.take() else {
-        let why = "a lathe cycle that is executed without its subroutine".to_owned();
-        return Err(StepError::Unspecified(why));
-    };
-    let cycle = cycle::find(words, state)?;
-    state.dialect().traverse_to_start(cycle.start, words, state, record)?;
-    let pieces = pieces(&moves)?;
+    let start = cycle::start_of(words, state)?;
+    state.dialect().traverse_to_start(start, words, state, record)?;
+    state.profile = Some(Profile { start, moves: Vec::new() });
+    Ok(())
+}
+
+/// Cuts a profile that has been read.
+///
+/// Rule arcs.radius-too-small. An arc whose radius does not reach its end is refused now. What a profile of fewer than
+/// two moves leaves is open.
+///
+/// # Errors
+/// What a profile is refused for.
+pub(crate) fn cut(
+    moves: &[Move],
+    words: &Words,
+    state: &mut State,
+    record: &mut Record,
+) -> Result<(), StepError> {
+    let cycle = cycle::find(words)?;
+    let pieces = pieces(moves)?;
     let cuts_nothing = pieces.len() < 2 || cycle.is_finishing() && cycle.passes < 1.0;
     if cuts_nothing {
         let why = "position and motion mode after a lathe cycle that cuts nothing".to_owned();
         return Err(StepError::Unspecified(why));
     }
-    accept_corners(&moves, state);
+    accept_corners(moves, state);
     if pieces[0].curve != Curve::Line {
         let why = "a profile whose first move is an arc".to_owned();
         return Err(StepError::Unspecified(why));
+    }
+    if pieces.iter().any(|piece| piece.curve == Curve::NoCircle) {
+        let message = "an arc of the profile whose radius does not reach its end";
+        return Err(refuse(rule::arcs::RADIUS_TOO_SMALL, FaultKind::BadArc, message));
     }
     for rule in [rule::turning::PROFILE_SUBROUTINE, rule::turning::PROFILE_MOVES] {
         state.coverage.accepted(rule);
     }
     if cycle.is_finishing() {
-        finishing::perform(&cycle, &moves, &pieces, state, record)
+        finishing::perform(&cycle, moves, &pieces, state, record)
     } else {
-        roughing::perform(&cycle, &moves, &pieces, state, record)
+        roughing::perform(&cycle, moves, &pieces, state, record)
     }
 }
 

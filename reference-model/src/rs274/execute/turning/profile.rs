@@ -11,7 +11,7 @@ use crate::rs274::modes::{ModalGroup, g_code, motion_mode};
 use crate::rs274::order::has_axis_words;
 use crate::rs274::refusal::{StepError, refuse};
 use crate::rs274::state::State;
-use crate::rs274::turning::{Corner, Curve, Move, Piece, Point};
+use crate::rs274::turning::{Corner, Curve, Move, Piece, Point, is_tied};
 
 /// A profile that is being read, block by block. The state has the motion mode in force in the subroutine, and the
 /// distance modes, the unit and the lathe mode that were in force before the cycle.
@@ -72,6 +72,7 @@ impl Reading {
         let corner = corner(words)?;
         let curve = curve(start, end, words, state)?;
         self.here = end;
+        state.dialect().profile_reaches(end, state);
         if start != end {
             self.moves.push(Move { piece: Piece { start, end, curve }, corner });
         }
@@ -137,7 +138,8 @@ fn corner(words: &Words) -> Result<Option<Corner>, StepError> {
     }
 }
 
-/// The form of a move, by the motion mode in force. The sign of R has no effect.
+/// The form of a move, by the motion mode in force. The sign of R has no effect. A radius that does not reach the end
+/// is refused when the arc is cut, not when it is read.
 fn curve(start: Point, end: Point, words: &Words, state: &mut State) -> Result<Curve, StepError> {
     if !is_arc(state.modes.motion) {
         return Ok(Curve::Line);
@@ -157,14 +159,27 @@ fn curve(start: Point, end: Point, words: &Words, state: &mut State) -> Result<C
         }
         (Some(_), _) if start == end => start,
         (Some(radius), _) => {
+            let half = start.distance(end) / 2.0;
+            if is_just_short(radius.abs(), half, state) {
+                let why = "an arc of a profile whose radius is just too small".to_owned();
+                return Err(StepError::Unspecified(why));
+            }
+            if radius.abs() < half {
+                return Ok(Curve::NoCircle);
+            }
             let (from, to) = ((start.w, start.u), (end.w, end.u));
-            let clockwise = sense < 0.0;
-            let (w, u) = arc::centre_through(from, to, radius.abs(), clockwise, state)?;
+            let (w, u) = arc::centre_through(from, to, radius.abs(), sense < 0.0, state)?;
             Point { w, u }
         }
         (None, (along_x, along_z)) => centre(start, along_x, along_z, state)?,
     };
     Ok(Curve::Arc { centre, sense })
+}
+
+/// Whether rounding, of numbers as they are written or as they are computed, decides if a radius reaches half of a
+/// chord.
+fn is_just_short(radius: f64, half: f64, state: &State) -> bool {
+    is_tied(radius, half) || radius < half && half - radius <= arc::rounding_tolerance(state)
 }
 
 /// I and K of an arc: the offsets of its centre along X and Z.
