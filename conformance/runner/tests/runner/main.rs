@@ -1,5 +1,6 @@
 //! The suite on the model and on production, and generated programs.
 
+mod compensated_contours;
 mod expectations;
 mod findings;
 mod fingerprint;
