@@ -258,8 +258,8 @@ quirks! {
     /// G98 and G99 are refused while cutter compensation is on, and so is a restore of another return mode
     /// under a compensation that was on at the save too.
     RETRACT_UNDER_COMPENSATION = "rs274.retract-under-compensation",
-    /// Once a sub or a numbered program was called, a return in the main program is not an error: it sets the
-    /// value parameters, and the next block follows.
+    /// Once a sub or a numbered program was called, and until a sub is defined, a return in the main program
+    /// is not an error: it sets the value parameters, and the next block follows.
     RETURN_AFTER_CALL = "rs274.return-after-call",
     /// When G10 L2 turns the coordinate system in force, or the program end that of G54, the point is turned
     /// without its local offset, and the program position is another one than where the machine is.
