@@ -1,6 +1,6 @@
 //! Fillets and chamfers at the corners of a profile.
 
-use gaugeblock_vocabulary::FaultKind;
+use gaugeblock_vocabulary::{FaultKind, Position};
 
 use super::piece::{Curve, Piece, is_tied};
 use super::point::Frame;
@@ -39,6 +39,14 @@ pub(crate) struct Move {
     pub(crate) piece: Piece,
     /// What is inserted at its end.
     pub(crate) corner: Option<Corner>,
+}
+
+/// The profile of a lathe cycle that is about to be cut.
+#[derive(Clone, Debug)]
+pub(crate) struct Profile {
+    /// Where the cycle starts, program coordinates.
+    pub(crate) start: Position,
+    pub(crate) moves: Vec<Move>,
 }
 
 /// The pieces of a profile, the lead first: with fillets and chamfers, and without pieces that are too short.

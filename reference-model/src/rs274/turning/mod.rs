@@ -11,15 +11,13 @@
 //! The facts are in docs/turning.md. The travel axis is w and the depth axis u. A profile is read with Z as w and X as
 //! u; a cycle then looks at it in its own [`Frame`]. Lengths are in the active length unit, X is a radius.
 
-use gaugeblock_vocabulary::Position;
-
 mod fillet;
 mod monotonic;
 mod offset;
 mod piece;
 mod point;
 
-pub(crate) use fillet::{Corner, Move, check_corners, pieces};
+pub(crate) use fillet::{Corner, Move, Profile, check_corners, pieces};
 pub(crate) use monotonic::Travel;
 pub(crate) use offset::{left_of, offset};
 pub(crate) use piece::{Curve, Piece, is_tied};
@@ -33,14 +31,6 @@ const SHORTEST: f64 = 0.001;
 
 /// How far apart along the travel axis two offset ends are at least, active length unit, where an arc joins them.
 const SHORTEST_JOIN: f64 = 0.01;
-
-/// The profile of a lathe cycle that is about to be cut.
-#[derive(Clone, Debug)]
-pub(crate) struct Profile {
-    /// Where the cycle starts, program coordinates.
-    pub(crate) start: Position,
-    pub(crate) moves: Vec<Move>,
-}
 
 /// A step that the documents leave open.
 fn open(what: &str) -> super::refusal::StepError {
