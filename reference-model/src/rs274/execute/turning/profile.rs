@@ -44,7 +44,13 @@ impl Reading {
     pub(crate) fn block(&mut self, words: &Words, state: &mut State) -> Result<(), StepError> {
         state.dialect().check_profile_block(words, state)?;
         let codes = || words.g_tenths.iter().filter_map(|code| g_code(*code));
-        let motion = codes().find(|code| code.group == Some(ModalGroup::Motion));
+        let mut motions = codes().filter(|code| code.group == Some(ModalGroup::Motion));
+        let motion = motions.next();
+        if motions.next().is_some() {
+            let message = "two motion codes in a block of a profile";
+            let rule = rule::modal_groups::MOTION_GROUP;
+            return Err(refuse(rule, FaultKind::ModalConflict, message));
+        }
         if let Some(mode) = motion.and_then(|code| motion_mode(code.number)) {
             state.modes.motion = mode;
         }
