@@ -3,7 +3,7 @@
 use crate::limits::{Limits, PLANNED_RATIO, least, squared};
 use crate::math;
 use crate::parameters::Axes;
-use crate::path_element::{AccelerationModel, Circle, PathElement};
+use crate::path_element::{AccelerationModel, Averaged, Circle, PathElement};
 
 /// The share of an acceleration limit that a blended arc may use across the path. The rest is kept for acceleration
 /// along the path. The second value is for corners, where the motion slows down.
@@ -86,6 +86,11 @@ impl Limits {
         element.model = AccelerationModel::Arc { acceleration, planned };
         element.start_limit_sq =
             squared(least(&self.velocity, &most, axes)).min(planned / circle.angle_rate);
+        if self.smoothing.averaged == Averaged::LoneArc {
+            let jerk = least(&self.jerk, &most, axes);
+            let fastest = lone_arc_speed(circle, acceleration, jerk);
+            element.start_limit_sq = element.start_limit_sq.min(squared(fastest));
+        }
     }
 
     fn assign_blended_arc_model(&self, element: &mut PathElement, circle: &Circle) {
@@ -127,6 +132,20 @@ impl Limits {
         element.model =
             AccelerationModel::BlendedArc { at_rest: planned * most, loss: planned * less };
     }
+}
+
+/// The highest speed on an arc whose parameter is averaged, within a limit of jerk.
+///
+/// With a speed v, an acceleration u and a jerk w of the parameter, the jerk is w + κ²·v³ along the arc and 3·κ·u·v
+/// across it. The window is so long that w takes half of the limit. With three tenths of it for κ²·v³ and four for
+/// 3·κ·u·v, these two take the other half. Where the radius grows by g, κ + 3·g takes the place of κ in the third
+/// derivative, and the amplitudes have κ + √5·g.
+fn lone_arc_speed(circle: &Circle, acceleration: f64, jerk: f64) -> f64 {
+    const GROWING_RATIO: f64 = 1.35;
+    let grows = circle.growth.abs() > 1e-6 * circle.angle_rate;
+    let jerk = if grows { jerk / GROWING_RATIO } else { jerk };
+    let rate = circle.angle_rate;
+    math::min(math::cube_root(0.3 * jerk / squared(rate)), 0.4 * jerk / (3.0 * rate * acceleration))
 }
 
 /// The greatest |p'| of each axis on an arc.

@@ -4,7 +4,7 @@ use crate::blend_motion::signed;
 use crate::limits::{Limits, squared};
 use crate::math;
 use crate::motion::{AXIS_SHARE_MIN, CYCLE_WORK_MAX, MotionState};
-use crate::path_element::PathElement;
+use crate::path_element::{Averaged, PathElement};
 
 /// The cost of finding the strongest braking on an arc, in units of [`MotionState::work`].
 const ARC_BRAKING_WORK: u32 = 4;
@@ -25,6 +25,8 @@ impl MotionState {
         let passes = remaining < way && remaining < 0.5 * self.speed * limits.cycle;
         if passes
             || element.has_tangent_break
+            // The averaged parameter is where the axes have other shares.
+            || element.smoothing.averaged == Averaged::LoneArc
             || self.found_braking
             || self.work > CYCLE_WORK_MAX
             || self.speed <= 0.0

@@ -83,6 +83,9 @@ impl Corner {
         if break_angle < SMOOTH_BREAK_MAX_RAD {
             return Self::Smooth;
         }
+        if limits.rests_at_corners {
+            return Self::Stop;
+        }
         let (tolerance, half) = match (blend, after.path_control) {
             (PathControl::ExactStop, _) => return Self::Stop,
             (PathControl::ExactPath, _) if break_angle > EXACT_PATH_BREAK_MAX_RAD => {
@@ -268,6 +271,7 @@ pub(crate) fn write_parabola(
     (blend.tangent, blend.curvature, blend.end) = (before.end_tangent, bend, end);
     (blend.length, blend.end_speed_ratio) = (2.0 * d, exit);
     blend.axis_count = before.whole.axis_count.max(after.whole.axis_count);
+    blend.smoothing = after.whole.smoothing;
     blend.segment_start = Some(d);
     (blend.feed, blend.feed_basis) = (after.whole.feed, after.whole.feed_basis);
     (blend.number, blend.index) = (after.whole.number, after.whole.index);

@@ -5,8 +5,6 @@ use core::fmt;
 /// Why a planner was not made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// This version cannot do it yet; the text says what.
-    Unimplemented(&'static str),
     /// A value of the machine cannot be used; the text says which and why.
     Configuration(&'static str),
 }
@@ -14,7 +12,6 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unimplemented(what) => write!(f, "not implemented: {what}"),
             Self::Configuration(what) => f.write_str(what),
         }
     }

@@ -13,14 +13,14 @@
 //!   retrace           the same for running in reverse
 //!   servo_cycle       a cycle of motion along the elements    motion, fast_path, acceleration_window, blend_motion,
 //!                                                             arc_braking
+//!   smoothing         with limits of jerk: a moving average of the positions       stretch, lone_line
 //! OutputParameter
 //! ```
 //!
 //! Each stage sees the one before it as [`path_element::PathElement`] alone. Another velocity profile needs another
 //! `entry_speed` and another `servo_cycle`. `docs/planner.md` in the repository explains the theory.
 //!
-//! The planner limits velocity and acceleration of each axis. For limits of jerk [`Planner::new`] returns
-//! [`Error::Unimplemented`].
+//! The planner limits velocity, acceleration and, where [`Dynamics::jerk`] is set, jerk of each axis.
 //!
 //! **Invariants.**
 //! * No limit of an axis is broken, whatever the feed of segments, overrides, holds or aborts.
@@ -55,11 +55,13 @@ mod blend_motion;
 mod chord;
 mod chord_row;
 mod corner;
+mod crowded_speed;
 mod entry_speed;
 mod error;
 mod fast_path;
 mod feed_path;
 mod limits;
+mod lone_line;
 mod look_ahead;
 mod math;
 mod motion;
@@ -67,6 +69,7 @@ mod nominal_segment;
 mod parameters;
 mod path_builder;
 mod path_element;
+mod path_smoothing;
 mod planner;
 mod retrace;
 mod ring;
@@ -75,6 +78,9 @@ mod row_end;
 mod segment;
 mod segment_merge;
 mod servo_cycle;
+mod sign_changes;
+mod smoothing;
+mod stretch;
 mod tangent_break;
 mod vector;
 

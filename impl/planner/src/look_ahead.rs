@@ -5,7 +5,7 @@
 //! ([`LookAhead::advance`]).
 
 use crate::entry_speed::{OverrideScale, max_entry_speed_sq, speed_sq_limits};
-use crate::limits::{Limits, squared};
+use crate::limits::{LimitTable, squared};
 use crate::math;
 use crate::motion::MotionState;
 use crate::path_element::{AccelerationModel, PathElement};
@@ -98,7 +98,7 @@ impl LookAhead {
         &mut self,
         elements: &mut Ring<PathElement>,
         (changed, at): (u64, u64),
-        limits: &Limits,
+        limits: &LimitTable,
     ) -> u64 {
         let mut place = elements.end();
         let mut first = changed;
@@ -166,7 +166,7 @@ impl LookAhead {
         (place, passed): (u64, bool),
         element: &PathElement,
         next: &mut f64,
-        limits: &Limits,
+        limits: &LimitTable,
     ) -> f64 {
         let scale = if passed {
             UNLIMITED_SCALE
@@ -200,7 +200,7 @@ impl LookAhead {
         &mut self,
         elements: &mut Ring<PathElement>,
         at: u64,
-        limits: &Limits,
+        limits: &LimitTable,
         (work, eager): (u32, bool),
     ) {
         let mut left = work.saturating_add(core::mem::take(&mut self.spare_work));
@@ -230,7 +230,7 @@ impl LookAhead {
         pass: &mut BackwardPass,
         elements: &mut Ring<PathElement>,
         at: u64,
-        limits: &Limits,
+        limits: &LimitTable,
         left: &mut u32,
     ) -> bool {
         let last = at.max(elements.first());
@@ -387,12 +387,17 @@ impl LookAhead {
 
 /// The squared entry speed of an element, given that of the next one.
 #[inline]
-fn entry_speed_sq(element: &PathElement, next: f64, scale: OverrideScale, limits: &Limits) -> f64 {
+fn entry_speed_sq(
+    element: &PathElement,
+    next: f64,
+    scale: OverrideScale,
+    limits: &LimitTable,
+) -> f64 {
     max_entry_speed_sq(
         element,
         next / squared(element.end_speed_ratio),
         speed_sq_limits(element, scale),
-        limits,
+        limits.of(element),
     )
 }
 
@@ -404,7 +409,7 @@ pub(crate) fn axes_allow(
     elements: &Ring<PathElement>,
     motion: &MotionState,
     changed: u64,
-    limits: &Limits,
+    limits: &LimitTable,
 ) -> bool {
     let Some(element) = elements.get(motion.at) else { return true };
     // The motion slows down, unless a blend prevents it. So elements that allow much more need not be checked.
@@ -420,5 +425,5 @@ pub(crate) fn axes_allow(
             return true;
         }
     }
-    motion.can_reach_end_at(element, next / squared(element.end_speed_ratio), limits)
+    motion.can_reach_end_at(element, next / squared(element.end_speed_ratio), limits.of(element))
 }

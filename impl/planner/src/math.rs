@@ -10,6 +10,10 @@ pub(crate) fn sqrt(value: f64) -> f64 {
 pub(crate) fn hypotenuse(x: f64, y: f64) -> f64 {
     libm::sqrt(x * x + y * y)
 }
+/// The cube root.
+pub(crate) fn cube_root(value: f64) -> f64 {
+    libm::cbrt(value)
+}
 /// The angle of a right triangle between `adjacent` and the hypotenuse, radians.
 pub(crate) fn arc_tangent(opposite: f64, adjacent: f64) -> f64 {
     libm::atan2(opposite, adjacent)

@@ -7,7 +7,8 @@
 use crate::entry_speed::speed_sq_before;
 use crate::limits::squared;
 use crate::math;
-use crate::path_element::{FeedBasis, PathElement};
+use crate::path_element::{AccelerationModel, FeedBasis, PathElement, Smoothing};
+use crate::sign_changes::SignChanges;
 
 /// An axis with a smaller share of the direction is ignored.
 pub(crate) const AXIS_SHARE_MIN: f64 = 1e-9;
@@ -66,6 +67,23 @@ pub(crate) struct MotionState {
     pub(crate) found_braking: bool,
     /// Seconds by which the stop at the end of the last cycle was early.
     pub(crate) time_owed: f64,
+    /// Whether the smoothed motion rests, too, and how the motion from there is smoothed.
+    pub(crate) is_settled: bool,
+    /// Whether it does so since the last cycle.
+    pub(crate) has_just_settled: bool,
+    /// The speed with which this cycle began, and whether it is above 0 and the motion has not come to rest.
+    pub(crate) speed_before: f64,
+    pub(crate) has_moved: bool,
+    /// What was left of the cycle in which the motion came to rest. It goes on in the same part of a cycle, so that its
+    /// accelerations are a whole window apart.
+    pub(crate) rest_time_left: f64,
+    pub(crate) smoothing: Smoothing,
+    /// Whether each part of this cycle is looked at in full.
+    pub(crate) avoids_fast_path: bool,
+    /// Whether it is on a line between two rests on which its acceleration changes its sign only after a while, and
+    /// since when it has had each sign.
+    pub(crate) is_on_lone_line: bool,
+    pub(crate) sign_changes: SignChanges,
 }
 
 /// The end of an element in the direction of motion.
@@ -83,6 +101,25 @@ impl MotionState {
     /// The rest of the element in the direction of motion.
     pub(crate) fn remaining(&self, element: &PathElement) -> f64 {
         if self.is_reversed { self.x } else { element.length - self.x }
+    }
+
+    /// Whether the smoothed motion rests and is set for an element, so that the motion may enter it in the time that is
+    /// left.
+    #[inline(never)]
+    pub(crate) fn may_enter(&mut self, element: &PathElement, time_left: &mut f64) -> bool {
+        let is_dwell = matches!(element.model, AccelerationModel::Dwell(_));
+        if self.is_settled && (is_dwell || element.smoothing == self.smoothing) {
+            if self.has_just_settled {
+                *time_left = math::min(*time_left, self.rest_time_left);
+                self.has_just_settled = false;
+            }
+            return *time_left > 0.0;
+        }
+        self.speed = 0.0;
+        if core::mem::take(&mut self.has_moved) {
+            self.rest_time_left = *time_left;
+        }
+        false
     }
 
     /// Moves to the next element.

@@ -58,6 +58,7 @@ pub(crate) fn resolve(
 ) -> Result<ResolvedSegment, NotQueued> {
     let whole = &mut merged.whole;
     whole.begin_at(start);
+    whole.smoothing = limits.smoothing;
     match segment.path {
         Path::Dwell { seconds } if seconds >= 0.0 && seconds.is_finite() => {
             return Ok(ResolvedSegment::Dwell(seconds));

@@ -10,7 +10,8 @@ pub struct Dynamics {
     pub velocity: Axes,
     /// Highest acceleration per axis, millimetres or degrees per second squared.
     pub acceleration: Axes,
-    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles without a limit of jerk.
+    /// Highest jerk per axis, millimetres or degrees per second cubed; `None` for profiles without a limit of jerk, and
+    /// infinite for an axis without one.
     pub jerk: Option<Axes>,
     /// Servo cycle, seconds.
     pub cycle: f64,
@@ -88,9 +89,9 @@ pub enum Phase {
 pub struct OutputParameter {
     /// Machine position.
     pub position: Axes,
-    /// Velocity, per second.
+    /// Velocity, per second. With limits of jerk: in the mean of this cycle.
     pub velocity: Axes,
-    /// Acceleration, per second squared.
+    /// Acceleration, per second squared. With limits of jerk: the change of that velocity.
     pub acceleration: Axes,
     /// What the planner is doing.
     pub phase: Phase,

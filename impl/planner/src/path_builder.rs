@@ -8,9 +8,9 @@
 use crate::corner::{
     Corner, CornerForm, blended_end, blended_start, split_place, tangent_change, write_parabola,
 };
-use crate::limits::{Limits, squared};
+use crate::crowded_speed::limit_crowded_speed;
+use crate::limits::{LimitTable, Limits};
 use crate::look_ahead::{LookAhead, axes_allow};
-use crate::math;
 use crate::motion::MotionState;
 use crate::nominal_segment::NominalSegment;
 use crate::parameters::Axes;
@@ -19,8 +19,6 @@ use crate::ring::Ring;
 use crate::round_corner::RoundCorner;
 use crate::segment::PathControl;
 
-/// Where elements are short, the speed is limited so that at most this many end within a cycle.
-const ELEMENTS_PER_CROWDED_CYCLE: u64 = 3;
 /// A shorter rest of a segment between its corners is omitted, millimetres.
 const ELEMENT_LENGTH_MIN_MM: f64 = 1e-12;
 /// The share of a segment with a smooth start, or one from rest, that the corner at its end may use.
@@ -38,6 +36,8 @@ struct OpenSegment {
     corner_form: CornerForm,
     /// The same corner if it may be round.
     round: RoundCorner,
+    /// Whether smoothed motion rests at its start.
+    starts_at_rest: bool,
 }
 
 /// The end of the path.
@@ -50,6 +50,8 @@ pub(crate) struct PathBuilder {
     oldest: u8,
     /// How many of them are open.
     open_count: u8,
+    /// Whether smoothed motion rests before the next segment.
+    next_starts_at_rest: bool,
 }
 
 /// What a change of the path needs.
@@ -58,7 +60,9 @@ pub(crate) struct PathEdit<'a> {
     pub(crate) elements: &'a mut Ring<PathElement>,
     pub(crate) look_ahead: &'a mut LookAhead,
     pub(crate) motion: &'a MotionState,
+    /// Those of the end of the path, and all.
     pub(crate) limits: &'a Limits,
+    pub(crate) table: &'a LimitTable,
     /// The first element that was changed or lowered.
     pub(crate) first_changed: u64,
     /// Whether the motion is faster than planned, since an override was lowered. Then the plan cannot decide what the
@@ -68,7 +72,13 @@ pub(crate) struct PathEdit<'a> {
 
 impl PathBuilder {
     pub(crate) fn new(end: Axes) -> Self {
-        Self { end, open_segments: [OpenSegment::default(); 3], oldest: 0, open_count: 0 }
+        Self {
+            end,
+            open_segments: [OpenSegment::default(); 3],
+            oldest: 0,
+            open_count: 0,
+            next_starts_at_rest: false,
+        }
     }
 
     /// Ends the path at rest here.
@@ -80,6 +90,12 @@ impl PathBuilder {
     pub(crate) fn stop_at_end(&mut self) {
         let (_, last, _) = in_order(&mut self.open_segments, self.oldest);
         last.segment.path_control = PathControl::ExactStop;
+    }
+
+    /// Ends the path here, so that smoothed motion rests before what comes next.
+    pub(crate) fn rest_at_end(&mut self) {
+        self.stop_at_end();
+        self.next_starts_at_rest = true;
     }
 
     /// Whether one of the last segments follows the spindle; its elements may have been made again.
@@ -97,6 +113,7 @@ impl PathBuilder {
         };
         rest.model = AccelerationModel::Dwell(seconds);
         rest.axis_count = self.end.len();
+        rest.starts_at_rest = edit.limits.smoothing.window > 0;
         edit.elements.push(&rest);
         self.close();
     }
@@ -146,6 +163,11 @@ impl PathBuilder {
             next.corner = Corner::Stop;
             next.corner_form = CornerForm::default();
             next.segment.start_trim = 0.0;
+            next.starts_at_rest = edit.limits.smoothing.window > 0
+                && (self.open_count == 0
+                    || self.next_starts_at_rest
+                    || edit.limits.rests_at_corners);
+            self.next_starts_at_rest = false;
             next.first_element = edit.elements.end();
             push_own_element(next, 0.0, edit);
             update_look_ahead(edit);
@@ -276,7 +298,7 @@ fn make_corner(last: &mut OpenSegment, next: &mut OpenSegment, edit: &mut PathEd
 /// Recomputes what another form of the path has lowered.
 fn update_look_ahead(edit: &mut PathEdit<'_>) -> u64 {
     let places = (edit.first_changed, edit.motion.at);
-    edit.first_changed = edit.look_ahead.recompute(edit.elements, places, edit.limits);
+    edit.first_changed = edit.look_ahead.recompute(edit.elements, places, edit.table);
     edit.first_changed
 }
 
@@ -285,9 +307,9 @@ fn is_accepted(edit: &mut PathEdit<'_>) -> bool {
     let changed = edit.first_changed;
     let first = update_look_ahead(edit);
     if edit.motion_exceeds_plan {
-        return axes_allow(edit.elements, edit.motion, changed, edit.limits);
+        return axes_allow(edit.elements, edit.motion, changed, edit.table);
     }
-    first > edit.motion.at.saturating_add(1) || edit.motion.can_follow(edit.elements, edit.limits)
+    first > edit.motion.at.saturating_add(1) || edit.motion.can_follow(edit.elements, edit.table)
 }
 
 /// Whether a segment can end this much earlier: the motion must not be past that point.
@@ -382,11 +404,19 @@ fn push_own_element(open: &mut OpenSegment, given: f64, edit: &mut PathEdit<'_>)
         element.cut(from, to);
     }
     match open.corner {
-        Corner::Stop => (element.junction_limit_sq, element.segment_start) = (0.0, Some(0.0)),
+        Corner::Stop => {
+            (element.junction_limit_sq, element.segment_start) = (0.0, Some(0.0));
+            element.starts_at_rest = open.starts_at_rest;
+        }
         Corner::Smooth => element.segment_start = Some(0.0),
         Corner::TangentBreak(_) | Corner::Blend { .. } => {}
     }
-    limit_crowded_speed(edit.elements.end(), edit);
+    limit_crowded_speed(
+        edit.elements.end(),
+        edit.motion.at,
+        edit.limits,
+        (edit.elements, &mut edit.first_changed),
+    );
 }
 
 fn push_corner(before: &NominalSegment, after: &mut OpenSegment, edit: &mut PathEdit<'_>) {
@@ -453,37 +483,10 @@ fn finish_element(place: u64, edit: &mut PathEdit<'_>) {
     {
         BlendLimits::compute(element, edit.limits);
     }
-    limit_crowded_speed(place.wrapping_add(1), edit);
-}
-
-/// Limits the speed of the last elements where too many would fit into a cycle.
-fn limit_crowded_speed(end: u64, edit: &mut PathEdit<'_>) {
-    let Some(last) = edit.elements.get(end.wrapping_sub(1)) else { return };
-    // An element that takes a whole cycle does not crowd one.
-    if last.length >= last.speed_limit * edit.limits.cycle {
-        return;
-    }
-    let first = end.saturating_sub(ELEMENTS_PER_CROWDED_CYCLE);
-    let (mut length, mut most) = (last.length, last.speed_limit);
-    for place in first..end.wrapping_sub(1) {
-        // With fewer elements before it there is no crowd.
-        let Some(element) = edit.elements.get(place) else { return };
-        length += element.length;
-        most = math::max(most, element.speed_limit);
-    }
-    if length >= most * edit.limits.cycle {
-        return;
-    }
-    let fastest = length / edit.limits.cycle;
-    let ceiling = squared(fastest);
-    for place in first.max(edit.motion.at.saturating_add(1))..end {
-        if let Some(element) = edit.elements.get_mut(place)
-            && element.speed_limit > fastest
-        {
-            element.start_limit_sq = math::min(element.start_limit_sq, ceiling);
-            element.end_limit_sq = math::min(element.end_limit_sq, ceiling);
-            element.speed_limit = fastest;
-            edit.first_changed = edit.first_changed.min(place);
-        }
-    }
+    limit_crowded_speed(
+        place.wrapping_add(1),
+        edit.motion.at,
+        edit.limits,
+        (edit.elements, &mut edit.first_changed),
+    );
 }

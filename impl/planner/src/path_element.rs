@@ -144,6 +144,28 @@ impl<const N: usize> Default for BlendLimits<N> {
     }
 }
 
+/// What a moving average is taken of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Averaged {
+    /// Positions.
+    #[default]
+    Position,
+    /// The parameter of a line between two rests, whose acceleration does not change its sign within the window.
+    LoneLine,
+    /// The parameter of an arc between two rests.
+    LoneArc,
+}
+
+/// How the motion on an element is smoothed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Smoothing {
+    /// How many cycles the moving average covers; 0 without limits of jerk.
+    pub(crate) window: u16,
+    /// The number of its limits in [`crate::limits::LimitTable`].
+    pub(crate) limits: u16,
+    pub(crate) averaged: Averaged,
+}
+
 /// A part of the path with one acceleration model.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PathElement {
@@ -186,6 +208,9 @@ pub(crate) struct PathElement {
     pub(crate) has_tangent_break: bool,
     /// Whether the motion ends where the probe changes.
     pub(crate) probing: bool,
+    pub(crate) smoothing: Smoothing,
+    /// Whether the smoothed motion rests at its start, too.
+    pub(crate) starts_at_rest: bool,
     /// The segment that begins in it or was under way: the caller's number and the planner's.
     pub(crate) number: u64,
     pub(crate) index: u64,
@@ -201,6 +226,7 @@ impl PathElement {
         (self.entry_speed_sq, self.assumed_next_entry_sq, self.reverse_entry_speed_sq) =
             (0.0, 0.0, 0.0);
         (self.segment_start, self.is_partly_rapid, self.has_tangent_break) = (None, false, false);
+        self.starts_at_rest = false;
     }
 
     /// p, p' and p'' at x, of N leading axes.

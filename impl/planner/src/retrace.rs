@@ -7,7 +7,7 @@
 use crate::entry_speed::{
     OVERRIDE_MIN, OverrideScale, max_reverse_entry_speed_sq, speed_sq_limits,
 };
-use crate::limits::{Limits, squared};
+use crate::limits::{LimitTable, squared};
 use crate::math;
 use crate::path_element::PathElement;
 use crate::ring::Ring;
@@ -68,7 +68,7 @@ impl Retrace {
         elements: &mut Ring<PathElement>,
         (at, backwards): (u64, bool),
         scale: OverrideScale,
-        limits: &Limits,
+        limits: &LimitTable,
     ) {
         let Some(planned) = &mut self.planned else { return };
         if planned.next <= at {
@@ -98,7 +98,7 @@ impl ReversePass {
         elements: &mut Ring<PathElement>,
         at: u64,
         scale: OverrideScale,
-        limits: &Limits,
+        limits: &LimitTable,
     ) {
         let place = self.next;
         self.next = place.saturating_add(1);
@@ -119,7 +119,7 @@ impl ReversePass {
             element,
             exit,
             speed_sq_limits(element, scale.max(slowest)),
-            limits,
+            limits.of(element),
         );
         // The motion may be there already, and relies on what is known.
         if self.known.is_some_and(|known| known <= place) && back <= element.reverse_entry_speed_sq

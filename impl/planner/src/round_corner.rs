@@ -121,6 +121,7 @@ impl RoundCorner {
         }
         arc.circle = Some(circle);
         arc.length = self.angle * radius;
+        arc.smoothing = after.whole.smoothing;
         arc.segment_start = Some(0.5 * arc.length);
         arc.feed = before.whole.feed.min(after.whole.feed);
         arc.feed_basis = after.whole.feed_basis;

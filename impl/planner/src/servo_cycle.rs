@@ -2,7 +2,7 @@
 
 use crate::acceleration_window::AccelerationWindow;
 use crate::entry_speed::{exit_speed_sq, speed_sq_before};
-use crate::limits::{Limits, squared};
+use crate::limits::{LimitTable, Limits, squared};
 use crate::math;
 use crate::motion::{
     BLEND_WORK, CycleRequest, ELEMENTS_PER_CYCLE_MAX, ElementEnd, MotionState, target_speed,
@@ -21,8 +21,9 @@ impl MotionState {
     ) {
         self.acceleration = 0.0;
         (self.work, self.found_braking) = (0, false);
-        let easy =
-            request.is_planned && request.rapid >= 1.0 && !request.must_stop && !self.is_reversed;
+        let easy = request.is_planned
+            && request.rapid >= 1.0
+            && !(request.must_stop || self.is_reversed || self.avoids_fast_path);
         let mut time_left = limits.cycle - core::mem::take(&mut self.time_owed);
         if easy {
             time_left = self.advance_fast(elements, limits, request, time_left);
@@ -116,6 +117,9 @@ impl MotionState {
         if self.is_reversed {
             let before = self.at.checked_sub(1).filter(|before| *before >= self.reverse_end)?;
             let earlier = elements.get(before)?;
+            if element.starts_at_rest && !self.may_enter(earlier, time_left) {
+                return None;
+            }
             self.at = before;
             self.speed /= earlier.end_speed_ratio;
             self.x = earlier.length;
@@ -137,6 +141,9 @@ impl MotionState {
             self.speed = 0.0;
             return None;
         };
+        if later.starts_at_rest && !self.may_enter(later, time_left) {
+            return None;
+        }
         self.enter(element);
         Some(later)
     }
@@ -172,6 +179,9 @@ impl MotionState {
         (limits, request): (&Limits, &CycleRequest),
         time_left: f64,
     ) -> f64 {
+        if self.is_on_lone_line {
+            return self.advance_on_lone_line(element, end, (limits.cycle, request), time_left);
+        }
         let mut low = self.strongest_model_braking(element, limits.cycle);
         let mut target = f64::NEG_INFINITY;
         if !request.must_stop {
@@ -197,9 +207,10 @@ impl MotionState {
     }
 
     /// Whether the motion can follow an element that was changed at its end.
-    pub(crate) fn can_follow(&self, elements: &Ring<PathElement>, limits: &Limits) -> bool {
+    pub(crate) fn can_follow(&self, elements: &Ring<PathElement>, limits: &LimitTable) -> bool {
         let Some(element) = elements.get(self.at) else { return true };
-        self.can_reach_end_at(element, exit_speed_sq(elements, element, self.at), limits)
+        let exit = exit_speed_sq(elements, element, self.at);
+        self.can_reach_end_at(element, exit, limits.of(element))
     }
 
     /// Whether the motion can reach the end of its element at a squared speed or less.

@@ -195,7 +195,11 @@ impl<'a> Simulation<'a> {
         let mut dynamics = Dynamics {
             velocity: [1.0; 9],
             acceleration: [1.0; 9],
-            jerk: None,
+            jerk: limits
+                .axes
+                .values()
+                .any(|limit| limit.jerk.is_some())
+                .then_some([f64::INFINITY; 9]),
             cycle: limits.period,
             queue: QUEUE,
         };
@@ -204,6 +208,9 @@ impl<'a> Simulation<'a> {
             dynamics.velocity[axis.place()] = limit.velocity.ok_or_else(|| missing("velocity"))?;
             dynamics.acceleration[axis.place()] =
                 limit.acceleration.ok_or_else(|| missing("acceleration"))?;
+            if let (Some(jerk), Some(limit)) = (&mut dynamics.jerk, limit.jerk) {
+                jerk[axis.place()] = limit;
+            }
         }
         let start = circumstances.start.to_array();
         let planner =

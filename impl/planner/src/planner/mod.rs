@@ -1,18 +1,20 @@
 //! The planner: its state, and what a servo cycle does.
 
 mod queueing;
+mod smoothed;
 
 use crate::chord::ChordCorners;
 use crate::chord_row::ChordRow;
 use crate::entry_speed::OverrideScale;
 use crate::error::{Error, NotQueued};
-use crate::limits::{Limits, squared};
+use crate::limits::{LimitTable, Limits, squared};
 use crate::look_ahead::LookAhead;
 use crate::math;
 use crate::motion::{CycleRequest, MotionState};
 use crate::parameters::{Axes, Dynamics, Hold, InputParameter, OutputParameter, Phase, lead};
 use crate::path_builder::PathBuilder;
 use crate::path_element::{AccelerationModel, FeedBasis, PathElement};
+use crate::path_smoothing::PathSmoothing;
 use crate::retrace::Retrace;
 use crate::ring::Ring;
 use crate::row_end::{NEAR_END_ELEMENTS, REVERSE_ELEMENTS_MIN, RowEnd};
@@ -56,7 +58,10 @@ const SPINDLE_SPEED_TOLERANCE_RATIO: f64 = 0.02;
 #[derive(Debug)]
 pub struct Planner {
     dynamics: Dynamics,
+    table: LimitTable,
+    /// Those of the end of the path.
     limits: Limits,
+    smoothing: Option<PathSmoothing>,
     elements: Ring<PathElement>,
     row: ChordRow,
     corners: ChordCorners,
@@ -90,14 +95,14 @@ impl Planner {
     /// A planner at rest at a position. It allocates all its memory here.
     ///
     /// # Errors
-    /// [`Error::Unimplemented`] for limits of jerk, [`Error::Configuration`] for limits that are not above 0.
+    /// [`Error::Configuration`] for limits that are not above 0. A limit of jerk may be infinite.
     pub fn new(dynamics: Dynamics, position: Axes) -> Result<Self, Error> {
-        if dynamics.jerk.is_some() {
-            return Err(Error::Unimplemented("limits of jerk in the planner"));
-        }
         let mut limits = dynamics.velocity.iter().chain(&dynamics.acceleration);
         if !limits.all(|limit| *limit > 0.0 && limit.is_finite()) {
             return Err(Error::Configuration("a limit of an axis is not a finite number above 0"));
+        }
+        if !dynamics.jerk.iter().flatten().all(|limit| *limit > 0.0) {
+            return Err(Error::Configuration("a limit of jerk is not a number above 0"));
         }
         if !(dynamics.cycle > 0.0 && dynamics.cycle.is_finite()) {
             return Err(Error::Configuration("the servo cycle is not a finite time above 0"));
@@ -107,9 +112,15 @@ impl Planner {
         }
         let queue = usize::try_from(dynamics.queue.max(4)).unwrap_or(usize::MAX);
         let remembered = usize::try_from(REVERSE_ELEMENTS_MIN).unwrap_or(0).saturating_mul(2);
+        let table = LimitTable::new(&dynamics);
+        let smoothing = PathSmoothing::new(&table, position);
+        // Without smoothing these are the limits of the machine.
+        let limits = *table.smoothed_over(1);
         Ok(Self {
             dynamics,
-            limits: Limits::new(&dynamics),
+            table,
+            limits,
+            smoothing,
             elements: Ring::new(queue.saturating_mul(3).saturating_add(remembered)),
             row: ChordRow::new(),
             corners: ChordCorners::default(),
@@ -156,7 +167,7 @@ impl Planner {
     pub fn next_switched_output(&mut self) -> Option<OutputSwitch> {
         let first = self.switches.first();
         let (segment, switch) = *self.switches.get(first)?;
-        if segment > self.motion.begun && !(first < self.switches_due_at_end && self.is_at_end()) {
+        if segment > self.begun() && !(first < self.switches_due_at_end && self.is_at_end()) {
             return None;
         }
         self.switches.drop_first();
@@ -165,15 +176,13 @@ impl Planner {
 
     /// Moves by one servo cycle.
     pub fn update(&mut self, input: &InputParameter, output: &mut OutputParameter) -> Phase {
+        if self.smoothing.is_some() {
+            return self.update_smoothed(input, output);
+        }
         let request = self.cycle_request(input);
         self.motion.advance_cycle(&self.elements, &self.limits, &request);
-        let is_short = !self.has_no_row()
-            && self.elements.end().saturating_sub(self.motion.at) <= NEAR_END_ELEMENTS;
-        if !(is_short && self.end_row_in_cycles()) {
-            self.advance_look_ahead(&request, input);
-        }
-        output.probe_tripped = self.probe_tripped(input.probe);
-        self.aborting |= output.probe_tripped;
+        self.advance_path(&request, input);
+        self.follow_probe(input, output);
         self.write_output(output);
         output.phase = self.phase(&request);
         if output.phase == Phase::Idle {
@@ -184,6 +193,22 @@ impl Planner {
             self.clear_queue(&output.position);
         }
         output.phase
+    }
+
+    /// Advances the end of the path, or look-ahead.
+    #[inline]
+    fn advance_path(&mut self, request: &CycleRequest, input: &InputParameter) {
+        let is_short = !self.has_no_row()
+            && self.elements.end().saturating_sub(self.motion.at) <= NEAR_END_ELEMENTS;
+        if !(is_short && self.end_row_in_cycles()) {
+            self.advance_look_ahead(request, input);
+        }
+    }
+
+    #[inline]
+    fn follow_probe(&mut self, input: &InputParameter, output: &mut OutputParameter) {
+        output.probe_tripped = self.probe_tripped(input.probe);
+        self.aborting |= output.probe_tripped;
     }
 
     /// The limits of the machine.
@@ -286,7 +311,7 @@ impl Planner {
             self.look_ahead.rescale(scale, &self.elements, at);
             self.motion_exceeds_plan = true;
         } else if self.look_ahead.is_urgent(at) {
-            self.look_ahead.advance(&mut self.elements, at, &self.limits, (work, true));
+            self.look_ahead.advance(&mut self.elements, at, &self.table, (work, true));
         } else {
             self.look_ahead.note_quiet();
         }
@@ -295,7 +320,7 @@ impl Planner {
         }
         for _ in 0..back {
             let motion = (at, self.motion.is_reversed);
-            self.retrace.advance(&mut self.elements, motion, self.look_ahead.scale, &self.limits);
+            self.retrace.advance(&mut self.elements, motion, self.look_ahead.scale, &self.table);
         }
     }
 
@@ -382,7 +407,9 @@ impl Planner {
     /// Whether the motion is at rest at the end of all that is queued.
     fn is_at_end(&self) -> bool {
         let motion = &self.motion;
-        let Some(element) = self.elements.get(motion.at) else { return self.has_no_row() };
+        let Some(element) = self.elements.get(motion.at) else {
+            return self.has_no_row() && self.is_settled();
+        };
         let over = match element.model {
             AccelerationModel::Dwell(seconds) => motion.dwell_elapsed >= seconds,
             AccelerationModel::Constant { .. }
@@ -391,7 +418,12 @@ impl Planner {
             | AccelerationModel::BlendedArc { .. } => motion.remaining(element) <= 0.0,
         };
         let last = motion.at.saturating_add(1) == self.elements.end();
-        motion.speed <= 0.0 && over && last && !motion.is_reversed && self.has_no_row()
+        motion.speed <= 0.0
+            && over
+            && last
+            && !motion.is_reversed
+            && self.has_no_row()
+            && self.is_settled()
     }
 
     /// Whether no chords wait.

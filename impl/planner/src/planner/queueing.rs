@@ -43,6 +43,13 @@ impl Planner {
         {
             return Err(NotQueued::Full);
         }
+        let in_stretch;
+        let segment = if self.smoothing.is_some() {
+            in_stretch = self.in_stretch(segment);
+            &in_stretch
+        } else {
+            segment
+        };
         let length = chord_length(segment, self.row.end(&self.builder.end), &self.limits);
         let continues = !self.row.is_empty() && length.is_some() && self.row.continues(segment);
         if continues && length.is_some_and(is_no_motion) {
@@ -92,7 +99,7 @@ impl Planner {
         self.look_ahead.advance(
             &mut self.elements,
             self.motion.at,
-            &self.limits,
+            &self.table,
             (LOOK_AHEAD_WORK_PER_SEGMENT, false),
         );
         self.look_ahead.note_quiet_after_queueing(self.motion.at);
@@ -142,13 +149,14 @@ impl Planner {
     /// What a change of the path needs.
     fn edit(&mut self) -> (&mut PathBuilder, PathEdit<'_>) {
         if self.motion_exceeds_plan && self.look_ahead.is_ready(self.motion.at) {
-            self.motion_exceeds_plan = !self.motion.can_follow(&self.elements, &self.limits);
+            self.motion_exceeds_plan = !self.motion.can_follow(&self.elements, &self.table);
         }
         let edit = PathEdit {
             elements: &mut self.elements,
             look_ahead: &mut self.look_ahead,
             motion: &self.motion,
             limits: &self.limits,
+            table: &self.table,
             first_changed: u64::MAX,
             motion_exceeds_plan: self.motion_exceeds_plan,
         };
@@ -204,7 +212,7 @@ impl Planner {
 
     /// Ends the row of chords where its last one ends.
     #[inline(never)]
-    fn end_row(&mut self) {
+    pub(super) fn end_row(&mut self) {
         self.row_end = RowEnd::Open;
         while let Some(line) = self.row.last_line(&self.limits) {
             self.add_line(&line);

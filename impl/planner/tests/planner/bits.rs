@@ -1,13 +1,16 @@
 //! Samples are the same to the last bit on every platform and in every build.
 
-use gaugeblock_planner::{Axes, PathControl, Segment};
+use gaugeblock_planner::{Axes, Dynamics, InputParameter, PathControl, Planner, Segment};
 
-use super::check::{Feeding, run};
+use super::check::{Feeding, dynamics, run_with};
+use super::jerk::with_jerk;
 use super::programs::{arcs, arcs_with_corners, helix, square, zig};
 
 /// Digest of all bits of all samples (FNV-1a, 64 bits).
-fn digest(start: Axes, program: &[Segment]) -> u64 {
-    let samples = run(start, program, Feeding::Full).samples;
+fn digest(dynamics: Dynamics, start: Axes, program: &[Segment]) -> u64 {
+    let mut planner = Planner::new(dynamics, start).expect("limits");
+    let input = |_| InputParameter::default();
+    let samples = run_with(&mut planner, start, program, Feeding::Full, input).samples;
     let bytes = samples.iter().flatten().flat_map(|value| value.to_bits().to_le_bytes());
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
@@ -18,12 +21,17 @@ fn digest(start: Axes, program: &[Segment]) -> u64 {
 fn samples_are_the_same_everywhere() {
     let origin = [0.0; 9];
     let (start, corners) = arcs_with_corners(PathControl::Within(0.1));
+    let (plain, smooth) = (dynamics(), with_jerk(1e5));
     let digests = [
-        digest(origin, &zig(PathControl::Within(0.1))),
-        digest(origin, &square(PathControl::BetweenMidpoints)),
-        digest(origin, &arcs(PathControl::ExactPath)),
-        digest(origin, &helix(PathControl::Within(0.01))),
-        digest(start, &corners),
+        digest(plain, origin, &zig(PathControl::Within(0.1))),
+        digest(plain, origin, &square(PathControl::BetweenMidpoints)),
+        digest(plain, origin, &arcs(PathControl::ExactPath)),
+        digest(plain, origin, &helix(PathControl::Within(0.01))),
+        digest(plain, start, &corners),
+        digest(smooth, origin, &zig(PathControl::Within(0.1))),
+        digest(smooth, origin, &square(PathControl::ExactStop)),
+        digest(smooth, origin, &arcs(PathControl::ExactPath)),
+        digest(smooth, start, &corners),
     ];
     // A change of the planner's behaviour updates these; a change of platform or compiler must not.
     let same = [
@@ -32,6 +40,10 @@ fn samples_are_the_same_everywhere() {
         0x1fee_a9a9_cd04_58f2,
         0xb1a0_23fc_4379_2c09,
         0x158b_954f_3a91_831d,
+        0xcbb5_02b4_83fd_86f6,
+        0x2906_1ae4_73fe_ea81,
+        0x3795_dcb2_81f2_c3fe,
+        0xb909_807f_b64c_eaf5,
     ];
     assert_eq!(digests, same, "{digests:#018x?}");
 }

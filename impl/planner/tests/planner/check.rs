@@ -67,6 +67,27 @@ impl Run {
         (speed, change)
     }
 
+    /// The greatest use of a limit of jerk in third differences of samples; 1 is the limit.
+    pub(crate) fn worst_jerk(&self, dynamics: &Dynamics) -> f64 {
+        let (Some(jerk), h) = (dynamics.jerk, dynamics.cycle) else { return 0.0 };
+        let end = self.samples[self.samples.len() - 1];
+        let all: Vec<Axes> = [self.samples[0]; 3]
+            .into_iter()
+            .chain(self.samples.iter().copied())
+            .chain([end; 3])
+            .collect();
+        let mut most = 0.0_f64;
+        for four in all.windows(4) {
+            for (axis, limit) in jerk.iter().enumerate() {
+                let [a, b, c, d] = [four[0][axis], four[1][axis], four[2][axis], four[3][axis]];
+                let rounding = 4.0 * b.abs().max(c.abs()) * f64::EPSILON / (h * h * h);
+                let third = ((d - c) - 2.0 * (c - b) + (b - a)).abs() / (h * h * h) - rounding;
+                most = most.max(third / limit);
+            }
+        }
+        most
+    }
+
     /// The greatest use of a limit of acceleration at the end of a cycle, as the planner reports it.
     pub(crate) fn reported(&self, dynamics: &Dynamics) -> f64 {
         let uses = self.outputs.iter().flat_map(|output| {

@@ -3,6 +3,7 @@
 mod bits;
 mod check;
 mod corners;
+mod jerk;
 mod known_times;
 mod memory;
 mod merging;

@@ -68,12 +68,18 @@ fn planner_allocates_nothing_after_set_up() {
         (start, corners),
     ];
     for (number, (start, program)) in programs.iter().enumerate() {
-        let limits = Dynamics { queue: 20, ..dynamics() };
-        let mut planner = Planner::new(limits, *start).expect("limits are numbers above 0");
-        let mut seen = (0, 0);
-        let counted = measure(|| seen = drive(&mut planner, program));
-        assert_eq!(counted.count_total, 0, "program {number}");
-        assert_eq!(seen.0 > 0, program.len() > 20, "program {number} fills the queue: {seen:?}");
-        assert!(seen.1 > 0 || program.len() < 2, "program {number} switches outputs: {seen:?}");
+        for jerk in [None, Some([1e5; 9])] {
+            let limits = Dynamics { queue: 20, jerk, ..dynamics() };
+            let mut planner = Planner::new(limits, *start).expect("limits are numbers above 0");
+            let mut seen = (0, 0);
+            let counted = measure(|| seen = drive(&mut planner, program));
+            assert_eq!(counted.count_total, 0, "program {number}");
+            assert_eq!(
+                seen.0 > 0,
+                program.len() > 20,
+                "program {number} fills the queue: {seen:?}"
+            );
+            assert!(seen.1 > 0 || program.len() < 2, "program {number} switches outputs: {seen:?}");
+        }
     }
 }

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use super::check::{Feeding, Run, dynamics, farthest, programmed, run_with};
 use super::programs::{FEED, at, dense, distance, line, segment, zig};
-use super::random::{RandomMotion, random_motion, restless};
+use super::random::{RandomMotion, last_end, random_motion, restless};
 
 const ORIGIN: Axes = [0.0; 9];
 
@@ -389,14 +389,6 @@ fn probe_ends_the_motion() {
     }
     assert_eq!((tripped, output.phase), (1, Phase::Idle));
     assert!(output.position[2] > -25.0, "{}", output.position[2]);
-}
-
-fn last_end(motion: &RandomMotion) -> Axes {
-    let ends = motion.program.iter().rev().filter_map(|segment| match segment.path {
-        Path::Straight { end } | Path::Arc { end, .. } => Some(end),
-        Path::Dwell { .. } => None,
-    });
-    ends.into_iter().next().unwrap_or(motion.start)
 }
 
 /// The greatest use of a limit in a run, in samples and in reported accelerations.

@@ -229,3 +229,12 @@ pub(crate) fn restless(seed: u64) -> RandomMotion {
     }
     motion
 }
+
+/// Where the program ends.
+pub(crate) fn last_end(motion: &RandomMotion) -> Axes {
+    let ends = motion.program.iter().rev().filter_map(|segment| match segment.path {
+        Path::Straight { end } | Path::Arc { end, .. } => Some(end),
+        Path::Dwell { .. } => None,
+    });
+    ends.into_iter().next().unwrap_or(motion.start)
+}

@@ -1,0 +1,158 @@
+//! Which moving average smooths a stretch of the path, from rest to rest.
+//!
+//! An average over more cycles allows more acceleration, and it lasts longer and rounds corners more. How long it is
+//! depends on what is known when the first segment of a stretch is queued: its tolerance, or its length.
+
+use crate::feed_path::FeedPath;
+use crate::limits::{LimitTable, Limits, least, squared};
+use crate::math;
+use crate::parameters::Axes;
+use crate::path_element::{Averaged, Smoothing};
+use crate::segment::{Feed, PathControl};
+use crate::vector::norm_of;
+
+/// The share of a tolerance that an average may use. Blends have the rest.
+const TOLERANCE_SHARE: f64 = 0.5;
+/// The least share of the longest average that a tolerance may require, as a power of a half. With a stricter one,
+/// corners are stops.
+const TOLERANT_WINDOW_SHIFT: u16 = 4;
+/// The same for lines of an exact path, of which only the first one's length is known.
+const EXACT_WINDOW_SHIFT: u16 = 2;
+/// The most cycles that an average covers.
+pub(crate) const WINDOW_CYCLES_MAX: u16 = 256;
+/// The number of lengths of an average that are tried, at most.
+const TRIALS_MAX: u32 = 16;
+
+/// What all segments of a stretch have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StretchKey {
+    pub(crate) path_control: PathControl,
+    pub(crate) feed: Feed,
+    pub(crate) feed_path: FeedPath,
+    /// How many leading axes take part, 3 or 9.
+    pub(crate) axes: usize,
+}
+
+/// A way from rest to rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    pub(crate) length: f64,
+    /// The direction, of length 1.
+    pub(crate) direction: Axes,
+    /// Highest speed requested.
+    pub(crate) speed: f64,
+    /// Of an arc; infinite for a line.
+    pub(crate) radius: f64,
+}
+
+/// How far an average over cycles may be off the planned motion with these limits: where the acceleration is a, its
+/// middle is off by at most a·h²·(N² - 1)/24.
+pub(crate) fn deviation(limits: &Limits, axes: usize) -> f64 {
+    let cycles = f64::from(limits.smoothing.window);
+    norm_of(&limits.acceleration, axes) * squared(limits.cycle) * (squared(cycles) - 1.0) / 24.0
+}
+
+impl LimitTable {
+    /// The limits of motion within a tolerance: with the longest average that the tolerance allows. `None` where that
+    /// would leave little of the acceleration.
+    pub(crate) fn within(&self, tolerance: f64, axes: usize) -> Option<&Limits> {
+        let longest = self.cycles_max().min(WINDOW_CYCLES_MAX);
+        let fits = |cycles: u16| {
+            deviation(self.smoothed_over(cycles), axes) <= TOLERANCE_SHARE * tolerance
+        };
+        let cycles = last_that(longest, fits);
+        let enough = tolerance > 0.0 && cycles >= longest >> TOLERANT_WINDOW_SHIFT;
+        enough.then(|| self.smoothed_over(cycles))
+    }
+
+    /// The limits of lines that are followed exactly.
+    pub(crate) fn exact(&self, way: &Way) -> Limits {
+        let longest = self.cycles_max().min(WINDOW_CYCLES_MAX);
+        let time = |cycles: u16| {
+            let limits = self.smoothed_over(cycles);
+            time_of(limits, way, f64::from(cycles) * limits.cycle, 0.0)
+        };
+        let cycles = fastest(longest, time);
+        let cycles = cycles.max(longest >> EXACT_WINDOW_SHIFT);
+        Limits { rests_at_corners: true, ..*self.smoothed_over(cycles) }
+    }
+
+    /// The limits of a line between two rests: an average over half of the cycles is enough (`lone_line`).
+    pub(crate) fn lone_line(&self, way: &Way) -> Limits {
+        let longest = (self.cycles_max().saturating_add(1) >> 1).min(WINDOW_CYCLES_MAX);
+        let time = |cycles: u16| {
+            let limits = self.smoothed_over(cycles.saturating_mul(2).min(self.cycles_max()));
+            let seconds = f64::from(cycles) * limits.cycle;
+            time_of(limits, way, seconds, seconds)
+        };
+        let window = fastest(longest, time);
+        let cycles = window.saturating_mul(2).min(self.cycles_max());
+        self.lone(cycles, window, Averaged::LoneLine)
+    }
+
+    /// The limits of an arc between two rests: half of the jerk is for its curvature, so an average takes twice as
+    /// many cycles.
+    pub(crate) fn lone_arc(&self, way: &Way) -> Limits {
+        let longest = self.cycles_max().min(WINDOW_CYCLES_MAX >> 1);
+        let time = |cycles: u16| {
+            let limits = self.smoothed_over(cycles);
+            time_of(limits, way, 2.0 * f64::from(cycles) * limits.cycle, 0.0)
+        };
+        let cycles = fastest(longest, time);
+        self.lone(cycles, cycles.saturating_mul(2), Averaged::LoneArc)
+    }
+
+    fn lone(&self, cycles: u16, window: u16, averaged: Averaged) -> Limits {
+        let limits = *self.smoothed_over(cycles);
+        let smoothing = Smoothing { window, averaged, ..limits.smoothing };
+        Limits { smoothing, rests_at_corners: true, ..limits }
+    }
+}
+
+/// The time from rest to rest with these limits: with an average over a time, and a least time between speeding up and
+/// slowing down.
+fn time_of(limits: &Limits, way: &Way, average: f64, coast: f64) -> f64 {
+    let most = least(&limits.planned, &way.direction, 9);
+    let speed = math::min(way.speed, least(&limits.velocity, &way.direction, 9));
+    // The acceleration across an arc, too.
+    let speed = math::min(speed, math::sqrt(most * way.radius));
+    // A speed v takes v²/a + v·coast.
+    let reached =
+        0.5 * (math::sqrt(squared(most * coast) + 4.0 * most * way.length) - most * coast);
+    let top = math::min(speed, reached);
+    average + top / most + way.length / top
+}
+
+/// The number of cycles with the least time, if that first falls and then rises.
+fn fastest(longest: u16, time: impl Fn(u16) -> f64) -> u16 {
+    let (mut low, mut high) = (1_u16, longest.max(1));
+    for _ in 0..TRIALS_MAX {
+        if low >= high {
+            break;
+        }
+        let middle = low.saturating_add(high.saturating_sub(low) >> 1);
+        if time(middle.saturating_add(1)) < time(middle) {
+            low = middle.saturating_add(1);
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// The greatest number up to another one with a property that all lesser ones have; 1 if none has.
+fn last_that(longest: u16, has: impl Fn(u16) -> bool) -> u16 {
+    let (mut low, mut high) = (1_u16, longest.max(1));
+    for _ in 0..TRIALS_MAX {
+        if low >= high {
+            break;
+        }
+        let middle = high.saturating_sub(high.saturating_sub(low) >> 1);
+        if has(middle) {
+            low = middle;
+        } else {
+            high = middle.saturating_sub(1);
+        }
+    }
+    low
+}
