@@ -29,7 +29,7 @@ struct FastStep {
 
 impl MotionState {
     /// Moves along elements that are decided quickly. Returns the time that is left for the others.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn advance_fast(
         &mut self,
         elements: &Ring<PathElement>,
@@ -88,7 +88,7 @@ impl MotionState {
     }
 
     /// The requested acceleration, if it is quickly known to be allowed.
-    #[inline]
+    #[inline(always)]
     fn fast_step(
         &mut self,
         (element, next): (&PathElement, &PathElement),

@@ -164,6 +164,8 @@ pub(crate) struct Smoothing {
     /// The number of its limits in [`crate::limits::LimitTable`].
     pub(crate) limits: u16,
     pub(crate) averaged: Averaged,
+    /// Whether other axes than X, Y and Z may move.
+    pub(crate) has_more_axes: bool,
 }
 
 /// A part of the path with one acceleration model.

@@ -3,14 +3,14 @@
 use crate::limits::LimitTable;
 use crate::parameters::Axes;
 use crate::smoothing::Smoother;
-use crate::stretch::{StretchKey, WINDOW_CYCLES_MAX};
+use crate::stretch::{Stretch, WINDOW_CYCLES_MAX};
 
 /// The state of smoothing.
 #[derive(Debug)]
 pub(crate) struct PathSmoothing {
     pub(crate) smoother: Smoother,
     /// What the segments of the last stretch have in common, if another one may join them.
-    pub(crate) open: Option<StretchKey>,
+    pub(crate) open: Option<Stretch>,
     /// Of the last output.
     pub(crate) position: Axes,
     pub(crate) velocity: Axes,

@@ -12,7 +12,7 @@ use crate::ring::Ring;
 
 impl MotionState {
     /// Moves by one cycle.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn advance_cycle(
         &mut self,
         elements: &Ring<PathElement>,

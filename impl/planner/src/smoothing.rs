@@ -118,10 +118,9 @@ impl Smoother {
         self.rested > 1
     }
 
-    /// Whether motion of so many leading axes on an element is smoothed like this. `lone` is the number of the element.
-    pub(crate) fn is_set_for(&self, smoothing: Smoothing, lone: u64, axes: usize) -> bool {
+    /// Whether motion on an element is smoothed like this. `lone` is the number of the element.
+    pub(crate) fn is_set_for(&self, smoothing: Smoothing, lone: u64) -> bool {
         self.smoothing == smoothing
-            && self.axes == axes
             && (self.lone == lone || smoothing.averaged == Averaged::Position)
     }
 
@@ -131,8 +130,9 @@ impl Smoother {
     }
 
     /// Begins another average, at rest. `lone` is the number of an element and the parameter on it.
-    pub(crate) fn restart(&mut self, smoothing: Smoothing, lone: (u64, f64), axes: usize) {
-        (self.smoothing, self.axes) = (smoothing, axes);
+    pub(crate) fn restart(&mut self, smoothing: Smoothing, lone: (u64, f64)) {
+        self.smoothing = smoothing;
+        self.axes = if smoothing.has_more_axes { 9 } else { 3 };
         // It rests, whatever the new window is.
         self.rested = u16::MAX;
         (self.lone, self.lone_origin) = lone;

@@ -196,7 +196,7 @@ impl Planner {
     }
 
     /// Advances the end of the path, or look-ahead.
-    #[inline]
+    #[inline(always)]
     fn advance_path(&mut self, request: &CycleRequest, input: &InputParameter) {
         let is_short = !self.has_no_row()
             && self.elements.end().saturating_sub(self.motion.at) <= NEAR_END_ELEMENTS;
@@ -205,7 +205,7 @@ impl Planner {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn follow_probe(&mut self, input: &InputParameter, output: &mut OutputParameter) {
         output.probe_tripped = self.probe_tripped(input.probe);
         self.aborting |= output.probe_tripped;
@@ -217,6 +217,7 @@ impl Planner {
     }
 
     /// Reads the input of a cycle.
+    #[inline(always)]
     fn cycle_request(&mut self, input: &InputParameter) -> CycleRequest {
         let back = input.adaptive_feed < 0.0;
         // NaN counts as 0.
@@ -338,12 +339,14 @@ impl Planner {
     }
 
     /// Whether the probe has changed in a probing segment.
+    #[inline(always)]
     fn probe_tripped(&mut self, probe: bool) -> bool {
         let changed = probe != self.probe;
         self.probe = probe;
         changed && self.elements.get(self.motion.at).is_some_and(|element| element.probing)
     }
 
+    #[inline(always)]
     fn write_output(&self, output: &mut OutputParameter) {
         output.segment = self.motion.number;
         match self.elements.get(self.motion.at) {
@@ -358,7 +361,7 @@ impl Planner {
     }
 
     /// Writes position, velocity and acceleration on an element with N leading axes.
-    #[inline]
+    #[inline(always)]
     fn write_output_on<const N: usize>(&self, element: &PathElement, output: &mut OutputParameter) {
         let motion = &self.motion;
         let sense = if motion.is_reversed { -1.0 } else { 1.0 };
@@ -382,6 +385,7 @@ impl Planner {
         }
     }
 
+    #[inline(always)]
     fn phase(&self, request: &CycleRequest) -> Phase {
         let motion = &self.motion;
         if motion.speed > 0.0 {

@@ -10,7 +10,7 @@ use crate::planner::Planner;
 use crate::segment::{Feed, Path, PathControl, Segment};
 use crate::sign_changes::SignChanges;
 use crate::smoothing::Smoothed;
-use crate::stretch::{StretchKey, Way, deviation};
+use crate::stretch::{MovingAxes, Stretch, TOLERANCE_SHARE, Way, deviation};
 use crate::vector::{dot, norm_of};
 
 /// How many dwells in a row are looked through for the next motion.
@@ -75,7 +75,7 @@ impl Planner {
     /// At rest: sets the average for the element on which the motion goes on.
     fn begin_stretch(&mut self) {
         let Some((place, element)) = self.element_ahead() else { return };
-        let (next, axes) = (element.smoothing, if element.axis_count <= 3 { 3 } else { 9 });
+        let next = element.smoothing;
         let x = if place == self.motion.at {
             self.motion.x
         } else if self.motion.is_reversed {
@@ -86,9 +86,9 @@ impl Planner {
         self.motion.smoothing = next;
         self.motion.is_on_lone_line = next.averaged == Averaged::LoneLine;
         let Some(smoothing) = &mut self.smoothing else { return };
-        if !smoothing.smoother.is_set_for(next, place, axes) {
+        if !smoothing.smoother.is_set_for(next, place) {
             smoothing.smoother.begin_all(&self.motion);
-            smoothing.smoother.restart(next, (place, x), axes);
+            smoothing.smoother.restart(next, (place, x));
             self.motion.sign_changes = SignChanges::default();
         }
     }
@@ -174,46 +174,54 @@ impl Planner {
             }
             return *segment;
         };
-        if matches!(segment.path_control, PathControl::Within(tolerance) if tolerance.is_nan() || tolerance < 0.0)
+        if let PathControl::Within(tolerance) = segment.path_control
+            && (tolerance.is_nan() || tolerance < 0.0)
         {
             return *segment;
         }
-        let axes = if way.direction.iter().skip(3).all(|share| share.abs() <= 0.0) { 3 } else { 9 };
         let is_arc = matches!(segment.path, Path::Arc { .. });
+        let (axes, feed_path) = (MovingAxes::of(&way.direction), feed_path(&way.direction));
+        let Some(smoothing) = &mut self.smoothing else { return *segment };
+        if let Some(open) = smoothing.open
+            && !self.next_is_separate
+            && !segment.probing
+            && open.requested == segment.path_control
+            && open.feed == segment.feed
+            && open.feed_path == feed_path
+            && open.axes.contains(axes)
+            && !(is_arc && open.path_control == PathControl::ExactPath)
+        {
+            return Segment { path_control: open.path_control, ..*segment };
+        }
         let within = match segment.path_control {
-            PathControl::Within(tolerance) => self.table.within(tolerance, axes).copied(),
+            PathControl::Within(tolerance) => {
+                let limits = self.table.within(TOLERANCE_SHARE * tolerance, axes);
+                limits.map(|limits| (*limits, tolerance - deviation(limits, axes)))
+            }
             PathControl::ExactStop | PathControl::ExactPath | PathControl::BetweenMidpoints => None,
         };
         let is_lone = segment.probing
             || segment.path_control == PathControl::ExactStop
             || is_arc && within.is_none();
-        let path_control = match (segment.path_control, &within) {
-            _ if is_lone => PathControl::ExactStop,
-            (PathControl::Within(tolerance), Some(limits)) => {
-                PathControl::Within(tolerance - deviation(limits, axes))
-            }
-            _ => PathControl::ExactPath,
+        let (limits, path_control) = match within {
+            _ if is_lone && is_arc => (self.table.lone_arc(&way), PathControl::ExactStop),
+            _ if is_lone => (self.table.lone_line(&way), PathControl::ExactStop),
+            Some((limits, tolerance)) => (limits, PathControl::Within(tolerance)),
+            None => (self.table.exact(&way), PathControl::ExactPath),
         };
-        let key = StretchKey {
+        let stretch = Stretch {
+            requested: segment.path_control,
             path_control,
             feed: segment.feed,
-            feed_path: feed_path(&way.direction),
+            feed_path,
             axes,
         };
-        let Some(smoothing) = &mut self.smoothing else { return *segment };
-        let joins = smoothing.open == Some(key) && !is_lone && !self.next_is_separate;
-        smoothing.open = (!is_lone).then_some(key);
-        if !joins {
-            self.end_row();
-            self.builder.rest_at_end();
-            self.limits = match within {
-                _ if is_lone && is_arc => self.table.lone_arc(&way),
-                _ if is_lone => self.table.lone_line(&way),
-                Some(limits) => limits,
-                None => self.table.exact(&way),
-            };
-            self.next_is_separate = true;
-        }
+        smoothing.open = (!is_lone).then_some(stretch);
+        self.end_row();
+        self.builder.rest_at_end();
+        self.limits = limits;
+        self.limits.smoothing.has_more_axes = axes.has_more_than_three();
+        self.next_is_separate = true;
         Segment { path_control, ..*segment }
     }
 }
