@@ -187,6 +187,8 @@ impl Planner {
             && !segment.probing
             && open.requested == segment.path_control
             && open.feed == segment.feed
+            // Segments of the same time have unequal speeds.
+            && !matches!(segment.feed, Feed::InTime(_))
             && open.feed_path == feed_path
             && open.axes.contains(axes)
             && !(is_arc && open.path_control == PathControl::ExactPath)
