@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 1.02;
 const PLAIN_PROCESSOR: &str =
     "glibc.cpu.hwcaps=-AVX2_Usable,-AVX2,-AVX_Fast_Unaligned_Load,-AVX512VL,-ERMS,-FSRM";
 /// Programs, and how many segments lie in the queue.
-const PROGRAMS: [(&str, u32); 10] = [
+const PROGRAMS: [(&str, u32); 12] = [
     ("zig-zag", 200),
     ("stops", 200),
     ("arcs", 200),
@@ -40,11 +40,16 @@ const PROGRAMS: [(&str, u32); 10] = [
     ("crowded", 1000),
     ("rounded", 1000),
     ("nine axes", 1000),
+    ("stops with jerk", 200),
+    ("dense with jerk", 1000),
     (LARGEST, 1000),
 ];
 
 /// What has the largest cycle that the search has found.
 const LARGEST: &str = "wild:0.49497199784847257,0.9945354878424051,0.6739924628459831,0.5202623283304885,0.8318945690598093,0.4490745604152499,0.7876538344862997,0.40036151031971945,0.7886089173351901,0.46321001568883885";
+/// Programs on a machine with limits of jerk, which end like this.
+const WITH_JERK: &str = " with jerk";
+const JERK: Axes = [1e5; 9];
 /// What is drawn by the search, as a name: numbers follow.
 const WILD: &str = "wild:";
 const NUMBERS: usize = 10;
@@ -74,7 +79,7 @@ fn main() -> Result<ExitCode> {
         && run == "run"
     {
         let queue = queue.parse().map_err(Error::other)?;
-        println!("{} cycles", executed(&program(name), queue, operator(name))?);
+        println!("{} cycles", executed(name, queue)?);
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.first().is_some_and(|search| search == "search") {
@@ -147,11 +152,10 @@ fn dumps(name: &str, queue: u32, function: &str) -> Result<Vec<f64>> {
 /// What a cycle takes, with the segments that are queued before it; the least of five runs.
 #[expect(clippy::disallowed_methods, reason = "a measurement reads the clock")]
 fn nanoseconds(name: &str, queue: u32) -> Result<f64> {
-    let (program, operator) = (program(name), operator(name));
     let mut least = f64::INFINITY;
     for _ in 0..5 {
         let begun = Instant::now();
-        let cycles = executed(&program, queue, operator)?;
+        let cycles = executed(name, queue)?;
         let cycles = f64::from(u32::try_from(cycles).unwrap_or(u32::MAX));
         least = least.min(begun.elapsed().as_secs_f64() * 1e9 / cycles);
     }
@@ -240,11 +244,12 @@ fn drawn(numbers: &str) -> (Vec<Segment>, Operator) {
 }
 
 /// Keeps the queue full until the program is over, or a drawn one has been long enough; how many cycles there were.
-fn executed(program: &[Segment], queue: u32, operator: Operator) -> Result<u64> {
+fn executed(name: &str, queue: u32) -> Result<u64> {
+    let (program, operator) = (program(name), operator(name));
     let dynamics = Dynamics {
         velocity: [250.0; 9],
         acceleration: [2000.0; 9],
-        jerk: None,
+        jerk: name.ends_with(WITH_JERK).then_some(JERK),
         cycle: 0.001,
         queue,
     };
@@ -290,7 +295,7 @@ fn queued(planner: &mut Planner, segment: &Segment) -> bool {
 }
 
 fn program(name: &str) -> Vec<Segment> {
-    match name {
+    match name.trim_end_matches(WITH_JERK) {
         "zig-zag" => zig_zag(PathControl::Within(0.1)),
         "stops" => zig_zag(PathControl::ExactStop),
         "arcs" => arcs(),

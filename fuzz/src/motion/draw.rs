@@ -70,7 +70,23 @@ pub fn motion_program(entropy: &mut Entropy<'_>) -> MotionProgram {
     if program.script.events.iter().any(runs_back) && entropy.chance(40) {
         rock(entropy, &mut program.script);
     }
+    limit_jerk(entropy, &mut program.limits);
     program
+}
+
+/// Limits the jerk of each axis on a quarter of the machines, so that its acceleration takes one to 200 ms.
+fn limit_jerk(entropy: &mut Entropy<'_>, limits: &mut MotionLimits) {
+    if !entropy.chance(25) {
+        return;
+    }
+    let alike = entropy.chance(70);
+    let mut seconds = any_size(entropy, 0.001, 0.2);
+    for limit in limits.axes.values_mut() {
+        if !alike {
+            seconds = any_size(entropy, 0.001, 0.2);
+        }
+        limit.jerk = limit.acceleration.map(|acceleration| round(acceleration / seconds));
+    }
 }
 
 /// A step of any kind, mostly of one; before some of them another mode or feed.

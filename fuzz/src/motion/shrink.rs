@@ -84,6 +84,14 @@ fn plainer(best: &mut MotionProgram, attempt: &mut Attempt<'_>) {
         (limit.velocity, limit.acceleration) = (Some(250.0), Some(2000.0));
     }
     attempt(best, smaller);
+    let mut smaller = best.clone();
+    smaller.limits.axes.values_mut().for_each(|limit| limit.jerk = None);
+    attempt(best, smaller);
+    let mut smaller = best.clone();
+    for limit in smaller.limits.axes.values_mut() {
+        limit.jerk = limit.jerk.map(|_| 1e5);
+    }
+    attempt(best, smaller);
     let smaller = MotionProgram {
         limits: gaugeblock_vocabulary::motion::MotionLimits {
             period: 0.001,

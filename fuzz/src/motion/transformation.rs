@@ -61,7 +61,14 @@ impl Transformation {
     }
 
     /// The changed program; `None` where there is nothing to change.
+    ///
+    /// With limits of jerk, more of another limit or of tolerance may cost time: a planner decides with them how it uses
+    /// the jerk.
     pub fn of(self, program: &MotionProgram, entropy: &mut Entropy<'_>) -> Option<MotionProgram> {
+        let limits_jerk = program.limits.axes.values().any(|limit| limit.jerk.is_some());
+        if self.may_save() && limits_jerk {
+            return None;
+        }
         let mut changed = program.clone();
         match self {
             Self::AxesPermuted => {
@@ -160,9 +167,10 @@ impl MotionProgram {
 
 fn double_limits(limits: &mut MotionLimits) {
     for limit in limits.axes.values_mut() {
-        let AxisLimits { velocity, acceleration, .. } = *limit;
+        let AxisLimits { velocity, acceleration, jerk, .. } = *limit;
         limit.velocity = velocity.map(|value| 2.0 * value);
         limit.acceleration = acceleration.map(|value| 2.0 * value);
+        limit.jerk = jerk.map(|value| 2.0 * value);
     }
 }
 

@@ -5,26 +5,30 @@ use gaugeblock_vocabulary::motion::MotionLimits;
 
 use super::vector::AxisVector;
 
-/// Velocity and acceleration that each axis can have; infinite where nothing is stated.
+/// Velocity, acceleration and jerk that each axis can have; infinite where nothing is stated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Envelope {
     pub(super) velocity: AxisVector,
     pub(super) acceleration: AxisVector,
-    /// Whether some axis has a limit of its jerk too.
-    pub(super) jerk: bool,
+    pub(super) jerk: AxisVector,
 }
 
 impl Envelope {
     pub(super) fn of(limits: &MotionLimits) -> Self {
-        let mut envelope =
-            Self { velocity: [f64::INFINITY; 9], acceleration: [f64::INFINITY; 9], jerk: false };
+        let none = [f64::INFINITY; 9];
+        let mut envelope = Self { velocity: none, acceleration: none, jerk: none };
         for (axis, limit) in &limits.axes {
             let place = axis.place();
             envelope.velocity[place] = limit.velocity.unwrap_or(f64::INFINITY);
             envelope.acceleration[place] = limit.acceleration.unwrap_or(f64::INFINITY);
-            envelope.jerk |= limit.jerk.is_some();
+            envelope.jerk[place] = limit.jerk.unwrap_or(f64::INFINITY);
         }
         envelope
+    }
+
+    /// Whether some axis has a limit of its jerk.
+    pub(super) fn limits_jerk(&self) -> bool {
+        self.jerk.iter().any(|limit| limit.is_finite())
     }
 
     /// The first axis that moves and of which velocity or acceleration is not stated.

@@ -34,7 +34,7 @@ const EXAMPLES: &str = "Examples:
       plan many programs; write the minimised program of each kind of violation into a folder
 
 Each program is planned, and its samples are checked against the motion rules.
-Then the program is changed in one of seven ways, and the times are compared:
+Then the program is changed in one of seven ways, and the times are compared (with limits of jerk, in four):
   axes permuted, mirrored, scaled, a line split: the time may change by two servo cycles
   higher velocity, higher acceleration, looser tolerance: it may grow by 2 ms per second
 A motion that never ends is a violation too.

@@ -106,7 +106,7 @@ pub fn least_time(
             continue;
         }
         let mut stretch = stretch(&route, (first, last), &envelope, fastest);
-        if envelope.jerk {
+        if envelope.limits_jerk() {
             stretch.achieved = f64::INFINITY;
         }
         bound.least += stretch.least;

@@ -6,7 +6,6 @@ use gaugeblock_vocabulary::motion::{Column, Feed};
 use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict, figure};
-use crate::motion::bound::stopping;
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, minus};
 
@@ -119,10 +118,8 @@ impl Settled {
                 if factors[sample].abs() >= factors[sample - 1].abs() {
                     continue;
                 }
-                let place = matching.places[sample];
                 let fastest = record.speed(sample).max(record.speed(sample - 1));
-                let stop = stopping(route, &record.envelope, (place.leg, place.part), fastest);
-                let stop = stop.most(record.stopping_on_blend(route, matching, sample));
+                let stop = record.granted_stop((route, matching), sample, fastest);
                 let cycles = (stop.seconds / record.period).ceil() + 2.0;
                 let before = settled[sample - 1];
                 let mut passed = 0.0;

@@ -12,14 +12,17 @@
 //! | `rest` | exact stops, ends, dwells |
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
+//! | `granted`, `easing` | how far a motion may go on that is requested to stop, also with limits of jerk |
 //! | `record`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners
 //! are passed |
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
 mod corner_passes;
+mod easing;
 mod feed;
 mod following;
+mod granted;
 mod matching;
 mod operator;
 mod outputs;

@@ -3,10 +3,11 @@
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Feed};
 
+use super::easing::least_distance_on_line;
 use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict, figure};
-use crate::motion::bound::{Shortest, Stop, shortest_stopping, stopping};
+use crate::motion::bound::{Shortest, Stop, shortest_stopping};
 use crate::motion::route::{Leg, Route};
 use crate::motion::vector::{AxisVector, direction, distance, minus};
 
@@ -36,6 +37,7 @@ impl Record<'_> {
 
 /// Rule trajectory.hold. A hold stops the motion on the path, within the distance in which it can stop and two
 /// cycles, and it rests until nothing holds it any more. That it goes on along the path, deviation and progress say.
+/// With a limit of jerk it is granted more (`easing`).
 pub(super) fn hold(record: &Record<'_>) -> Verdict {
     let (route, matching) = match &record.matched {
         Ok(matched) => matched,
@@ -103,8 +105,7 @@ fn stops(
     let latest = (from + CYCLES).min(record.points.len() - 1);
     let speed = (from..=latest).map(|sample| record.speed(sample)).fold(0.0, f64::max);
     let place = matching.places[from];
-    let stop = stopping(route, &record.envelope, (place.leg, place.part), speed);
-    let least = stop.most(record.stopping_on_blend(route, matching, from)).distance;
+    let least = record.granted_stop((route, matching), from, speed).distance;
     let least = least.max(carried(record, route, (place.leg, place.part), (from, latest)));
     let two_cycles = 2.0 * speed * record.period;
     let allowed = least * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;
@@ -180,7 +181,7 @@ fn carried(
 ///
 /// The speed from one sample to the next is that of some instant between them, at which the motion is no nearer than
 /// at the first of them: from there the speed has to suffice. On the way through a blend each axis has to stop by
-/// itself at least.
+/// itself at least. On the last line that is queued a limit of jerk counts, too.
 pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
     let Some(queued) = record.samples.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
@@ -214,12 +215,16 @@ pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
         let left = (ends[legs] - here).max(0.0);
         let speed = record.speed(sample);
         let off = record.bulge + record.slack + leg.tolerance;
-        if speed * speed <= 2.0 * record.envelope.least() * left {
+        if !record.envelope.limits_jerk() && speed * speed <= 2.0 * record.envelope.least() * left {
             continue;
         }
         let from = (place.leg, place.part);
         match shortest_stopping(route, &record.envelope, from, speed, legs) {
             Shortest::Within(Stop { distance, .. }) => {
+                let is_last_line = place.leg + 1 == legs && leg.curve.is_straight();
+                let step = minus(&leg.curve.end(), &leg.curve.start());
+                let smooth = least_distance_on_line(&record.envelope, &step, speed);
+                let distance = if is_last_line { distance.max(smooth) } else { distance };
                 let words = || {
                     format!(
                         "{distance} mm are needed to stop from {speed} mm/s and {left} mm are queued",

@@ -4,13 +4,13 @@ use gaugeblock_vocabulary::motion::{
     MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
 };
 
+use super::easing::Easing;
 use super::matching::{self, Matching, Measure};
 use crate::Choices;
 use crate::ids::choice::trajectory::ToleranceAtChange;
-use crate::motion::bound::{Stop, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
-use crate::motion::vector::{AxisVector, distance, last_place, minus};
+use crate::motion::vector::{AxisVector, distance, last_place};
 
 /// How far a position may be off for its size: what positions lose on the way through a controller's arithmetic.
 const RELATIVE: f64 = 1e-9;
@@ -136,19 +136,9 @@ impl<'a> Record<'a> {
         distance(&self.points[sample - 1], &self.points[sample]) / self.period
     }
 
-    /// What it takes to stop at a sample on a blend that the motion may be on.
-    pub(super) fn stopping_on_blend(
-        &self,
-        route: &Route<'_>,
-        matching: &Matching,
-        sample: usize,
-    ) -> Stop {
-        if sample == 0 {
-            return Stop::default();
-        }
-        let step = minus(&self.points[sample], &self.points[sample - 1]);
-        let (place, velocity) = (matching.places[sample], step.map(|step| step / self.period));
-        stopping_on_blend(route, &self.envelope, (place.leg, place.part), &velocity)
+    /// Whether an axis moves.
+    pub(super) fn moves(&self, axis: usize) -> bool {
+        self.points.iter().any(|point| point[axis].to_bits() != self.points[0][axis].to_bits())
     }
 
     /// Whether the motion rests from the sample before to this one.
@@ -163,13 +153,7 @@ impl<'a> Record<'a> {
 
     /// Why the distance in which a motion can stop is not known, if it is not.
     pub(super) fn stopping_unknown(&self) -> Option<String> {
-        if self.envelope.jerk {
-            return Some("the stopping distance under a limit of jerk is not known yet".to_owned());
-        }
-        let moves = |axis: usize| {
-            self.points.iter().any(|point| point[axis].to_bits() != self.points[0][axis].to_bits())
-        };
-        let axis = self.envelope.unstated(moves)?;
+        let axis = self.envelope.unstated(|axis| self.moves(axis))?;
         Some(format!("no velocity and acceleration of {axis} are stated"))
     }
 }
@@ -203,6 +187,9 @@ fn backwards(
     envelope: &Envelope,
     period: f64,
 ) -> Vec<bool> {
+    let moves =
+        |axis: usize| points.iter().any(|point| point[axis].to_bits() != points[0][axis].to_bits());
+    let moved: [bool; 9] = std::array::from_fn(moves);
     let mut left: f64 = 0.0;
     let mut allowed = Vec::with_capacity(points.len());
     for (sample, adaptive) in requests.adaptive.iter().enumerate() {
@@ -212,7 +199,9 @@ fn backwards(
             } else {
                 distance(&points[sample - 1], &points[sample]) / period
             };
-            left = (TURNING * speed / (envelope.least() * period)).ceil() + 2.0;
+            let easing = Easing::of(envelope, speed, |axis| moved[axis]);
+            let braking = TURNING * easing.speed / easing.envelope.least();
+            left = ((braking + easing.seconds) / period).ceil() + 2.0;
             if !left.is_finite() {
                 left = 0.0;
             }

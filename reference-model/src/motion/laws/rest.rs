@@ -229,14 +229,16 @@ impl Rest {
 
 /// All rests at a corner: those with samples at the corner, then those that fit between two samples away from it.
 fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest> {
+    let lingers = record.lingers();
     let rest = |(first, last): (usize, usize)| {
-        let least = count(last - first) * record.period;
+        let all = count(last - first) * record.period;
+        let least = (all - lingers).max(0.0);
         let spare = |sample: Option<usize>| {
             let sample = sample.filter(|sample| *sample < record.points.len());
             let away = sample.map_or(0.0, |sample| to_rest(record, sample, corner));
             (record.period - away).max(0.0)
         };
-        let most = least + spare(first.checked_sub(1)) + spare(Some(last + 1));
+        let most = all + spare(first.checked_sub(1)) + spare(Some(last + 1));
         Rest { at: Some((first, last)), least, most }
     };
     let is_away = |sample: &usize| !(*sample..=sample + 1).any(|s| record.is_at(s, corner));

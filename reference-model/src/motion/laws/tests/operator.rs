@@ -33,6 +33,22 @@ fn a_hold_stops_within_what_braking_takes() {
     broken(&judged_hold(&stopping(2000.0), 200, 400), Law::Hold);
 }
 
+/// With a limit of jerk a hold may brake more softly; it must last all the same.
+#[test]
+fn a_hold_with_a_limit_of_jerk_may_take_longer_and_lasts() {
+    let mut limits = limits();
+    limits.axes.values_mut().for_each(|limit| limit.jerk = Some(1e5));
+    let held = |acceleration: f64, until: u32| {
+        let hold = [(200, MotionAction::Hold(true)), (until, MotionAction::Hold(false))];
+        let points = record(&stopping(acceleration), &[]);
+        let judgement = judge(&points, &along(), &limits, &script(&hold));
+        judgement.of(Law::Hold).cloned()
+    };
+    assert_eq!(held(2000.0, 300), Some(Verdict::Satisfied { share: None }));
+    assert_eq!(held(500.0, 450), Some(Verdict::Satisfied { share: None }));
+    assert!(matches!(held(2000.0, 400), Some(Verdict::Violated(_))));
+}
+
 #[test]
 fn a_feed_stop_counts_where_it_is_enabled() {
     let points = Motion::default().to(60.0, 0.0, 100.0).samples();
