@@ -4,9 +4,11 @@
 use crate::feed_path::FeedPath;
 use crate::limits::squared;
 use crate::math;
+use crate::motion::MotionState;
 use crate::parameters::{Axes, InputParameter, OutputParameter, Phase, lead};
 use crate::path_element::{AccelerationModel, Averaged, PathElement};
 use crate::planner::Planner;
+use crate::ring::Ring;
 use crate::segment::{Feed, Path, PathControl, Segment};
 use crate::sign_changes::SignChanges;
 use crate::smoothing::Smoothed;
@@ -117,11 +119,7 @@ impl Planner {
         self.write_output(output);
         let Some(smoothing) = &mut self.smoothing else { return };
         let motion = &self.motion;
-        let element = self.elements.get(motion.at);
-        let after_begin = (motion.begun != begun).then(|| {
-            let own = element.filter(|element| element.index == motion.begun);
-            own.and_then(|own| own.segment_start).map_or(0.0, |start| motion.x - start)
-        });
+        let after_begin = (motion.begun != begun).then(|| way_since_begin(&self.elements, motion));
         let parameter = match smoothing.smoother.lone() {
             Some(lone) if lone == motion.at => motion.x,
             Some(lone) if lone < motion.at => {
@@ -225,6 +223,20 @@ impl Planner {
         self.limits.smoothing.has_more_axes = axes.has_more_than_three();
         self.next_is_separate = true;
         Segment { path_control, ..*segment }
+    }
+}
+
+/// How far the motion has gone since the segment began that it is on: that was on its element or on the one before.
+fn way_since_begin(elements: &Ring<PathElement>, motion: &MotionState) -> f64 {
+    let start_on = |place: u64| {
+        let element = elements.get(place).filter(|element| element.index == motion.begun)?;
+        element.segment_start.map(|start| (start, element.length))
+    };
+    let before = motion.at.checked_sub(1).and_then(start_on);
+    match (start_on(motion.at), before) {
+        (Some((start, _)), _) => motion.x - start,
+        (None, Some((start, length))) => motion.x + length - start,
+        (None, None) => motion.x,
     }
 }
 
