@@ -9,7 +9,9 @@ use super::grouping::title;
 use super::{Report, escape_line, escape_text};
 
 /// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
-/// waived is skipped. A side difference does not fail its case: a finding that no rule owns fails as a test of its own.
+/// waived is skipped. A side difference does not fail its case, and is told in its output: a finding that no rule owns
+/// fails as a test of its own. The class of a case is its rule. Times are left out: parts that are merged give the file
+/// of the whole run, to the byte.
 ///
 /// # Errors
 /// A text that XML cannot hold.
@@ -40,9 +42,15 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
             }
         };
         let chapter = result.rule.chapter();
-        let suite = chapters.entry(chapter).or_insert_with(|| TestSuite::new(chapter));
+        let suite = chapters.entry(chapter).or_insert_with(|| chapter_of(report, chapter));
         let name = format!("{} / {}", result.rule.id, result.name);
-        suite.add_test_case(TestCase::new(name, status));
+        let mut case = TestCase::new(name, status);
+        case.set_classname(result.rule.id.as_str());
+        if let Verdict::SideDifference(divergence) = &result.verdict {
+            let said = escape_text(&divergence.summary()).into_owned();
+            case.set_system_out(format!("{word}: {said}"));
+        }
+        suite.add_test_case(case);
     }
     let mut findings = TestSuite::new("findings without a rule");
     for finding in report.findings() {
@@ -63,4 +71,17 @@ pub fn junit(report: &Report<'_>) -> Result<String, String> {
         document.add_test_suite(findings);
     }
     document.to_string().map_err(|error| error.to_string())
+}
+
+/// The suite of a chapter, with what the cases were compared with.
+fn chapter_of(report: &Report<'_>, chapter: &str) -> TestSuite {
+    let mut suite = TestSuite::new(chapter);
+    for (name, value) in [
+        ("controller", escape_line(&report.header.controller)),
+        ("edition", report.edition_and_scope()),
+        ("gaugeblock", env!("CARGO_PKG_VERSION").to_owned()),
+    ] {
+        suite.add_property((name, value.as_str()));
+    }
+    suite
 }

@@ -157,7 +157,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
     program(text, result.program, result.rule.language);
     assertion(text, "  ", divergence);
     if let Some(divergence) = &divergence.difference {
-        line!(text, "  first difference  {}", escape_text(divergence));
+        line!(text, "  first difference  {}", escape_line(divergence));
     }
     if let Some(shrunk) = &divergence.shrunk {
         line!(text, "  the smallest program that does so");
@@ -172,7 +172,7 @@ fn divergence(text: &mut String, report: &Report<'_>, result: &CaseResult<'_>) {
         line!(text, "  {}", styled(style, &explanation.text));
     }
     if let Some(source) = result.verdict.accepted_by() {
-        line!(text, "  accepted  {}", escape_text(source));
+        line!(text, "  accepted  {}", escape_line(source));
     }
     line!(text);
 }
@@ -183,7 +183,7 @@ fn assertion(text: &mut String, margin: &str, divergence: &RuleDivergence) {
     let (said, found) = abridged(without_guard(said), found);
     let indentation = margin.len() + "expected  ".len();
     line!(text, "{margin}expected  {}", styled(GREEN, &wrapped(&said, indentation)));
-    let found = escape_text(&found);
+    let found = escape_line(&found);
     line!(text, "{margin}found     {}", styled(RED, &wrapped(&found, indentation)));
 }
 
@@ -258,7 +258,7 @@ fn finding(text: &mut String, report: &Report<'_>, number: usize, finding: &Find
         program(text, divergence.program(result), result.rule.language);
         assertion(text, "   ", divergence);
         if let Some(difference) = &divergence.difference {
-            line!(text, "   first difference  {}", escape_text(difference));
+            line!(text, "   first difference  {}", escape_line(difference));
         }
         // Of a finding by a rule the title says what differs; a quirk of another controller is worth a line.
         if matches!(finding.cause, FindingCause::Rule)
@@ -313,11 +313,11 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
         let word = styled(YELLOW, result.verdict.word());
         let accepted = result.accepted.as_ref().map(|source| format!(" ({source})"));
         let accepted = accepted.unwrap_or_default();
-        let (rule, accepted) = (&result.rule.id, escape_text(&accepted));
-        line!(text, "{word} {rule} / {}: {}{accepted}", result.name, escape_text(why));
+        let (rule, accepted) = (&result.rule.id, escape_line(&accepted));
+        line!(text, "{word} {rule} / {}: {}{accepted}", result.name, escape_line(why));
     }
     for (result, how) in report.leaks() {
-        let (rule, how) = (&result.rule.id, escape_text(how));
+        let (rule, how) = (&result.rule.id, escape_line(how));
         let word = styled(YELLOW, "leaked state");
         line!(text, "{word} {rule} / {}: judged alone; after other programs {how}", result.name);
     }
@@ -326,7 +326,7 @@ fn not_judged(text: &mut String, report: &Report<'_>) {
 fn waived(text: &mut String, report: &Report<'_>) {
     for result in &report.run.cases {
         let Verdict::Waived(divergence, why) = &result.verdict else { continue };
-        let line = escape_text(&divergence.summary()).into_owned();
+        let line = escape_line(&divergence.summary());
         let word = styled(YELLOW, result.verdict.word());
         line!(text, "{word} {} / {}: {why}: {line}", result.rule.id, result.name);
     }
@@ -335,7 +335,7 @@ fn waived(text: &mut String, report: &Report<'_>) {
 fn mismatches(text: &mut String, report: &Report<'_>) {
     for mismatch in report.mismatches.iter().flatten() {
         let mismatch = mismatch.to_string();
-        line!(text, "{} {}", styled(RED, "expectation"), escape_text(&mismatch));
+        line!(text, "{} {}", styled(RED, "expectation"), escape_line(&mismatch));
     }
 }
 

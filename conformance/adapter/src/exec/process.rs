@@ -113,6 +113,8 @@ impl Drop for Process {
         // After it is reaped, its id may belong to another process.
         if self.ended.is_none() {
             self.end_group();
+            // It may have left its group.
+            let _ended_before = self.child.kill();
             let _status = self.child.wait();
         }
         self.end_others();

@@ -22,7 +22,7 @@ use gaugeblock_vocabulary::{Language, Options};
 
 use super::fuzz_cases::{outcomes, rarely_reached, seeds};
 use super::{controller, fuzz_report, options, user_files};
-use crate::arguments::Format;
+use crate::arguments::{self, Format};
 use crate::error::CliError;
 use crate::progress::Progress;
 use crate::streams::{write_error, write_out};
@@ -70,8 +70,8 @@ pub(crate) struct Arguments {
     /// `gaugeblock fingerprint --format json`)
     #[arg(long, value_name = "HOW", default_value = "edition")]
     options: String,
-    /// Random seed
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    /// Random seed: a number, or `random` for another one each time, which is printed
+    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::seed)]
     seed: u64,
     /// Run part I of N, counted from 1; all parts together run every program once
     #[arg(long, value_name = "I/N", default_value = "1/1")]

@@ -20,7 +20,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock measure --controller production --format json > measured.json
 
 The edge of each quantity is searched by bisection: the last value that the controller
-accepts, and the first that it refuses. A measurement is no verdict.
+accepts, and the first that it refuses. It says nothing of rules.
 
 Exit status: 0 everything was measured; 2 wrong call; 3 something could not be measured.";
 

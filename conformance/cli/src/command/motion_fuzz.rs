@@ -34,7 +34,8 @@ const EXAMPLES: &str = "Examples:
       plan many programs; write the minimised program of each kind of violation into a folder
 
 Each program is planned, and its samples are checked against the motion rules.
-Then the program is changed in one of seven ways, and the times are compared (with limits of jerk, in four):
+Then the program is changed in one of seven ways (in four with limits of jerk), and the times are
+compared:
   axes permuted, mirrored, scaled, a line split: the time may change by two servo cycles
   higher velocity, higher acceleration, looser tolerance: it may grow by 2 ms per second
 A motion that never ends is a violation too.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use gaugeblock_report::merge::Stored;
 
+use super::user_files;
 use crate::error::CliError;
 
 /// The hint where a report cannot be read.
@@ -25,8 +26,15 @@ pub(crate) fn file(path: &Path) -> PathBuf {
 /// The file of a report and its text.
 pub(crate) fn text(path: &Path) -> Result<(PathBuf, String), CliError> {
     let path = file(path);
-    let bytes = std::fs::read(&path)
-        .map_err(|error| CliError::usage(format!("{}: {error}", path.display()), NAME_A_REPORT))?;
+    let is_other = std::fs::metadata(&path).is_ok_and(|metadata| !metadata.is_file());
+    let bytes = if is_other {
+        // A device may have no end.
+        user_files::read_bytes(&path, "report")?
+    } else {
+        let unreadable =
+            |error| CliError::usage(format!("{}: {error}", path.display()), NAME_A_REPORT);
+        std::fs::read(&path).map_err(unreadable)?
+    };
     // What is not UTF-8 is not JSON either, and is refused as such.
     Ok((path, String::from_utf8_lossy(&bytes).into_owned()))
 }

@@ -45,9 +45,10 @@ def run(command, status, errors):
     begun = False
     while True:
         status.poll()
-        error = errors.poll()
-        if error:
-            return str(error[1])
+        message = errors.poll()
+        # A program writes messages into the same channel.
+        if message and message[0] in (linuxcnc.NML_ERROR, linuxcnc.OPERATOR_ERROR):
+            return str(message[1])
         idle = status.interp_state == linuxcnc.INTERP_IDLE
         begun = begun or not idle
         if begun and idle and status.inpos and status.queue == 0:

@@ -7,7 +7,8 @@ use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
 use gaugeblock_vocabulary::scenario::AxisLimits;
 use gaugeblock_vocabulary::{Axis, Options, Position};
 
-use super::{Bench, Measured, Measurement};
+use super::bench::Bench;
+use super::measurement::{Measured, Measurement};
 
 /// P of G64, millimetres.
 pub(super) const TOLERANCES: &[f64] = &[0.01, 0.1, 1.0];

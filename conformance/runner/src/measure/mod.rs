@@ -4,53 +4,18 @@
 //! A limit is searched by bisection, from a value that should pass to one that should not. So a controller that
 //! accepts, refuses and accepts again has one of its edges reported.
 
+mod bench;
 mod blend;
+mod measurement;
 mod quantities;
 
+pub use measurement::{Measured, Measurement};
+
 use gaugeblock_adapter::Adapter;
-use gaugeblock_vocabulary::{Effect, End, Event, Options, Outcome, Scenario, State};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use gaugeblock_vocabulary::{Effect, Event, Options, Outcome, State};
 
+use bench::{Answer, Bench};
 use quantities::{QUANTITIES, Quantity, Scale};
-
-/// What was measured.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Measured {
-    /// The edge is between the two.
-    Edge {
-        /// The last value that was accepted.
-        accepted: f64,
-        /// The first value that was not.
-        refused: f64,
-    },
-    /// The largest value that was tried is accepted.
-    AtLeast(f64),
-    /// The smallest value that was tried is refused.
-    Below(f64),
-    /// A value that is read off.
-    Value(f64),
-    /// Nothing was measured, and why.
-    Nothing(String),
-}
-
-/// A measurement of a controller.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Measurement {
-    /// Its name, such as `arc-end-radius-10`.
-    pub id: String,
-    /// What it is, as a phrase.
-    pub title: String,
-    /// The unit; empty for a count.
-    pub unit: String,
-    /// The result.
-    pub measured: Measured,
-    /// How many programs were run.
-    pub runs: u32,
-    /// The program at the edge: the first that is refused, or else the last that ran.
-    pub program: String,
-}
 
 /// The names of all measurements, in order.
 pub fn names() -> Vec<String> {
@@ -85,58 +50,6 @@ pub fn measure(
 
 /// The name of the smallest step.
 const RESOLUTION: &str = "resolution";
-
-/// How a controller takes a program.
-enum Answer {
-    Accepted(Box<Outcome>),
-    Refused,
-}
-
-/// Runs programs and counts them.
-struct Bench<'a> {
-    controller: &'a dyn Adapter,
-    options: &'a Options,
-    runs: u32,
-    program: String,
-}
-
-impl<'a> Bench<'a> {
-    fn new(controller: &'a dyn Adapter, options: &'a Options) -> Self {
-        Self { controller, options, runs: 0, program: String::new() }
-    }
-
-    fn scenario(&self, program: &str) -> Scenario {
-        Scenario { options: self.options.clone(), ..Scenario::of(program) }
-    }
-
-    /// Runs a program to its end.
-    ///
-    /// # Errors
-    /// The reason why that says nothing: the controller does not have what the program needs, or fails.
-    fn answer(&mut self, program: &str) -> Result<Answer, String> {
-        let scenario = self.scenario(program);
-        self.controller.supports(&scenario)?;
-        self.runs += 1;
-        program.clone_into(&mut self.program);
-        let outcome = self.controller.run(&scenario).map_err(|error| error.to_string())?;
-        match &outcome.end {
-            End::ProgramEnd | End::PercentEnd | End::StreamEnd => {
-                Ok(Answer::Accepted(Box::new(outcome)))
-            }
-            End::Fault(_) => Ok(Answer::Refused),
-            End::Unsupported { what, .. } => Err(what.clone()),
-            End::Unspecified { why, .. } => Err(format!("the documents leave it open: {why}")),
-            End::BudgetExhausted { .. } => {
-                Err("the program takes longer than its budget".to_owned())
-            }
-            End::Endless | End::Paused | End::Aborted => Err("the program does not end".to_owned()),
-        }
-    }
-
-    fn accepts(&mut self, program: &str) -> Result<bool, String> {
-        Ok(matches!(self.answer(program)?, Answer::Accepted(_)))
-    }
-}
 
 /// The edge of a quantity.
 fn edge(quantity: &Quantity, controller: &dyn Adapter, options: &Options) -> Measurement {
