@@ -20,6 +20,7 @@ const BLOCKS: u32 = 200_000;
 /// Names of all long programs, by what they stress.
 pub const LONG_PROGRAMS: &[&str] = &[
     "feed moves",
+    "compensated moves",
     "arcs",
     "expressions",
     "named parameters",
@@ -34,6 +35,7 @@ pub const LONG_PROGRAMS: &[&str] = &[
 pub fn long_program(name: &str) -> Option<LongProgram> {
     let text = match name {
         "feed moves" => program(1, "", feed_move),
+        "compensated moves" => program(1, "G0 X-30 Y0\nG41.1 D0.1\n", compensated_move),
         "arcs" => arcs(),
         "expressions" => program(4, "#1=0\n#2=10.5\n#3=0\n", expressions),
         "named parameters" => program(4, "#<_ang>=0\n#<r>=10.5\n", named_parameters),
@@ -85,6 +87,13 @@ fn feed_move(text: &mut String, turn: u32, noise: &mut Noise) {
         put(text, format_args!(" F{}", 800 + turn / 50 % 4 * 400));
     }
     text.push('\n');
+}
+
+/// A zig-zag along which the cutter is compensated: inner and outer corners in turn.
+fn compensated_move(text: &mut String, turn: u32, noise: &mut Noise) {
+    let x = f64::from(turn % 2000) * 4.0 + noise.next();
+    let y = f64::from(turn % 2) * 9.0 + noise.next();
+    put(text, format_args!("G1 X{x:.4} Y{y:.4}\n"));
 }
 
 /// Arcs with centres, of 0.3 to 3 radians and 1 to 8 millimetres, in each plane for a thousand blocks, around the

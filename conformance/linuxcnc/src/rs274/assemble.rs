@@ -116,7 +116,8 @@ pub(super) fn decided_by_line(source: &Source) -> Outcome {
 }
 
 /// Why a block is not judged that has a spline and a tool change or the program end, or depends on #<_line>.
-const HIDDEN_SPLINE: &str = "where a spline ends that has a tool change or the program end in its block, or follows #<_line>";
+const HIDDEN_SPLINE: &str =
+    "where a spline ends whose block has a tool change or the program end, or follows #<_line>";
 
 /// Why a block is not judged after which the length unit changes while its move waits: the call has the other unit, and
 /// four decimals of an inch are too few for millimetres.

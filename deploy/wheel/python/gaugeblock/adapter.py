@@ -12,8 +12,8 @@ class Unsupported(Exception):
     """The controller does not have what the scenario needs. The case is unsupported, and never passes."""
 
 
-def declaration(name, version, *, fields=(), effects=(), fields_at_effects=(), languages=("rs274",), units=("mm", "inch"),
-                features=(), moves_in_place=False, fault_kinds=False, final_parameters=False, pins=(), resolution=0.0,
+def declaration(name, version, *, fields=(), effects=(), fields_at_effects=(), languages=("rs274",),
+                units=("mm", "inch"), features=(), moves_in_place=False, fault_kinds=False, final_parameters=False, pins=(), resolution=0.0,
                 clock="virtual", **more):
     """What a controller is and what it reports. Nothing else is judged.
 
