@@ -9,9 +9,9 @@ use super::grouping::title;
 use super::{Report, escape_line, escape_text};
 
 /// The report as `JUnit` XML. The verdict is the type of a failure, an error, or what is skipped; what is known or
-/// waived is skipped. A side difference does not fail its case, and is told in its output: a finding that no rule owns
-/// fails as a test of its own. The class of a case is its rule. Times are left out: parts that are merged give the file
-/// of the whole run, to the byte.
+/// waived is skipped. A case with a side difference passes, and its output describes the difference. A finding without
+/// a rule is a failed test of its own. The class of a case is its rule. The file has no times, so merged shards give
+/// the same bytes as the whole run.
 ///
 /// # Errors
 /// A text that XML cannot hold.

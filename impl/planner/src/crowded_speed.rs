@@ -17,14 +17,14 @@ pub(crate) fn limit_crowded_speed(
     (elements, first_changed): (&mut Ring<PathElement>, &mut u64),
 ) {
     let Some(last) = elements.get(end.wrapping_sub(1)) else { return };
-    // An element that takes a whole cycle does not crowd one.
+    // An element that takes a whole cycle is not short.
     if last.length >= last.speed_limit * limits.cycle {
         return;
     }
     let first = end.saturating_sub(ELEMENTS_PER_CROWDED_CYCLE);
     let (mut length, mut most) = (last.length, last.speed_limit);
     for place in first..end.wrapping_sub(1) {
-        // With fewer elements before it there is no crowd.
+        // Fewer elements than that fit into a cycle.
         let Some(element) = elements.get(place) else { return };
         length += element.length;
         most = math::max(most, element.speed_limit);

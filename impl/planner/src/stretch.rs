@@ -17,7 +17,8 @@ pub(crate) const TOLERANCE_SHARE: f64 = 0.85;
 /// The least share of the longest average that a tolerance may require, as a power of a half. With a stricter one,
 /// corners are stops.
 const TOLERANT_WINDOW_SHIFT: u16 = 4;
-/// The same for lines of an exact path, of which only the first one's length is known.
+/// The least share of the longest average on lines of an exact path, as a power of a half. Only the length of the first
+/// line is known when the average is chosen.
 const EXACT_WINDOW_SHIFT: u16 = 2;
 /// The most cycles that an average covers.
 pub(crate) const WINDOW_CYCLES_MAX: u16 = 256;

@@ -126,7 +126,7 @@ const RESCALED: &str = "a move that waits for the next one while the length unit
 /// Why a block is not judged that a spline overtakes.
 const OVERTAKEN: &str = "a compensated move that waits while a spline is made";
 
-/// Why a block is not judged whose M19 waits when the program stops.
+/// Why a block is not judged whose M19 waits when the program stops, or one after it: parameters do not report M19.
 const ORIENTS: &str = "an M19 that waits for the next move when the program stops";
 
 impl Assembly<'_> {
@@ -173,7 +173,7 @@ impl Assembly<'_> {
 
     /// A block whose calls wait when the program stops: parameters tell its settings.
     fn unfinished(&mut self, checkpoint: &Checkpoint) {
-        if self.canon.has_word("m19") {
+        if self.canon.has_word("m19") || self.canon.has_oriented_spindle() {
             return self.unsupported(ORIENTS.to_owned());
         }
         let shown = state::waiting(checkpoint);

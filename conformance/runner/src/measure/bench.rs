@@ -1,9 +1,9 @@
-//! Runs a program on a controller, and says how it takes it.
+//! Runs a program on a controller and reports whether it is accepted.
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_vocabulary::{End, Options, Outcome, Scenario};
 
-/// How a controller takes a program.
+/// The answer of a controller to a program.
 pub(super) enum Answer {
     Accepted(Box<Outcome>),
     Refused,
@@ -29,7 +29,7 @@ impl<'a> Bench<'a> {
     /// Runs a program to its end.
     ///
     /// # Errors
-    /// The reason why that says nothing: the controller does not have what the program needs, or fails.
+    /// The controller lacks what the program needs, or fails. The text names the reason.
     pub(super) fn answer(&mut self, program: &str) -> Result<Answer, String> {
         let scenario = self.scenario(program);
         self.controller.supports(&scenario)?;

@@ -1,9 +1,9 @@
-//! What a measurement says.
+//! The result of a measurement.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What was measured.
+/// The measured value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Measured {
@@ -18,9 +18,9 @@ pub enum Measured {
     AtLeast(f64),
     /// The smallest value that was tried is refused.
     Below(f64),
-    /// A value that is read off.
+    /// A value that is not an edge, such as a distance.
     Value(f64),
-    /// Nothing was measured, and why.
+    /// Nothing was measured, for this reason.
     Nothing(String),
 }
 
@@ -29,7 +29,7 @@ pub enum Measured {
 pub struct Measurement {
     /// Its name, such as `arc-end-radius-10`.
     pub id: String,
-    /// What it is, as a phrase.
+    /// A phrase that names the quantity.
     pub title: String,
     /// The unit; empty for a count.
     pub unit: String,

@@ -1,5 +1,5 @@
 //! Measures a controller: how large a number may be before it refuses, how fine its lengths are, how far it rounds a
-//! corner. The suite asks whether a rule is kept; a measurement says where the edge is.
+//! corner. The suite checks rules; a measurement finds limits.
 //!
 //! A limit is searched by bisection, from a value that should pass to one that should not. So a controller that
 //! accepts, refuses and accepts again has one of its edges reported.
@@ -24,7 +24,7 @@ pub fn names() -> Vec<String> {
     edges.chain([RESOLUTION.to_owned()]).chain(blends).collect()
 }
 
-/// Measures what is wanted by its name; `after` is called with each measurement.
+/// Makes the measurements that `wanted` accepts by name. Calls `after` with each result.
 pub fn measure(
     controller: &dyn Adapter,
     options: &Options,
@@ -72,7 +72,7 @@ fn edge(quantity: &Quantity, controller: &dyn Adapter, options: &Options) -> Mea
 /// Finds where a controller stops to accept, within a scale.
 ///
 /// # Errors
-/// The reason why a value says nothing.
+/// The controller does not judge a value. The text names the reason.
 fn search(
     scale: Scale,
     mut accepts: impl FnMut(f64) -> Result<bool, String>,
@@ -81,7 +81,7 @@ fn search(
     if !accepts(low)? {
         return Ok(Measured::Below(low));
     }
-    // What is far beyond the edge can be costly, such as a deep call: the search comes from below.
+    // A value far beyond the edge can take long, such as a deep call. So the search goes upward.
     let mut accepted = low;
     let mut refused = loop {
         if accepted >= high {
@@ -91,7 +91,7 @@ fn search(
         match accepts(next) {
             Ok(true) => accepted = next,
             Ok(false) => break next,
-            // The controller has no answer for a large value: what it has accepted stands.
+            // The controller does not judge a large value: the accepted one is the result.
             Err(_) if accepted > low => return Ok(Measured::AtLeast(accepted)),
             Err(why) => return Err(why),
         }
@@ -109,7 +109,7 @@ fn search(
 /// The smallest step of X that changes the position, millimetres.
 fn resolution(controller: &dyn Adapter, options: &Options) -> Measurement {
     let mut bench = Bench::new(controller, options);
-    // Growing numbers are coarser steps; the search is for the first that is not seen.
+    // A larger number is a finer step. The search finds the first step that does not change the position.
     let scale = Scale::Real { low: 1.0, high: 1e12, closeness: 0.02 };
     let measured = search(scale, |parts| {
         let step = 1.0 / parts;
@@ -161,7 +161,7 @@ fn ends(outcome: &Outcome) -> Vec<f64> {
     let mut last = None;
     let states = outcome.steps.iter().filter_map(|step| {
         let Some(State::Rs274(state)) = &step.state else { return None };
-        // A state has what has changed.
+        // A state has only the fields that have changed.
         last = state.position.map(|position| position.x).or(last);
         last
     });

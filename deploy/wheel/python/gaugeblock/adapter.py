@@ -13,8 +13,8 @@ class Unsupported(Exception):
 
 
 def declaration(name, version, *, fields=(), effects=(), fields_at_effects=(), languages=("rs274",),
-                units=("mm", "inch"), features=(), moves_in_place=False, fault_kinds=False, final_parameters=False, pins=(), resolution=0.0,
-                clock="virtual", **more):
+                units=("mm", "inch"), features=(), moves_in_place=False, fault_kinds=False,
+                final_parameters=False, pins=(), resolution=0.0, clock="virtual", **more):
     """What a controller is and what it reports. Nothing else is judged.
 
     `fields` are reported after each block, `fields_at_effects` also with each effect; `gaugeblock adapter vocabulary`

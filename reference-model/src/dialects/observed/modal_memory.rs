@@ -13,8 +13,8 @@ pub(crate) struct ModalMemory(Option<Box<Remembered>>);
 pub(super) struct Remembered {
     /// F as it was programmed, in the length unit that was active then.
     pub(super) feed_number: f64,
-    /// Quirk rs274.thread-feed-override: the interpreter's own flag of the feed override, where a thread has enabled the
-    /// control of the machine behind it.
+    /// Quirk rs274.thread-feed-override: the interpreter's own flag of the feed override, if a thread has enabled the
+    /// override of the machine.
     pub(super) override_flag: Option<Switch>,
     /// The length unit in which the tool offset was programmed.
     pub(super) tool_offset_unit: LengthUnit,

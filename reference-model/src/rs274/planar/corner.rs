@@ -11,6 +11,8 @@ pub(crate) enum Corner {
     Tangent,
     /// The move ends at the intersection of both curves; none if they have none.
     Inner(Option<InPlane>),
+    /// The curves touch within rounding: whether they meet is open.
+    Touching,
     /// A joining move leads from the end of one curve to the start of the next.
     Outer,
 }
@@ -29,6 +31,9 @@ pub(crate) fn corner(before: &Leg, next: &Leg, cutter: Cutter, slack: f64) -> Co
     if turn <= TANGENT {
         Corner::Tangent
     } else if turn <= math::TURN / 2.0 - inside * TANGENT {
+        if touch(before, next) {
+            return Corner::Touching;
+        }
         Corner::Inner(intersection(before, next, cutter))
     } else {
         Corner::Outer
@@ -40,6 +45,18 @@ fn inside(leg: &Leg) -> Option<f64> {
     match leg.curve {
         Curve::Straight(_) => None,
         Curve::Round { inside, .. } => Some(inside),
+    }
+}
+
+/// Whether the curves of two moves touch, of which one is an arc.
+fn touch(before: &Leg, next: &Leg) -> bool {
+    match (before.curve, next.curve) {
+        (Curve::Straight(_), Curve::Straight(_)) => false,
+        (Curve::Straight(line), Curve::Round { circle, .. })
+        | (Curve::Round { circle, .. }, Curve::Straight(line)) => line.touches(circle),
+        (Curve::Round { circle: first, .. }, Curve::Round { circle: second, .. }) => {
+            first.touches(second)
+        }
     }
 }
 

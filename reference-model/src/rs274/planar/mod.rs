@@ -86,7 +86,16 @@ pub(crate) enum Crossing {
     Second,
 }
 
+/// Lengths that differ by less than this share are equal within rounding.
+const ROUNDING: f64 = 1e-9;
+
 impl Line {
+    /// Whether it touches a circle within rounding, so that rounding decides whether they meet.
+    pub(crate) fn touches(self, circle: Circle) -> bool {
+        let distance = across(self.direction, between(self.point, circle.centre)).abs();
+        (distance - circle.radius).abs() <= ROUNDING * circle.radius
+    }
+
     /// Where it crosses a circle, if it does.
     pub(crate) fn crosses(self, circle: Circle, which: Crossing) -> Option<InPlane> {
         let to_centre = between(self.point, circle.centre);
@@ -105,6 +114,14 @@ impl Line {
 }
 
 impl Circle {
+    /// Whether it touches another circle within rounding, so that rounding decides whether they meet.
+    pub(crate) fn touches(self, other: Self) -> bool {
+        let apart = length(between(self.centre, other.centre));
+        let sum = self.radius + other.radius;
+        let beside = |reach: f64| (apart - reach).abs() <= ROUNDING * sum;
+        beside(sum) || beside((self.radius - other.radius).abs())
+    }
+
     /// Where it crosses another circle: the crossing on the left of the way from its centre to the other one's, or the
     /// one on the right.
     pub(crate) fn crosses(self, other: Self, on_left: bool) -> Option<InPlane> {
@@ -133,6 +150,10 @@ mod tests {
         assert_eq!(line(5.0).crosses(circle, Crossing::First), Some((5.0, 5.0)));
         assert_eq!(line(5.0).crosses(circle, Crossing::Second), Some((-3.0, 5.0)));
         assert_eq!(line(8.0).crosses(circle, Crossing::First), None);
+        assert!(line(7.0).touches(circle) && !line(6.999).touches(circle));
+        let other = |x| Circle { centre: (x, 2.0), radius: 2.0 };
+        assert!(circle.touches(other(8.0)) && circle.touches(other(4.0)));
+        assert!(!circle.touches(other(7.9)) && !circle.touches(other(3.9)));
     }
 
     #[test]

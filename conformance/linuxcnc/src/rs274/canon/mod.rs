@@ -12,7 +12,9 @@ mod tool_table;
 use std::f64::consts::TAU;
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_vocabulary::{Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings};
+use gaugeblock_vocabulary::{
+    Channel, Effect, Event, FeedMode, Machine, Plane, Position, Settings, SpindleTurn,
+};
 
 use super::output::Call;
 use crate::instrumentation::checkpoint::Checkpoint;
@@ -82,6 +84,12 @@ impl Canon {
     /// Whether the block's code has this word, or a letter of any word.
     pub(super) fn has_word(&self, word: &str) -> bool {
         self.block.contains(word)
+    }
+
+    /// Whether M19 has oriented a spindle that has not turned since.
+    pub(super) fn has_oriented_spindle(&self) -> bool {
+        let turns = self.now.spindle.iter().flat_map(|spindles| spindles.0.iter());
+        turns.into_iter().any(|(_, turn)| *turn == SpindleTurn::Oriented)
     }
 
     /// The events since the last time.

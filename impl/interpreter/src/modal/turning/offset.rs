@@ -274,8 +274,8 @@ fn line_and_arc(
 }
 
 /// Drops pieces that are too short; their neighbours end and begin at their intersection. The first point and the last
-/// one are not moved, so that the pieces at them have to stay. What `rs274` does after an arc is open, and in front of one,
-/// too, unless nothing is left of the piece.
+/// one are not moved, so that the pieces at them have to stay. What `rs274` does after an arc is open. Before an arc it
+/// is open, too, unless nothing is left of the piece.
 fn drop_short(pieces: &mut Vec<Moved>, joins_parallels: bool) -> Result<(), Refusal> {
     let mut place = 0_usize;
     while let Some(dropped) = pieces.get(place).copied() {

@@ -232,6 +232,10 @@ fn turn_corner(
             let why = "an inner corner after an arc as entry that is turned over";
             return Err(StepError::Unspecified(why.to_owned()));
         }
+        Corner::Touching => {
+            let why = "an inner corner whose compensated curves touch within rounding";
+            return Err(StepError::Unspecified(why.to_owned()));
+        }
         Corner::Inner(_) if !path.waits => after_pause(last, next)?,
         Corner::Inner(None) => {
             let message = "the compensated curves of a corner do not cross";
