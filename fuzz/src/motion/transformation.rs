@@ -62,8 +62,8 @@ impl Transformation {
 
     /// The changed program; `None` where there is nothing to change.
     ///
-    /// With limits of jerk, more of another limit or of tolerance may cost time: a planner decides with them how it uses
-    /// the jerk.
+    /// With limits of jerk, a greater tolerance or another greater limit may cost time: a planner divides the jerk by
+    /// them.
     pub fn of(self, program: &MotionProgram, entropy: &mut Entropy<'_>) -> Option<MotionProgram> {
         let limits_jerk = program.limits.axes.values().any(|limit| limit.jerk.is_some());
         if self.may_save() && limits_jerk {

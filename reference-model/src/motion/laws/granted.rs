@@ -10,8 +10,8 @@ use crate::motion::route::Route;
 use crate::motion::vector::minus;
 
 impl Record<'_> {
-    /// For how long a motion that stops and goes on may seem to be at a point that it has not reached, or has left: with
-    /// a limit of jerk it takes the cube root of 6·s/j for a way s. Twice that is granted at each end.
+    /// The time for which a motion that stops may be near a point before it reaches it, or after it leaves it. With a
+    /// limit of jerk a way s takes the cube root of 6·s/j. Twice that is granted at each end.
     pub(super) fn lingers(&self) -> f64 {
         let moves = (0..9).filter(|axis| self.moves(*axis));
         let jerk = moves.map(|axis| self.envelope.jerk[axis]).fold(f64::INFINITY, f64::min);

@@ -259,8 +259,8 @@ impl ModelRun<'_> {
         Ok(after_phase)
     }
 
-    /// Executes a phase; a lathe cycle makes its first motion, and then its profile is read. `began` becomes the time of
-    /// the last wait.
+    /// Executes a phase. A lathe cycle makes its first motion, and then its profile is read. `began` becomes the time
+    /// of the last wait.
     fn perform_phase(
         &mut self,
         phase: Phase,
