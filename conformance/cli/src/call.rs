@@ -14,6 +14,7 @@ use crate::command::{
 };
 use crate::documents::read_suite;
 use crate::error::CliError;
+use crate::signals;
 use crate::streams::{self, write_error, write_error_in_colours};
 
 /// The exit statuses, for the help.
@@ -118,7 +119,10 @@ pub fn main() -> ExitCode {
     let done = match Call::try_parse() {
         Ok(call) => {
             call.colour.write_global();
-            execute(&call)
+            let watched = signals::watch().map_err(|error| {
+                CliError::failure(format!("signals: {error}"), "may another thread be started?")
+            });
+            watched.and_then(|()| execute(&call))
         }
         Err(error) if error.use_stderr() => {
             let _closed_pipe = error.print();

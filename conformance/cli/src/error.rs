@@ -3,7 +3,7 @@
 /// Why a command ends without a result: message, hint and exit status.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CliError {
-    /// 2: the call or its input is wrong. 3: the command could not finish.
+    /// [`CliError::WRONG_CALL`], or 3: the command could not finish.
     pub(crate) status: u8,
     /// What is wrong, with its place.
     pub(crate) message: String,
@@ -12,9 +12,12 @@ pub(crate) struct CliError {
 }
 
 impl CliError {
+    /// Exit status of a call that is wrong, or whose input is.
+    pub(crate) const WRONG_CALL: u8 = 2;
+
     /// The call or its input is wrong.
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { status: 2, message: message.into(), hint: Some(hint.into()) }
+        Self { status: Self::WRONG_CALL, message: message.into(), hint: Some(hint.into()) }
     }
 
     /// It could not finish.

@@ -7,6 +7,7 @@ mod documents;
 mod error;
 mod program;
 mod progress;
+mod signals;
 mod streams;
 
 pub use call::{main, understands};

@@ -11,4 +11,4 @@ mod tests;
 pub use output::{
     PartialFolder, check_folder, copy_output, open_output, write_output, write_outputs,
 };
-pub use private::{PrivateFolder, SharedFolder, open_lock};
+pub use private::{PrivateFolder, SharedFolder, open_lock, remove_private_folders};

@@ -1,5 +1,6 @@
 //! Private folders: what a controller and the referee share, and others on the machine must neither read nor change.
 
+use std::collections::BTreeSet;
 use std::fs::{DirBuilder, File, OpenOptions, Permissions};
 use std::io::{Error, ErrorKind, Result, Write as _};
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
@@ -8,14 +9,55 @@ use std::os::unix::fs::{
 };
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
-use rustix::fs::{AtFlags, CWD, Mode, OFlags, mkdirat, openat, unlinkat};
+use rustix::fs::{AtFlags, CWD, FlockOperation, Mode, OFlags, flock, mkdirat, openat, unlinkat};
 
 /// Permissions of a private folder, whatever the umask: its owner may do everything, others nothing.
 const PRIVATE: u32 = 0o700;
 
+/// How the name of every private folder begins.
+const PREFIX: &str = "gaugeblock-";
+
+/// A private folder that is younger is never removed by another process: it may not be locked yet.
+const LEAST_AGE: Duration = Duration::from_mins(10);
+
+/// The private folders of this process.
+#[derive(Default)]
+struct Folders {
+    paths: BTreeSet<PathBuf>,
+    /// Parents whose abandoned folders have been removed.
+    swept: BTreeSet<PathBuf>,
+    /// The process ends: no folder is made any more.
+    closed: bool,
+}
+
+static FOLDERS: Mutex<Folders> =
+    Mutex::new(Folders { paths: BTreeSet::new(), swept: BTreeSet::new(), closed: false });
+
+/// A panic of another thread leaves the list as it was.
+fn folders() -> MutexGuard<'static, Folders> {
+    FOLDERS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all private folders of this process, which is about to end by a signal. No folder can be made afterwards.
+pub fn remove_private_folders() {
+    /// A file may be written into a folder while it is removed.
+    const ATTEMPTS: usize = 5;
+    let mut folders = folders();
+    folders.closed = true;
+    for path in std::mem::take(&mut folders.paths) {
+        for _attempt in 0..ATTEMPTS {
+            if std::fs::remove_dir_all(&path).is_ok() || !path.exists() {
+                break;
+            }
+        }
+    }
+}
+
 /// A folder that only the user of this process, and root, may enter. It is removed with all that is in it when
-/// this is dropped.
+/// this is dropped. The folders that a killed process left in the same parent are removed when the first one is made.
 #[derive(Debug)]
 pub struct PrivateFolder {
     path: PathBuf,
@@ -38,11 +80,22 @@ impl PrivateFolder {
     /// It cannot be made, or it is not ours alone.
     pub fn below(parent: &Path, label: &str) -> Result<Self> {
         static COUNT: AtomicU64 = AtomicU64::new(0);
+        let mut folders = folders();
+        if folders.closed {
+            return Err(Error::new(ErrorKind::Interrupted, "the process ends"));
+        }
+        if folders.swept.insert(parent.to_owned()) {
+            remove_abandoned(parent);
+        }
         loop {
             let number = COUNT.fetch_add(1, Ordering::Relaxed);
-            let path = parent.join(format!("gaugeblock-{label}-{}-{number}", std::process::id()));
+            let path = parent.join(format!("{PREFIX}{label}-{}-{number}", std::process::id()));
             match DirBuilder::new().mode(PRIVATE).create(&path) {
-                Ok(()) => return Self::opened(path),
+                Ok(()) => {
+                    let folder = Self::opened(path)?;
+                    folders.paths.insert(folder.path.clone());
+                    return Ok(folder);
+                }
                 // Left by a process that had our number, or put there by someone else.
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
@@ -60,6 +113,8 @@ impl PrivateFolder {
             let why = format!("{}: another user owns it or may enter it", path.display());
             return Err(Error::new(ErrorKind::PermissionDenied, why));
         }
+        // It says that its process lives, in whatever name space the process is.
+        let _where_locks_exist = flock(&folder, FlockOperation::NonBlockingLockShared);
         Ok(Self { path, handle: folder.into() })
     }
 
@@ -106,7 +161,30 @@ impl Drop for PrivateFolder {
     fn drop(&mut self) {
         // A folder that stays is a nuisance, not a wrong result.
         let _left = std::fs::remove_dir_all(&self.path);
+        folders().paths.remove(&self.path);
     }
+}
+
+/// Removes the private folders in a folder whose process was killed: they are ours, old enough, and not locked.
+fn remove_abandoned(parent: &Path) {
+    let Ok(entries) = std::fs::read_dir(parent) else { return };
+    for entry in entries.flatten() {
+        if entry.file_name().to_string_lossy().starts_with(PREFIX) && is_abandoned(&entry.path()) {
+            let _left = std::fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+fn is_abandoned(path: &Path) -> bool {
+    let Ok(handle) = openat(CWD, path, FOLDER, Mode::empty()) else { return false };
+    let folder = File::from(handle);
+    let Ok(found) = folder.metadata() else { return false };
+    let is_old =
+        found.modified().is_ok_and(|modified| modified.elapsed().is_ok_and(|age| age > LEAST_AGE));
+    found.uid() == rustix::process::geteuid().as_raw()
+        && found.mode() & 0o7777 == PRIVATE
+        && is_old
+        && flock(&folder, FlockOperation::NonBlockingLockExclusive).is_ok()
 }
 
 const FOLDER: OFlags =

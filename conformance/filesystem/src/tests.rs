@@ -4,6 +4,7 @@ use std::fs::{self, Permissions};
 use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
 use std::path::{Path, PathBuf};
 use std::thread;
+use std::time::{Duration, SystemTime};
 
 use rustix::fs::{CWD, FileType, Mode, mknodat};
 
@@ -268,4 +269,41 @@ fn a_lock_is_a_file_and_no_link() {
     assert!(open_lock(&scratch.path("link")).is_err());
     assert!(open_lock(&scratch.path("fifo")).is_err());
     assert_eq!(scratch.names(), ["fifo", "link", "lock"]);
+}
+
+#[test]
+fn folders_of_killed_processes_are_removed() {
+    let scratch = Scratch::new("abandoned");
+    let made = |name: &str, mode: u32, hours: u64| {
+        let path = scratch.path(name);
+        fs::create_dir(&path).unwrap();
+        fs::write(path.join("left"), "").unwrap();
+        let folder = fs::File::open(&path).unwrap();
+        folder.set_permissions(Permissions::from_mode(mode)).unwrap();
+        folder.set_modified(SystemTime::now() - Duration::from_hours(hours)).unwrap();
+        folder
+    };
+    made("gaugeblock-rs274-1-0", 0o700, 1);
+    made("gaugeblock-young-1-0", 0o700, 0);
+    made("gaugeblock-open-to-all-1-0", 0o755, 1);
+    made("of-another-program", 0o700, 1);
+    let lives = made("gaugeblock-lives-1-0", 0o700, 1);
+    rustix::fs::flock(&lives, rustix::fs::FlockOperation::LockShared).unwrap();
+    drop(PrivateFolder::below(&scratch.0, "new").unwrap());
+    let kept = [
+        "gaugeblock-lives-1-0",
+        "gaugeblock-open-to-all-1-0",
+        "gaugeblock-young-1-0",
+        "of-another-program",
+    ];
+    assert_eq!(scratch.names(), kept);
+}
+
+#[test]
+fn a_private_folder_says_that_its_process_lives() {
+    let scratch = Scratch::new("lock");
+    let folder = PrivateFolder::below(&scratch.0, "new").unwrap();
+    let other = fs::File::open(folder.path()).unwrap();
+    let exclusive = rustix::fs::FlockOperation::NonBlockingLockExclusive;
+    assert!(rustix::fs::flock(&other, exclusive).is_err());
 }

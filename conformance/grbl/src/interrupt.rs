@@ -11,6 +11,14 @@ use signal_hook::flag;
 /// Exit status of a process that a user ended: 128 and the number of the signal.
 const STATUS_OF_SIGINT: i32 = 130;
 
+/// Whether a machine is connected that must be stopped before this process ends.
+static INSTALLED: AtomicBool = AtomicBool::new(false);
+
+/// Whether this adapter ends the process at SIGINT and SIGTERM itself, after it has stopped its machine.
+pub fn handles_signals() -> bool {
+    INSTALLED.load(Ordering::Relaxed)
+}
+
 /// Whether the user has interrupted.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interrupt(Arc<AtomicBool>);
@@ -19,6 +27,7 @@ impl Interrupt {
     /// Notes the signals that end a process. Where it cannot, they end it at once.
     pub(crate) fn install() -> Self {
         let interrupt = Self::default();
+        INSTALLED.store(true, Ordering::Relaxed);
         for signal in [SIGINT, SIGTERM] {
             // In this order: the first signal finds the flag clear, and sets it.
             let shutdown = Arc::clone(&interrupt.0);

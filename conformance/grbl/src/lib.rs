@@ -29,6 +29,7 @@ mod words;
 pub use dialect::Dialect;
 pub use grbl::Grbl;
 pub use identity::LanguageCheck;
+pub use interrupt::handles_signals;
 pub use port::{BITS_PER_SECOND, Traffic};
 pub use session::Limits;
 pub use setup::{Address, Motion, Setup};

@@ -35,8 +35,12 @@ use command_files::command_files;
 use connection::Endpoint;
 pub use limits::Limits;
 use observables_cache::ObservablesCache;
+pub use process::kill_sessions;
 use run::Stopped;
 use session::Session;
+
+/// Sessions that are opened at once, if a controller declares more.
+const MOST_SESSIONS: usize = 64;
 
 /// A controller that speaks the protocol.
 #[derive(Debug)]
@@ -250,7 +254,9 @@ impl Adapter for Exec {
     }
 
     fn best_jobs(&self) -> Option<NonZero<usize>> {
-        self.declaration.sessions.and_then(|jobs| NonZero::new(usize::from(jobs)))
+        self.declaration
+            .sessions
+            .and_then(|jobs| NonZero::new(usize::from(jobs).min(MOST_SESSIONS)))
     }
 
     fn notes(&self) -> Vec<String> {

@@ -1,9 +1,10 @@
 //! The processes of a session: started with limits, and ended with everything that they started.
 
-use std::io::{PipeReader, PipeWriter};
+use std::io::{ErrorKind, PipeReader, PipeWriter};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use rustix::process::{
@@ -16,6 +17,34 @@ use crate::clock::now;
 
 /// An environment variable that marks all processes of a session, to find those that left its group.
 const MARK: &str = "GAUGEBLOCK_SESSION";
+
+/// The groups of the sessions of this process that have not been reaped.
+struct Groups {
+    leaders: Vec<Pid>,
+    /// The process ends: no session is started any more.
+    closed: bool,
+}
+
+static GROUPS: Mutex<Groups> = Mutex::new(Groups { leaders: Vec::new(), closed: false });
+
+/// A panic of another thread leaves the list as it was.
+fn groups() -> MutexGuard<'static, Groups> {
+    GROUPS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Kills the processes of all sessions of this process, which is about to end by a signal. None can be started
+/// afterwards.
+pub fn kill_sessions() {
+    let mut groups = groups();
+    groups.closed = true;
+    for leader in &groups.leaders {
+        // It is not reaped before it leaves the list, so its id is its own.
+        let _gone = kill_process_group(*leader, Signal::KILL);
+        let _it_may_have_left_its_group = kill_process(*leader, Signal::KILL);
+    }
+    let ours = format!("{MARK}={}-", std::process::id());
+    kill_marked(|variable| variable.starts_with(ours.as_bytes()));
+}
 
 /// A session's process, which leads a group of its own. It is ended when this is dropped.
 #[derive(Debug)]
@@ -39,6 +68,10 @@ impl Process {
         static SESSIONS: AtomicU64 = AtomicU64::new(0);
         let session = SESSIONS.fetch_add(1, Ordering::Relaxed);
         let mark = format!("{}-{session}", std::process::id());
+        let mut groups = groups();
+        if groups.closed {
+            return Err(std::io::Error::new(ErrorKind::Interrupted, "the process ends"));
+        }
         let child = Command::new("/bin/sh")
             .args(["-c", &without_shell(command)])
             .env(MARK, &mark)
@@ -49,6 +82,7 @@ impl Process {
             .spawn()?;
         let process = Self { child, mark, ended: None };
         if let Some(pid) = process.pid() {
+            groups.leaders.push(pid);
             let most = |bytes| Rlimit { current: Some(bytes), maximum: Some(bytes) };
             // The system may have set lower limits, which cannot be raised; those then apply.
             let _memory = prlimit(Some(pid), Resource::As, most(limits.memory));
@@ -73,12 +107,19 @@ impl Process {
         }
         // Before the process is reaped its id is not reused, so its group can be killed safely.
         self.end_group();
+        self.forget();
         self.ended = self.child.wait().ok().map(describe_exit);
         self.ended.clone()
     }
 
     fn pid(&self) -> Option<Pid> {
         i32::try_from(self.child.id()).ok().and_then(Pid::from_raw)
+    }
+
+    /// Takes it from the list of groups, before it is reaped.
+    fn forget(&self) {
+        let pid = self.pid();
+        groups().leaders.retain(|leader| Some(*leader) != pid);
     }
 
     fn end_group(&self) {
@@ -88,23 +129,10 @@ impl Process {
         }
     }
 
-    /// Kills processes that left the group: the mark of the session is in their environment.
+    /// Kills processes that left the group.
     fn end_others(&self) {
         let wanted = format!("{MARK}={}", self.mark);
-        let Ok(entries) = std::fs::read_dir("/proc") else { return };
-        for entry in entries.flatten() {
-            let Some(pid) = entry.file_name().to_str().and_then(|name| name.parse().ok()) else {
-                continue;
-            };
-            let environment = std::fs::read(entry.path().join("environ")).unwrap_or_default();
-            let is_ours =
-                environment.split(|byte| *byte == 0).any(|entry| entry == wanted.as_bytes());
-            if let Some(pid) = Pid::from_raw(pid)
-                && is_ours
-            {
-                let _gone = kill_process(pid, Signal::KILL);
-            }
-        }
+        kill_marked(|variable| variable == wanted.as_bytes());
     }
 }
 
@@ -115,9 +143,27 @@ impl Drop for Process {
             self.end_group();
             // It may have left its group.
             let _ended_before = self.child.kill();
+            self.forget();
             let _status = self.child.wait();
         }
         self.end_others();
+    }
+}
+
+/// Kills the processes that have such a variable in their environment.
+fn kill_marked(is_wanted: impl Fn(&[u8]) -> bool) {
+    let Ok(entries) = std::fs::read_dir("/proc") else { return };
+    for entry in entries.flatten() {
+        let Some(pid) = entry.file_name().to_str().and_then(|name| name.parse().ok()) else {
+            continue;
+        };
+        let environment = std::fs::read(entry.path().join("environ")).unwrap_or_default();
+        let is_ours = environment.split(|byte| *byte == 0).any(&is_wanted);
+        if let Some(pid) = Pid::from_raw(pid)
+            && is_ours
+        {
+            let _gone = kill_process(pid, Signal::KILL);
+        }
     }
 }
 

@@ -38,6 +38,7 @@ mod rs274_by_protocol;
 mod scenario_encoding;
 mod several;
 mod shards;
+mod signals;
 mod template;
 mod terminal;
 mod tutorial;

@@ -59,6 +59,14 @@ impl Verdict {
         self.reason() == Some(WITHOUT_ASSERTION)
     }
 
+    /// Whether the controller crashed or did not end in time.
+    pub fn is_without_outcome(&self) -> bool {
+        matches!(
+            self,
+            Self::NotJudged(NotJudgedReason { cause: Cause::Crash | Cause::Timeout, .. })
+        )
+    }
+
     /// The verdict in a word or two, as in every report.
     pub fn word(&self) -> &'static str {
         match self {

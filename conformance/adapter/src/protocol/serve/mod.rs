@@ -32,6 +32,9 @@ const LARGE: usize = 64 << 10;
 /// Bytes of a line that comes over the network.
 const LONGEST_REQUEST_BYTES: u64 = 64 << 20;
 
+/// Blocks or effects of a run for which a caller over the network asks at most: the outcome of a run is in memory.
+const LARGEST_BUDGET: u32 = 1_000_000;
+
 /// What is served.
 #[derive(Clone, Debug)]
 pub struct Served {
@@ -106,14 +109,15 @@ struct Serving<'a> {
 impl Serving<'_> {
     /// Answers a line. False if the session ends.
     fn answer_line(&mut self, line: &[u8]) -> Result<bool> {
-        let Request { id, operation } = match self.reader.read(line) {
-            Ok(request) => request,
-            Err((id, why)) => {
-                self.send(id, Reply::Refused(why))?;
-                let is_json = serde_json::from_slice::<IgnoredAny>(line).is_ok();
-                return Ok(is_json || self.served.caller == Caller::Parent);
-            }
-        };
+        let Request { id, operation } =
+            match self.reader.read(line).and_then(|it| self.within_bounds(it)) {
+                Ok(request) => request,
+                Err((id, why)) => {
+                    self.send(id, Reply::Refused(why))?;
+                    let is_json = serde_json::from_slice::<IgnoredAny>(line).is_ok();
+                    return Ok(is_json || self.served.caller == Caller::Parent);
+                }
+            };
         let lasts = operation != Operation::Bye {};
         let reply = match operation {
             Operation::Hello { folder: Some(_), .. } if self.served.caller == Caller::Network => {
@@ -176,6 +180,21 @@ impl Serving<'_> {
         };
         self.send(id, reply)?;
         Ok(lasts)
+    }
+
+    /// Refuses a request over the network whose outcome may not fit into memory, with its id and the reason.
+    fn within_bounds(&self, request: Request) -> std::result::Result<Request, (u64, String)> {
+        let budget = match &request.operation {
+            Operation::Run { scenario, .. } | Operation::Move { scenario, .. } => &scenario.budget,
+            _ => return Ok(request),
+        };
+        let largest = budget.steps.max(budget.effects);
+        if self.served.caller == Caller::Network && largest > LARGEST_BUDGET {
+            let why =
+                format!("a budget over the network is at most {LARGEST_BUDGET} steps and effects");
+            return Err((request.id, why));
+        }
+        Ok(request)
     }
 
     fn offers(&self, extension: Extension) -> bool {

@@ -212,3 +212,23 @@ fn a_line_is_not_read_beyond_its_limit() {
     assert!(line("12345", 5).is_err());
     assert_eq!(line("", 5).unwrap(), None);
 }
+
+#[test]
+fn network_session_has_a_largest_budget() {
+    let request = |steps: u32, effects: u32| {
+        let budget = json!({"steps": steps, "effects": effects, "time": 1.0});
+        let scenario = json!({"program": {"main": "m2\n"}, "budget": budget});
+        run("", &json!({"scenario": scenario}))
+    };
+    let requests = [(1_000_000, 1_000_000), (1_000_001, 1), (1, u32::MAX)]
+        .map(|(steps, effects)| request(steps, effects))
+        .concat();
+    let network = answers_for(Caller::Network, &[], &requests);
+    assert!(network[0]["outcome"].is_object(), "{}", network[0]);
+    for refused in &network[1..3] {
+        assert!(refused["refused"].as_str().unwrap().contains("1000000 steps"), "{refused}");
+        assert_eq!(refused["id"], 7);
+    }
+    let parent = answers(&requests);
+    assert!(parent.iter().all(|answer| answer["outcome"].is_object()), "{parent:?}");
+}

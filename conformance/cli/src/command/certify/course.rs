@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::num::NonZero;
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use gaugeblock_adapter::Adapter;
@@ -75,6 +75,11 @@ impl<'a> Course<'a> {
             controller.check_observation();
         }
         Ok(Candidate { files: self.files(controller.as_ref())?, controller, edition })
+    }
+
+    /// Keeps the report of an earlier run in a folder apart from the one that this run may end without.
+    pub(super) fn set_aside(&self, folder: &Path) -> Result<(), CliError> {
+        set_aside(folder, &self.arguments.against.files())
     }
 
     /// The files of a controller, for a report or a certificate.
@@ -155,6 +160,9 @@ impl<'a> Course<'a> {
         let header =
             Header { twice, options, controller_files, ..Header::of(plan, controller, shard) };
         let newer = known.check_header(&header, suite)?;
+        if let Some(folder) = folder {
+            self.set_aside(folder)?;
+        }
         let mut run = self.run_with_journal(plan, controller, &header, folder)?;
         if is_fingerprinted(arguments, controller) {
             let options = options_of(suite, edition, &header.options);
@@ -166,7 +174,11 @@ impl<'a> Course<'a> {
         let (mismatches, fixed) = known.compare(&mut run, whole);
         let mut notes = [controller.notes(), undeclared, newer, fixed].concat();
         if left > 0 {
-            notes.push(format!("stopped by --max-fail: {left} cases were not run"));
+            let why = match arguments.max_fail {
+                Some(most) if failed(&run) >= most.get() => "by --max-fail".to_owned(),
+                _ => format!("after {MOST_WITHOUT_OUTCOME} cases in a row without an outcome"),
+            };
+            notes.push(format!("stopped {why}: {left} cases were not run"));
         }
         // Only a whole run can pass a profile.
         let claimed = if shard == Shard::WHOLE { arguments.profile.as_slice() } else { &[] };
@@ -204,17 +216,23 @@ impl<'a> Course<'a> {
         let progress = Progress::of(cases(plan, header.laws, shard).len(), "cases");
         progress.add(done.len());
         let mut mismatch = None;
-        let mut failed = 0;
+        let (mut failed, mut without_answer) = (0, 0);
         let most = self.arguments.max_fail.map_or(usize::MAX, NonZero::get);
         let mut each = |result: &CaseResult<'_>| {
             progress.add(1);
-            failed += usize::from(result.verdict.divergence().is_some());
+            failed += usize::from(is_failed(result));
             if let Some(Err(why)) =
                 journal.as_mut().map(|journal| journal.done(&JournalCase::of(result)))
             {
                 mismatch.get_or_insert(why);
             }
-            if failed >= most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            without_answer =
+                if result.verdict.is_without_outcome() { without_answer + 1 } else { 0 };
+            if failed >= most || without_answer >= MOST_WITHOUT_OUTCOME {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         };
         let twice = RepeatSampling(header.twice);
         let run_options = RunOptions {
@@ -233,6 +251,18 @@ impl<'a> Course<'a> {
             None => Ok(run),
         }
     }
+}
+
+/// Cases in a row that time out or crash until a controller is given up: its campaign might take days.
+const MOST_WITHOUT_OUTCOME: usize = 200;
+
+/// Whether a case counts for --max-fail.
+fn is_failed(result: &CaseResult<'_>) -> bool {
+    result.verdict.divergence().is_some()
+}
+
+fn failed(run: &Run<'_>) -> usize {
+    run.cases.iter().filter(|result| is_failed(result)).count()
 }
 
 /// The options that differ from those of the edition: those of --options, those that the controller declares, and those
@@ -328,10 +358,50 @@ pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Cli
     })?;
     let text =
         anstream::adapter::strip_str(&terminal::terminal(report, Detail::Everything)).to_string();
-    user_files::write_whole(&folder.join("report.json"), json::text(report))?;
-    user_files::write_whole(&folder.join("report.html"), &page)?;
-    user_files::write_whole(&folder.join(cost::FILE), Cost::of(report.run).to_text())?;
-    user_files::write_whole(&folder.join("junit.xml"), &xml)?;
-    user_files::write_whole(&folder.join("report.txt"), &text)?;
-    user_files::write_whole(&folder.join("summary.md"), markdown::markdown(report))
+    let texts = [
+        json::text(report),
+        page,
+        Cost::of(report.run).to_text(),
+        xml,
+        text,
+        markdown::markdown(report),
+    ];
+    REPORT_FILES
+        .iter()
+        .zip(texts)
+        .try_for_each(|(name, text)| user_files::write_whole(&folder.join(name), &text))
+}
+
+/// The files of a report.
+const REPORT_FILES: [&str; 6] =
+    ["report.json", "report.html", cost::FILE, "junit.xml", "report.txt", "summary.md"];
+
+/// Where an earlier report is kept while there is no newer one.
+const EARLIER: &str = "earlier";
+
+/// Moves the report of an earlier run into a folder of its own, so that it is not taken for the report of this one if
+/// this one ends without a report. A baseline that is there stays, with its whole report.
+fn set_aside(folder: &Path, compared_with: &[PathBuf]) -> Result<(), CliError> {
+    let files: Vec<_> = REPORT_FILES.iter().map(|name| (name, folder.join(name))).collect();
+    let is_same = |file: &Path, other: &PathBuf| {
+        file.canonicalize().is_ok_and(|file| other.canonicalize().is_ok_and(|other| file == other))
+    };
+    if files.iter().any(|(_, file)| compared_with.iter().any(|other| is_same(file, other))) {
+        return Ok(());
+    }
+    let earlier = folder.join(EARLIER);
+    for (name, file) in files {
+        // A link or a device at the path of an output stays where it is.
+        if file.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
+            let moved = std::fs::create_dir_all(&earlier)
+                .and_then(|()| std::fs::rename(&file, earlier.join(name)));
+            moved.map_err(|error| {
+                CliError::usage(
+                    format!("{}: {error}", file.display()),
+                    "the report of an earlier run is moved before another one begins",
+                )
+            })?;
+        }
+    }
+    Ok(())
 }

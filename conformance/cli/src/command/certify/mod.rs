@@ -45,7 +45,13 @@ pub(crate) fn certify(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
     if let Some(folder) = folder {
         user_files::create_folder(folder)?;
     }
-    let candidate = course.open(&arguments.controller.concat())?;
+    let candidate = course.open(&arguments.controller.concat()).or_else(|error| {
+        // A wrong call changes no file.
+        if let Some(folder) = folder.filter(|_| error.status != CliError::WRONG_CALL) {
+            course.set_aside(folder)?;
+        }
+        Err(error)
+    })?;
     if arguments.list {
         return course.list(&candidate);
     }
