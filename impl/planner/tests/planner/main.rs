@@ -3,6 +3,7 @@
 mod bits;
 mod check;
 mod corners;
+mod cycle_times;
 mod jerk;
 mod known_times;
 mod memory;
