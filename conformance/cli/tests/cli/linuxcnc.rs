@@ -195,6 +195,25 @@ fn its_servo_samples_are_recorded_and_judged() {
 }
 
 #[test]
+fn what_waits_and_says_at_the_ends_of_a_program_accuses_nobody() {
+    let machine = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../recorded/mill.toml");
+    let programs = [
+        ("first.ngc", "g21 g64\ng4 p0.4\ng0 x3\n(debug,there)\nm2\n"),
+        ("last.ngc", "g21 g64\n(msg,it goes on)\ng0 x3\ng4 p0.4\nm2\n"),
+    ];
+    for (name, text) in programs {
+        let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+        fs::write(&program, text).expect("written");
+        let Some(mut command) = gaugeblock("dwells at the ends of a recording", &["plan"]) else {
+            return;
+        };
+        command.arg(program).arg("--machine").arg(&machine).args(["--controller", "linuxcnc"]);
+        let text = ends_with(&command.output().expect("gaugeblock runs"), 0);
+        assert!(text.contains("holds       trajectory.dwell"), "{name}: {text}");
+    }
+}
+
+#[test]
 fn a_program_that_it_refuses_leaves_no_samples() {
     let program = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("refused.ngc");
     fs::write(&program, "g21 g1 f100 x1\ng1 x\nm2\n").expect("written");

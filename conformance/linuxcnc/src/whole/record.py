@@ -2,7 +2,8 @@
 """Runs one program on LinuxCNC, and writes what the servo thread commands in each cycle.
 
 LinuxCNC starts this script as its display, and shuts itself down when it exits. The program is `programs/main.ngc`, the
-samples go to `samples.txt`. What went wrong is told in a line that begins with the mark.
+samples go to `samples.txt`. A line that begins with the mark has the numbers of the samples between which the program
+ran, or what went wrong.
 """
 
 import json
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import time
 
+import hal
 import linuxcnc
 
 MARK = "@gaugeblock@ "
@@ -36,6 +38,11 @@ def ready(command):
     command.wait_complete()
     command.program_open(os.path.abspath("programs/main.ngc"))
     command.wait_complete()
+
+
+def sample():
+    """The number of the current sample."""
+    return hal.get_value("sampler.0.sample-num")
 
 
 def run(command, status, errors):
@@ -65,14 +72,16 @@ def main():
     with open("samples.txt", "w", encoding="ascii") as samples:
         sampler = subprocess.Popen(["halsampler", "-t"], stdout=samples)
         time.sleep(REST)
+        begin = sample()
         complaint = run(command, status, errors)
+        end = sample()
         time.sleep(REST)
         sampler.terminate()
         sampler.wait()
     if complaint:
         report(failed=complaint)
     else:
-        report(recorded=True)
+        report(recorded=[begin, end])
 
 
 main()

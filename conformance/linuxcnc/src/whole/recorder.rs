@@ -54,13 +54,13 @@ pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Sampl
     };
     let tools = workspace::tool_table(&scenario.machine);
     let parameters = workspace::parameter_file(&scenario.machine, &BTreeSet::new());
-    let text = Session::record(&setup, &tools, &parameters, LONGEST)
+    let (text, program) = Session::record(&setup, &tools, &parameters, LONGEST)
         .map_err(|error| NoSamples::Failed(HarnessError::NotRun(error.to_string())))?;
     let unreadable =
         |why| NoSamples::Failed(HarnessError::Unreadable { what: "samples".to_owned(), line: why });
-    let rows = rows(&text, columns.len()).map_err(unreadable)?;
+    let (first, rows) = rows(&text, columns.len()).map_err(unreadable)?;
     let scale = unit(&scenario.machine);
-    let rows = moving(&rows);
+    let rows = executed(&rows, program.map(|number| number.saturating_sub(first)));
     let kept = without_idle_tail(&columns, rows, limits);
     samples(limits.period, &kept, rows, scale).map_err(unreadable)
 }
@@ -184,9 +184,10 @@ fn programs(scenario: &Scenario) -> Vec<(String, String, bool, bool)> {
     scenario.program.files.iter().chain([main]).map(file).collect()
 }
 
-/// The rows of a sampler, of which each has its number.
-fn rows(text: &str, width: usize) -> Result<Vec<Vec<f64>>, String> {
+/// The rows of a sampler, and the number of the first one.
+fn rows(text: &str, width: usize) -> Result<(u64, Vec<Vec<f64>>), String> {
     let mut rows = Vec::new();
+    let mut first = 0;
     let mut before: Option<u64> = None;
     for line in text.lines() {
         let mut words = line.split_whitespace();
@@ -194,6 +195,9 @@ fn rows(text: &str, width: usize) -> Result<Vec<Vec<f64>>, String> {
         let Some(number) = number else { return Err(format!("the sampler says: {line}")) };
         if before.is_some_and(|before| before + 1 != number) {
             return Err(format!("samples before number {number} were lost"));
+        }
+        if before.is_none() {
+            first = number;
         }
         before = Some(number);
         let values: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
@@ -203,15 +207,17 @@ fn rows(text: &str, width: usize) -> Result<Vec<Vec<f64>>, String> {
             _ => break,
         }
     }
-    if rows.is_empty() { Err("no sample was recorded".to_owned()) } else { Ok(rows) }
+    if rows.is_empty() { Err("no sample was recorded".to_owned()) } else { Ok((first, rows)) }
 }
 
-/// The rows from rest to rest: those in which something changes, and a few on either side.
-fn moving(rows: &[Vec<f64>]) -> &[Vec<f64>] {
+/// The rows in which the program runs, with the dwells at its ends: from when it was begun, or from the first change if
+/// that is earlier, until it had ended, and a few at rest on either side.
+fn executed(rows: &[Vec<f64>], [begin, end]: [u64; 2]) -> &[Vec<f64>] {
     let changes = |pair: &[Vec<f64>]| pair[0] != pair[1];
-    let first = rows.windows(2).position(changes).unwrap_or(0);
-    let last = rows.windows(2).rposition(changes).map_or(0, |pair| pair + 1);
-    &rows[first.saturating_sub(REST)..(last + REST + 1).min(rows.len())]
+    let place = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
+    let first = rows.windows(2).position(changes).unwrap_or(0).min(place(begin));
+    let last = rows.windows(2).rposition(changes).map_or(0, |pair| pair + 1).max(place(end));
+    &rows[first.saturating_sub(REST)..last.saturating_add(REST + 1).min(rows.len())]
 }
 
 /// Columns to keep, each with its place: axes without limits that never move are left out.
@@ -254,15 +260,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_are_those_of_the_motion() {
+    fn rows_are_those_of_the_program() {
         let text: String =
-            (0..10).map(|n| format!("{n} {} 0\n", if n < 5 { 0 } else { 7 })).collect();
-        let rows = rows(&text, 2).unwrap();
-        assert_eq!(rows.len(), 10);
-        assert_eq!(
-            moving(&rows).iter().map(|row| row[0]).collect::<Vec<_>>(),
-            [0.0, 0.0, 0.0, 7.0, 7.0, 7.0]
-        );
+            (3..13).map(|n| format!("{n} {} 0\n", if n < 8 { 0 } else { 7 })).collect();
+        let (first, rows) = rows(&text, 2).unwrap();
+        assert_eq!((first, rows.len()), (3, 10));
+        let kept = |begin, end| -> Vec<f64> {
+            executed(&rows, [begin, end]).iter().map(|row| row[0]).collect()
+        };
+        assert_eq!(kept(4, 5), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "the change alone");
+        assert_eq!(kept(2, 5), [0.0, 0.0, 0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "rest before it");
+        assert_eq!(kept(4, 7), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0], "rest after it");
+        assert_eq!(kept(0, u64::MAX).len(), 10);
     }
 
     #[test]
