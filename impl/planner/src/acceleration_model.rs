@@ -88,7 +88,9 @@ impl Limits {
             squared(least(&self.velocity, &most, axes)).min(planned / circle.angle_rate);
         if self.smoothing.averaged == Averaged::LoneArc {
             let jerk = least(&self.jerk, &most, axes);
-            let fastest = lone_arc_speed(circle, acceleration, jerk);
+            let grows = circle.growth.abs() > 1e-6 * circle.angle_rate;
+            let jerk = if grows { jerk / GROWING_RATIO } else { jerk };
+            let fastest = lone_arc_speed(circle.angle_rate, acceleration, jerk);
             element.start_limit_sq = element.start_limit_sq.min(squared(fastest));
         }
     }
@@ -134,18 +136,18 @@ impl Limits {
     }
 }
 
+/// The ratio by which a growing radius lowers the limit of jerk.
+const GROWING_RATIO: f64 = 1.35;
+
 /// The highest speed on an arc whose parameter is averaged, within a limit of jerk.
 ///
 /// With a speed v, an acceleration u and a jerk w of the parameter, the jerk is w + κ²·v³ along the arc and 3·κ·u·v
 /// across it. The window is so long that w takes half of the limit. With three tenths of it for κ²·v³ and four for
 /// 3·κ·u·v, these two take the other half. Where the radius grows by g, κ + 3·g takes the place of κ in the third
-/// derivative, and the amplitudes have κ + √5·g.
-fn lone_arc_speed(circle: &Circle, acceleration: f64, jerk: f64) -> f64 {
-    const GROWING_RATIO: f64 = 1.35;
-    let grows = circle.growth.abs() > 1e-6 * circle.angle_rate;
-    let jerk = if grows { jerk / GROWING_RATIO } else { jerk };
-    let rate = circle.angle_rate;
-    math::min(math::cube_root(0.3 * jerk / squared(rate)), 0.4 * jerk / (3.0 * rate * acceleration))
+/// derivative, and the amplitudes have κ + √5·g: the jerk is less by [`GROWING_RATIO`].
+pub(crate) fn lone_arc_speed(angle_rate: f64, acceleration: f64, jerk: f64) -> f64 {
+    let across = 0.4 * jerk / (3.0 * angle_rate * acceleration);
+    math::min(math::cube_root(0.3 * jerk / squared(angle_rate)), across)
 }
 
 /// The greatest |p'| of each axis on an arc.

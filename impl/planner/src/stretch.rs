@@ -3,6 +3,7 @@
 //! An average over more cycles allows more acceleration, and it lasts longer and rounds corners more. How long it is
 //! depends on what is known when the first segment of a stretch is queued: its tolerance, or its length.
 
+use crate::acceleration_model::lone_arc_speed;
 use crate::feed_path::FeedPath;
 use crate::limits::{LimitTable, Limits, least, squared};
 use crate::math;
@@ -122,7 +123,12 @@ impl LimitTable {
         let longest = self.cycles_max().min(WINDOW_CYCLES_MAX >> 1);
         let time = |cycles: u16| {
             let limits = self.smoothed_over(cycles);
-            time_of(limits, way, 2.0 * f64::from(cycles) * limits.cycle, 0.0)
+            // A higher acceleration leaves less of the jerk for the speed.
+            let acceleration = least(&limits.acceleration, &way.direction, 9);
+            let jerk = least(&limits.jerk, &way.direction, 9);
+            let fastest = lone_arc_speed(1.0 / way.radius, acceleration, jerk);
+            let way = Way { speed: math::min(way.speed, fastest), ..*way };
+            time_of(limits, &way, 2.0 * f64::from(cycles) * limits.cycle, 0.0)
         };
         let cycles = fastest(longest, time);
         self.lone(cycles, cycles.saturating_mul(2), Averaged::LoneArc)
