@@ -23,6 +23,20 @@ fn keeps_limits(run: &Run) {
     assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
 }
 
+/// At rest by an override of zero the motion is under way; only dwells and the spindle are waited for.
+#[test]
+fn phase_says_what_is_waited_for() {
+    let dwell = segment(Path::Dwell { seconds: 0.02 }, PathControl::ExactStop);
+    let program = [dwell, line(at(1.0, 0.0, 0.0), PathControl::ExactStop)];
+    let stopped = InputParameter { feed_override: 0.0, ..InputParameter::default() };
+    let input = |cycle| if (40..80).contains(&cycle) { stopped } else { InputParameter::default() };
+    let run = operated(&program, input);
+    let mut phases: Vec<Phase> = run.outputs.iter().map(|output| output.phase).collect();
+    assert_eq!((phases[70], run.outputs[70].velocity), (Phase::Moving, ORIGIN));
+    phases.dedup();
+    assert_eq!(phases, [Phase::Waiting, Phase::Moving, Phase::Idle]);
+}
+
 #[test]
 fn hold_stops_within_the_stopping_distance_and_goes_on() {
     let program = [line(at(100.0, 0.0, 0.0), PathControl::ExactStop)];
