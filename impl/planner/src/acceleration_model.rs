@@ -91,6 +91,13 @@ impl Limits {
             let grows = circle.growth.abs() > 1e-6 * circle.angle_rate;
             let jerk = if grows { jerk / GROWING_RATIO } else { jerk };
             let fastest = lone_arc_speed(circle.angle_rate, acceleration, jerk);
+            let machine = least(&self.unsmoothed, &most, axes);
+            if let Some(across) = lone_arc_across(acceleration, machine) {
+                let acceleration = acceleration * PLANNED_RATIO;
+                element.model = AccelerationModel::Constant { acceleration };
+                element.start_limit_sq =
+                    squared(least(&self.velocity, &most, axes)).min(across / circle.angle_rate);
+            }
             element.start_limit_sq = element.start_limit_sq.min(squared(fastest));
         }
     }
@@ -136,8 +143,18 @@ impl Limits {
     }
 }
 
+/// The greatest share of an acceleration that a lone arc takes along the path, if it has the rest across it.
+const LONE_ARC_ALONG_RATIO_MAX: f64 = 0.6;
+
 /// The ratio by which a growing radius lowers the limit of jerk.
 const GROWING_RATIO: f64 = 1.35;
+
+/// The acceleration across an arc that its speed may need, if the averaged parameter takes little of what the machine
+/// has along it: what averaging leaves out is left for the curvature.
+pub(crate) fn lone_arc_across(along: f64, machine: f64) -> Option<f64> {
+    (along < LONE_ARC_ALONG_RATIO_MAX * machine)
+        .then(|| PLANNED_RATIO * math::sqrt(squared(machine) - squared(along)))
+}
 
 /// The highest speed on an arc whose parameter is averaged, within a limit of jerk.
 ///

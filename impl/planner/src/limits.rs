@@ -29,6 +29,8 @@ pub(crate) struct Limits {
     pub(crate) acceleration: Axes,
     /// The acceleration that plans use.
     pub(crate) planned: Axes,
+    /// The acceleration without smoothing.
+    pub(crate) unsmoothed: Axes,
     /// The least planned acceleration of all axes.
     pub(crate) softest: f64,
     /// The highest speed of X, Y and Z together.
@@ -51,6 +53,7 @@ impl Limits {
             velocity: dynamics.velocity.map(|limit| limit * VELOCITY_USE_RATIO),
             acceleration,
             planned,
+            unsmoothed: acceleration,
             softest: planned.into_iter().fold(f64::INFINITY, math::min),
             fastest: norm_of(&dynamics.velocity, 3),
             cycle: dynamics.cycle,
@@ -70,7 +73,8 @@ impl Limits {
             *limit = math::min(*limit, 0.5 * jerk * seconds);
         }
         let smoothing = Smoothing { window: cycles, limits: cycles, ..Smoothing::default() };
-        Self { jerk, smoothing, ..Self::new(&slower) }
+        let unsmoothed = dynamics.acceleration.map(|limit| limit * ACCELERATION_USE_RATIO);
+        Self { jerk, smoothing, unsmoothed, ..Self::new(&slower) }
     }
 }
 

@@ -3,7 +3,7 @@
 //! An average over more cycles allows more acceleration, and it lasts longer and rounds corners more. How long it is
 //! depends on what is known when the first segment of a stretch is queued: its tolerance, or its length.
 
-use crate::acceleration_model::lone_arc_speed;
+use crate::acceleration_model::{lone_arc_across, lone_arc_speed};
 use crate::feed_path::FeedPath;
 use crate::limits::{LimitTable, Limits, least, squared};
 use crate::math;
@@ -127,7 +127,11 @@ impl LimitTable {
             let acceleration = least(&limits.acceleration, &way.direction, 9);
             let jerk = least(&limits.jerk, &way.direction, 9);
             let fastest = lone_arc_speed(1.0 / way.radius, acceleration, jerk);
-            let way = Way { speed: math::min(way.speed, fastest), ..*way };
+            let machine = least(&limits.unsmoothed, &way.direction, 9);
+            let across = lone_arc_across(acceleration, machine).unwrap_or(acceleration);
+            let speed = math::min(math::min(way.speed, fastest), math::sqrt(across * way.radius));
+            // What the curvature allows is known, as for a line.
+            let way = Way { speed, radius: f64::INFINITY, ..*way };
             time_of(limits, &way, 2.0 * f64::from(cycles) * limits.cycle, 0.0)
         };
         let cycles = fastest(longest, time);
