@@ -2,8 +2,8 @@
 """Runs one program on LinuxCNC, and writes what the servo thread commands in each cycle.
 
 LinuxCNC starts this script as its display, and shuts itself down when it exits. The program is `programs/main.ngc`, the
-samples go to `samples.txt`. A line that begins with the mark has the numbers of the samples between which the program
-ran, or what went wrong.
+samples go to `samples.txt`; the last column says whether the program runs. What went wrong is in a line that begins
+with the mark.
 """
 
 import json
@@ -40,11 +40,6 @@ def ready(command):
     command.wait_complete()
 
 
-def sample():
-    """The number of the current sample."""
-    return hal.get_value("sampler.0.sample-num")
-
-
 def run(command, status, errors):
     """What the controller complains of; none where the program came to its end."""
     started = time.monotonic()
@@ -58,7 +53,9 @@ def run(command, status, errors):
             return str(message[1])
         idle = status.interp_state == linuxcnc.INTERP_IDLE
         begun = begun or not idle
-        if begun and idle and status.inpos and status.queue == 0:
+        # The interpreter is idle while a dwell that it has read is still to be executed.
+        executed = status.exec_state == linuxcnc.EXEC_DONE and status.state == linuxcnc.RCS_DONE
+        if begun and idle and executed and status.inpos and status.queue == 0:
             return None
         if not begun and time.monotonic() - started > START:
             # Samples of nothing would accuse the controller of what it was never asked.
@@ -68,20 +65,24 @@ def run(command, status, errors):
 
 def main():
     command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
+    component = hal.component("recorder")
+    component.newpin("running", hal.HAL_BIT, hal.HAL_OUT)
+    component.ready()
+    hal.connect("recorder.running", "running")
     ready(command)
     with open("samples.txt", "w", encoding="ascii") as samples:
         sampler = subprocess.Popen(["halsampler", "-t"], stdout=samples)
         time.sleep(REST)
-        begin = sample()
+        component["running"] = True
         complaint = run(command, status, errors)
-        end = sample()
+        component["running"] = False
         time.sleep(REST)
         sampler.terminate()
         sampler.wait()
     if complaint:
         report(failed=complaint)
     else:
-        report(recorded=[begin, end])
+        report(recorded=True)
 
 
 main()

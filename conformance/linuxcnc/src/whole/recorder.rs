@@ -54,13 +54,13 @@ pub(super) fn record(scenario: &Scenario, limits: &MotionLimits) -> Result<Sampl
     };
     let tools = workspace::tool_table(&scenario.machine);
     let parameters = workspace::parameter_file(&scenario.machine, &BTreeSet::new());
-    let (text, program) = Session::record(&setup, &tools, &parameters, LONGEST)
+    let text = Session::record(&setup, &tools, &parameters, LONGEST)
         .map_err(|error| NoSamples::Failed(HarnessError::NotRun(error.to_string())))?;
     let unreadable =
         |why| NoSamples::Failed(HarnessError::Unreadable { what: "samples".to_owned(), line: why });
-    let (first, rows) = rows(&text, columns.len()).map_err(unreadable)?;
+    let rows = rows(&text, columns.len() + 1).map_err(unreadable)?;
     let scale = unit(&scenario.machine);
-    let rows = executed(&rows, program.map(|number| number.saturating_sub(first)));
+    let rows = executed(&rows);
     let kept = without_idle_tail(&columns, rows, limits);
     samples(limits.period, &kept, rows, scale).map_err(unreadable)
 }
@@ -125,7 +125,8 @@ fn hal(machine: &Machine, columns: &[Column]) -> String {
         let _never = writeln!(text, "{line}");
     };
     let scales: Vec<_> = (0..machine.axes.len()).map(|joint| format!("scale-{joint}")).collect();
-    let kinds: String = columns.iter().map(|column| kind(*column)).collect();
+    // The last pin says whether the program runs.
+    let kinds: String = columns.iter().map(|column| kind(*column)).chain(['b']).collect();
     put("loadrt [KINS]KINEMATICS".to_owned());
     put(format!(
         "loadrt [EMCMOT]EMCMOT base_period_nsec=0 servo_period_nsec=[EMCMOT]SERVO_PERIOD num_joints=[KINS]JOINTS num_dio={} \
@@ -157,6 +158,7 @@ fn hal(machine: &Machine, columns: &[Column]) -> String {
             put(format!("net line motion.program-line {sampled}"));
         }
     }
+    put(format!("net running sampler.0.pin.{}", columns.len()));
     put("net stop iocontrol.0.user-enable-out iocontrol.0.emc-enable-in".to_owned());
     put("net prepare iocontrol.0.tool-prepare iocontrol.0.tool-prepared".to_owned());
     put("net change iocontrol.0.tool-change iocontrol.0.tool-changed".to_owned());
@@ -184,10 +186,9 @@ fn programs(scenario: &Scenario) -> Vec<(String, String, bool, bool)> {
     scenario.program.files.iter().chain([main]).map(file).collect()
 }
 
-/// The rows of a sampler, and the number of the first one.
-fn rows(text: &str, width: usize) -> Result<(u64, Vec<Vec<f64>>), String> {
+/// The rows of a sampler, of which each has its number.
+fn rows(text: &str, width: usize) -> Result<Vec<Vec<f64>>, String> {
     let mut rows = Vec::new();
-    let mut first = 0;
     let mut before: Option<u64> = None;
     for line in text.lines() {
         let mut words = line.split_whitespace();
@@ -195,9 +196,6 @@ fn rows(text: &str, width: usize) -> Result<(u64, Vec<Vec<f64>>), String> {
         let Some(number) = number else { return Err(format!("the sampler says: {line}")) };
         if before.is_some_and(|before| before + 1 != number) {
             return Err(format!("samples before number {number} were lost"));
-        }
-        if before.is_none() {
-            first = number;
         }
         before = Some(number);
         let values: Option<Vec<f64>> = words.map(|word| word.parse().ok()).collect();
@@ -207,16 +205,20 @@ fn rows(text: &str, width: usize) -> Result<(u64, Vec<Vec<f64>>), String> {
             _ => break,
         }
     }
-    if rows.is_empty() { Err("no sample was recorded".to_owned()) } else { Ok((first, rows)) }
+    if rows.is_empty() { Err("no sample was recorded".to_owned()) } else { Ok(rows) }
 }
 
-/// The rows in which the program runs, with the dwells at its ends: from when it was begun, or from the first change if
-/// that is earlier, until it had ended, and a few at rest on either side.
-fn executed(rows: &[Vec<f64>], [begin, end]: [u64; 2]) -> &[Vec<f64>] {
-    let changes = |pair: &[Vec<f64>]| pair[0] != pair[1];
-    let place = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
-    let first = rows.windows(2).position(changes).unwrap_or(0).min(place(begin));
-    let last = rows.windows(2).rposition(changes).map_or(0, |pair| pair + 1).max(place(end));
+/// The rows in which the program runs, with the dwells at its ends, and in which something changes; and a few at rest on
+/// either side. The last column says whether the program runs.
+fn executed(rows: &[Vec<f64>]) -> &[Vec<f64>] {
+    let runs = |row: &[f64]| row.last().is_some_and(|running| *running > 0.0);
+    let matters = |pair: &[Vec<f64>]| {
+        let [before, after] = pair else { return false };
+        runs(after)
+            || before.split_last().map(|(_, rest)| rest) != after.split_last().map(|(_, rest)| rest)
+    };
+    let first = rows.windows(2).position(matters).unwrap_or(0);
+    let last = rows.windows(2).rposition(matters).map_or(0, |pair| pair + 1);
     &rows[first.saturating_sub(REST)..last.saturating_add(REST + 1).min(rows.len())]
 }
 
@@ -261,17 +263,18 @@ mod tests {
 
     #[test]
     fn rows_are_those_of_the_program() {
-        let text: String =
-            (3..13).map(|n| format!("{n} {} 0\n", if n < 8 { 0 } else { 7 })).collect();
-        let (first, rows) = rows(&text, 2).unwrap();
-        assert_eq!((first, rows.len()), (3, 10));
-        let kept = |begin, end| -> Vec<f64> {
-            executed(&rows, [begin, end]).iter().map(|row| row[0]).collect()
+        let kept = |running: std::ops::Range<u32>| -> Vec<f64> {
+            let row = |n: u32| {
+                format!("{n} {} {}\n", if n < 8 { 0 } else { 7 }, u8::from(running.contains(&n)))
+            };
+            let text: String = (3..13).map(row).collect();
+            let rows = rows(&text, 2).unwrap();
+            assert_eq!(rows.len(), 10);
+            executed(&rows).iter().map(|row| row[0]).collect()
         };
-        assert_eq!(kept(4, 5), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "the change alone");
-        assert_eq!(kept(2, 5), [0.0, 0.0, 0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "rest before it");
-        assert_eq!(kept(4, 7), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0], "rest after it");
-        assert_eq!(kept(0, u64::MAX).len(), 10);
+        assert_eq!(kept(8..8), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "the change alone");
+        assert_eq!(kept(6..8), [0.0, 0.0, 0.0, 0.0, 0.0, 7.0, 7.0, 7.0], "rest before it");
+        assert_eq!(kept(8..11), [0.0, 0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0], "rest after it");
     }
 
     #[test]

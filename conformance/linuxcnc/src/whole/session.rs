@@ -12,7 +12,6 @@ use std::{fs, io};
 
 use gaugeblock_adapter::HarnessError;
 use gaugeblock_adapter::clock::now;
-use serde::Deserialize;
 use serde_json::Value;
 
 use super::setup::{self, Setup};
@@ -58,12 +57,6 @@ while read -r _ _ _ _ point _; do
   mount --options-source=mtab -o remount,bind,ro "$point" || exit
 done < /proc/self/mountinfo && cd /tmp && exec "$@" 2>&1
 "#;
-
-/// The last line of a recorder.
-#[derive(Debug, Deserialize)]
-struct Recorded {
-    recorded: [u64; 2],
-}
 
 /// A running controller.
 #[derive(Debug)]
@@ -129,8 +122,8 @@ impl Session {
         })
     }
 
-    /// Starts a controller that records the motion of one program, and waits until it has ended: the samples, as the
-    /// sampler prints them, and the numbers of those between which the program ran.
+    /// Starts a controller that records the motion of one program, and waits until it has ended. The samples, as the
+    /// sampler prints them.
     ///
     /// # Errors
     /// It could not be started, complained, hung or flooded, or left no samples.
@@ -139,7 +132,7 @@ impl Session {
         tools: &str,
         parameters: &str,
         time: Duration,
-    ) -> Result<(String, [u64; 2]), HarnessError> {
+    ) -> Result<String, HarnessError> {
         let workspace = Workspace::new("linuxcnc")?;
         let not_run =
             |error: io::Error| HarnessError::NotRun(format!("private directory: {error}"));
@@ -148,15 +141,8 @@ impl Session {
             .and_then(|()| own(&workspace, "record.py", RECORDER, 0o755))
             .map_err(not_run)?;
         let mut session = Self::spawn(workspace, setup, tools.to_owned())?;
-        let lines = session.read_until("recorded", time)?;
-        let last = lines.last().and_then(|line| line.strip_prefix(MARK)).unwrap_or_default();
-        let Recorded { recorded } =
-            serde_json::from_str(last).map_err(|error| HarnessError::Unreadable {
-                what: format!("what was recorded: {error}"),
-                line: last.to_owned(),
-            })?;
-        let samples = fs::read_to_string(session.workspace.path().join(RECORDED_SAMPLES));
-        samples.map(|samples| (samples, recorded)).map_err(not_run)
+        session.read_until("recorded", time)?;
+        fs::read_to_string(session.workspace.path().join(RECORDED_SAMPLES)).map_err(not_run)
     }
 
     /// Writes a file into its directory.
