@@ -2,6 +2,7 @@
 
 use gaugeblock_compare::StateDifference;
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence};
+use gaugeblock_suite::only_case;
 use serde::Serialize;
 
 use super::Report;
@@ -32,6 +33,8 @@ pub(super) struct Card<'a> {
     repeated: bool,
     program: &'a str,
     shrunk: Option<&'a str>,
+    /// The call that runs the case again.
+    command: String,
     state: Option<&'a StateDifference>,
     /// Both traces, aligned.
     rows: Vec<Row<'a>>,
@@ -60,6 +63,13 @@ pub(super) struct Kind<'a> {
     class: String,
     /// The one with the smallest program first.
     cases: Vec<Card<'a>>,
+}
+
+impl Kind<'_> {
+    /// Whether a case of a rule is among its cards.
+    pub(super) fn has(&self, rule: &str) -> bool {
+        self.cases.iter().any(|card| card.rule == rule)
+    }
 }
 
 /// All findings, the worst first.
@@ -118,6 +128,11 @@ fn card<'a>(
         explanation: explain(&report.header.controller, divergence)
             .map(|explanation| explanation.text),
         repeated: result.rerun,
+        command: format!(
+            "gaugeblock certify --controller CONTROLLER --edition {} --only '{}' -v",
+            report.run.edition.id,
+            only_case(&result.rule.id, result.name).replace('\'', r"'\''")
+        ),
         program: result.program,
         shrunk: divergence.shrunk.as_deref(),
         state: divergence.state.as_ref(),

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::cards::{Kind, class, kinds};
 use super::json::{self, JudgedProfile};
-use super::{Counts, Report, RuleVerdict, escape_text};
+use super::{ChapterCounts, Counts, Report, RuleVerdict, escape_text};
 
 const PAGE: &str = include_str!("page.html");
 /// The style of each page.
@@ -58,6 +58,7 @@ struct Page<'a> {
     fingerprint: Option<Fingerprint<'a>>,
     words: Vec<Word>,
     kinds: Vec<Kind<'a>>,
+    chapters: Vec<Chapter<'a>>,
     rules: Vec<Row<'a>>,
     motions: Vec<Moved<'a>>,
     not_judged: Vec<Open<'a>>,
@@ -82,6 +83,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
     let mismatches = report.mismatches.as_ref();
     let void = report.run.not_applicable.iter().map(|(rule, why)| Void { rule: &rule.id, why });
     let (status, says) = says(report);
+    let kinds = kinds(report);
     Page {
         style: STYLE,
         controller: &header.controller,
@@ -100,8 +102,9 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         profiles: distances(report),
         fingerprint: fingerprint(report),
         words: words(report),
-        kinds: kinds(report),
-        rules: rules(report),
+        rules: rules(report, &kinds),
+        kinds,
+        chapters: report.chapters().into_iter().map(chapter).collect(),
         motions: motions(report),
         not_judged: not_judged(report),
         unsupported,
@@ -165,6 +168,27 @@ struct Row<'a> {
     sentence: &'a str,
     sources: String,
     cases: String,
+    /// The first finding in which a case of it diverges, by its number.
+    finding: Option<usize>,
+}
+
+/// The rules of a chapter, by verdict.
+#[derive(Debug, Serialize)]
+struct Chapter<'a> {
+    chapter: &'a str,
+    rules: usize,
+    counts: [Count; 4],
+}
+
+fn chapter(of: ChapterCounts<'_>) -> Chapter<'_> {
+    let count = |name, count, word| Count { name, count, class: class(word) };
+    let counts = [
+        count("pass", of.pass, "pass"),
+        count("diverge", of.diverges, "diverges"),
+        count("unsupported", of.unsupported, "unsupported"),
+        count("not judged", of.not_judged, "not judged"),
+    ];
+    Chapter { chapter: of.chapter, rules: of.rules, counts }
 }
 
 #[derive(Debug, Serialize)]
@@ -197,6 +221,7 @@ struct Fingerprint<'a> {
 #[derive(Debug, Serialize)]
 struct Shown<'a> {
     choice: &'a str,
+    sentence: Option<&'a str>,
     held_to: &'a str,
     declared: bool,
     shown: String,
@@ -266,7 +291,7 @@ fn words(report: &Report<'_>) -> Vec<Word> {
 }
 
 /// The worst first: unknown divergences in most cases.
-fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
+fn rules<'a>(report: &'a Report<'_>, kinds: &[Kind<'_>]) -> Vec<Row<'a>> {
     let mut rules = report.rules();
     rules.sort_by_key(|result| {
         let Counts { diverges, known, waived, .. } = result.counts;
@@ -290,6 +315,7 @@ fn rules<'a>(report: &'a Report<'_>) -> Vec<Row<'a>> {
         sentence: &result.rule.sentence,
         sources: report.sections(result.rule).join("; "),
         cases: cases(result.counts),
+        finding: kinds.iter().position(|kind| kind.has(&result.rule.id)).map(|place| place + 1),
     };
     rules.into_iter().map(row).collect()
 }
@@ -333,6 +359,12 @@ fn fingerprint<'a>(report: &'a Report<'_>) -> Option<Fingerprint<'a>> {
     let traits = report.run.fingerprint.as_ref()?;
     let shown = |of: &'a gaugeblock_runner::fingerprint::FingerprintEntry| Shown {
         choice: &of.choice,
+        sentence: report
+            .suite
+            .choices
+            .iter()
+            .find(|choice| choice.id == of.choice)
+            .map(|choice| choice.sentence.as_str()),
         held_to: &of.expected,
         declared: of.declared,
         shown: of.observed.to_string(),

@@ -26,7 +26,7 @@ pub use escape::{escape_line, escape_text};
 pub use merge::{ControllerFile, Header};
 pub use profiles::ProfileResult;
 pub(crate) use rule::verdicts;
-pub use rule::{Counts, RuleResult, RuleVerdict};
+pub use rule::{ChapterCounts, Counts, RuleResult, RuleVerdict};
 
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
@@ -90,6 +90,11 @@ impl<'a> Report<'a> {
     /// Each rule with its verdict, in order.
     pub fn rules(&self) -> Vec<RuleResult<'a>> {
         verdicts(self.run)
+    }
+
+    /// How many rules of each chapter came to what.
+    pub fn chapters(&self) -> Vec<ChapterCounts<'a>> {
+        rule::chapters(&self.rules())
     }
 
     /// What the controller does otherwise, a finding for each cause, the worst first.

@@ -50,6 +50,55 @@ pub struct RuleResult<'a> {
     pub compared: Tally,
 }
 
+/// The rules of a chapter, by verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ChapterCounts<'a> {
+    /// The chapter.
+    pub chapter: &'a str,
+    /// All of its rules.
+    pub rules: usize,
+    /// Rules that pass.
+    pub pass: usize,
+    /// Rules that are broken.
+    pub diverges: usize,
+    /// Rules of which no case is supported.
+    pub unsupported: usize,
+    /// Rules that could not be judged.
+    pub not_judged: usize,
+}
+
+impl<'a> ChapterCounts<'a> {
+    fn of(chapter: &'a str) -> Self {
+        Self { chapter, rules: 0, pass: 0, diverges: 0, unsupported: 0, not_judged: 0 }
+    }
+
+    fn add(&mut self, verdict: RuleVerdict) {
+        self.rules += 1;
+        let count = match verdict {
+            RuleVerdict::Pass => &mut self.pass,
+            RuleVerdict::Diverges => &mut self.diverges,
+            RuleVerdict::Unsupported => &mut self.unsupported,
+            RuleVerdict::NotJudged => &mut self.not_judged,
+        };
+        *count += 1;
+    }
+}
+
+/// The chapters of rules, in their order.
+pub(super) fn chapters<'a>(rules: &[RuleResult<'a>]) -> Vec<ChapterCounts<'a>> {
+    let mut chapters: Vec<ChapterCounts<'a>> = Vec::new();
+    for RuleResult { rule, verdict, .. } in rules {
+        let chapter = rule.chapter();
+        if chapters.last().is_none_or(|last| last.chapter != chapter) {
+            chapters.push(ChapterCounts::of(chapter));
+        }
+        if let Some(last) = chapters.last_mut() {
+            last.add(*verdict);
+        }
+    }
+    chapters
+}
+
 /// How many cases came to what.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Counts {

@@ -93,7 +93,6 @@ fn notes(text: &mut String, report: &Report<'_>) {
 }
 
 fn chapters(text: &mut String, report: &Report<'_>) {
-    let rules = report.rules();
     line!(
         text,
         "{:<18}{:>6}{:>7}{:>10}{:>13}{:>12}",
@@ -104,25 +103,20 @@ fn chapters(text: &mut String, report: &Report<'_>) {
         "unsupported",
         "not judged"
     );
-    let mut chapters: Vec<&str> = rules.iter().map(|result| result.rule.chapter()).collect();
-    chapters.dedup();
-    for chapter in chapters {
-        let count = |wanted: Option<RuleVerdict>| {
-            let of_chapter = rules.iter().filter(|result| result.rule.chapter() == chapter);
-            of_chapter.filter(|result| wanted.is_none_or(|w| w == result.verdict)).count()
-        };
+    for of in report.chapters() {
         let shown = |count: usize, style: Style, width: usize| match count {
             0 => styled(DIM, &format!("{:>width$}", "·")),
             _ => styled(style, &format!("{count:>width$}")),
         };
         line!(
             text,
-            "{chapter:<18}{:>6}{}{}{}{}",
-            count(None),
-            shown(count(Some(RuleVerdict::Pass)), GREEN, 7),
-            shown(count(Some(RuleVerdict::Diverges)), RED, 10),
-            shown(count(Some(RuleVerdict::Unsupported)), YELLOW, 13),
-            shown(count(Some(RuleVerdict::NotJudged)), YELLOW, 12)
+            "{:<18}{:>6}{}{}{}{}",
+            of.chapter,
+            of.rules,
+            shown(of.pass, GREEN, 7),
+            shown(of.diverges, RED, 10),
+            shown(of.unsupported, YELLOW, 13),
+            shown(of.not_judged, YELLOW, 12)
         );
     }
     line!(text);

@@ -459,6 +459,23 @@ fn the_page_of_two_thousand_divergences_is_small_enough() {
     assert!(page.contains("both traces are in report.json"), "and says what is not on it");
 }
 
+#[test]
+fn links_of_the_page_lead_to_findings_rules_and_chapters() {
+    let (controller, only) = evil();
+    let page = reported(&controller, &only, |report| html::html(report).expect("a page"));
+    let links: Vec<&str> =
+        page.split("href=\"#").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    for link in &links {
+        // A filter is no place.
+        let is_filter = link.contains('=');
+        assert!(is_filter || page.contains(&format!("id=\"{link}\"")), "{link}");
+    }
+    for beginning in ["finding-1", "rule-", "q=", "chapters"] {
+        assert!(links.iter().any(|link| link.starts_with(beginning)), "{beginning}: {links:?}");
+    }
+    assert!(page.contains("--only &#x27;"), "the call that runs a case again");
+}
+
 /// Runs the page's own script where there is a browser.
 #[test]
 fn the_page_runs_in_a_browser_without_an_error() {
