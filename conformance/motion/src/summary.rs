@@ -8,6 +8,10 @@ use gaugeblock_vocabulary::motion::{
     MotionAction, MotionLimits, MotionScript, PathElement, ProgrammedPath, Samples, Shape,
 };
 
+/// What samples do not show of a motion: the share of the least time that lawful ones take, and periods.
+const UNCERTAIN_SHARE: f64 = 0.99;
+const UNCERTAIN_PERIODS: f64 = 4.0;
+
 /// Most violations that are shown.
 const SHOWN: usize = 12;
 
@@ -18,8 +22,12 @@ pub struct Summary {
     pub time: f64,
     /// No motion that keeps its limits at every instant takes less; or why that is not known.
     pub least: Result<f64, String>,
+    /// Seconds by which lawful samples may be below the least time, since they show the motion once in a period.
+    pub uncertainty: f64,
     /// Which bounds it rests on, in words.
     pub kinds: Vec<&'static str>,
+    /// Whether the script aborts the run.
+    pub aborted: bool,
     /// What each law says.
     pub judgement: Judgement,
 }
@@ -42,8 +50,10 @@ impl Summary {
         }
         Self {
             time: moving_time(samples) + dwells_at_ends(path),
+            uncertainty: UNCERTAIN_PERIODS * samples.period(),
             least: bound.map(|bound| bound.least),
             kinds,
+            aborted: script.events.iter().any(|event| event.action == MotionAction::Abort),
             judgement: judge(samples, path, limits, script),
         }
     }
@@ -51,6 +61,13 @@ impl Summary {
     /// Whether every law holds that can be judged.
     pub fn holds(&self) -> bool {
         self.judgement.violations().next().is_none()
+    }
+
+    /// Whether a motion along the path cannot be so fast, even if it keeps its limits in samples alone: then they show
+    /// another motion, whatever each law says of it. What is aborted does not follow the path to its end.
+    pub fn is_impossible(&self) -> bool {
+        let Ok(least) = &self.least else { return false };
+        !self.aborted && self.time < least * UNCERTAIN_SHARE - self.uncertainty
     }
 
     /// The time, and how it compares, in a line.
@@ -91,6 +108,9 @@ impl fmt::Display for Summary {
                     writeln!(f, "  broken      {law}, {} {times}", violations.len())?;
                 }
             }
+        }
+        if self.is_impossible() {
+            writeln!(f, "  not judged  the whole: no motion along this path is so fast")?;
         }
         let mut violations = self.judgement.violations();
         for violation in violations.by_ref().take(SHOWN) {

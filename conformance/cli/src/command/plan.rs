@@ -284,12 +284,14 @@ fn write_samples(file: &Path, samples: &Samples) -> Result<(), CliError> {
 }
 
 /// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none
-/// could be checked does not pass. Where nothing moves, none is checked.
+/// could be checked does not pass. Where nothing moves, none is checked. A motion that is impossible along its path is no
+/// pass either.
 pub(crate) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {
         1
     } else if summary.time > 0.0
+        && !summary.is_impossible()
         && laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. }))
     {
         0
@@ -324,8 +326,21 @@ mod tests {
             (vec![open], 3),
         ] {
             let judgement = Judgement(Law::ALL.iter().copied().zip(verdicts).collect());
-            let summary = Summary { time: 1.0, least: Ok(0.0), kinds: Vec::new(), judgement };
+            let summary = Summary {
+                time: 1.0,
+                least: Ok(0.0),
+                uncertainty: 0.004,
+                kinds: Vec::new(),
+                aborted: false,
+                judgement,
+            };
             assert_eq!(exit_status(&summary), status, "{summary}");
+            let too_fast = Summary { least: Ok(2.0), ..summary };
+            assert_eq!(
+                exit_status(&too_fast),
+                status.max(1 + 2 * u8::from(status != 1)),
+                "{too_fast}"
+            );
         }
     }
 }

@@ -87,6 +87,8 @@ fn one_axis(
     let rate = order.weights[1..].iter().fold(1.0, |rate, _| rate / record.period);
     let written: f64 = order.weights.iter().map(|weight| weight.abs()).sum();
     let unit = if matches!(axis, Axis::A | Axis::B | Axis::C) { "degrees" } else { "mm" };
+    let hidden = written * record.samples.resolution() * rate;
+    findings.hides(hidden, limit, &|| format!("{unit}{} of {axis}", order.unit));
     for (cycle, window) in record.points.windows(order.weights.len()).enumerate() {
         let values = window.iter().rev().map(|point| point[place]);
         let measured: f64 = values.zip(order.weights).map(|(value, weight)| value * weight).sum();

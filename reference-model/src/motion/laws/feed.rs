@@ -26,6 +26,7 @@ pub(super) fn feed(record: &Record<'_>) -> Verdict {
         Err(why) => return Verdict::NotJudged(why),
     };
     let settled = Settled::of(record, route, matching);
+    let hidden = 4.0 * record.samples.resolution() / record.period;
     let mut findings = Findings::of(Law::Feed);
     for sample in 1..record.points.len() {
         let chord = minus(&record.points[sample], &record.points[sample - 1]);
@@ -49,6 +50,8 @@ pub(super) fn feed(record: &Record<'_>) -> Verdict {
             continue;
         }
         let Some((measured, limit, leg)) = least else { continue };
+        // A feed per turn changes with the spindle, and an override may be zero.
+        findings.hides(hidden, speed(leg, |_| 0.0), &|| "per second".to_owned());
         let words = || {
             format!(
                 "{measured} per second at {} where {limit} are allowed",

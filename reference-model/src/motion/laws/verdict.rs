@@ -151,11 +151,13 @@ pub(super) struct Findings {
     law: Law,
     share: Option<f64>,
     broken: Vec<Violation>,
+    /// Why what is not broken is not known to hold.
+    hidden: Option<String>,
 }
 
 impl Findings {
     pub(super) fn of(law: Law) -> Self {
-        Self { law, share: None, broken: Vec::new() }
+        Self { law, share: None, broken: Vec::new(), hidden: None }
     }
 
     /// A measured value that must not be above another one. `words` says what it is.
@@ -171,6 +173,19 @@ impl Findings {
         }
         if measured > allowed {
             self.breaks(cycle, axis, (measured, limit), words());
+        }
+    }
+
+    /// A limit can only be judged if samples are written more finely: what their resolution hides must be less than the
+    /// limit.
+    pub(super) fn hides(&mut self, hidden: f64, limit: f64, of: &dyn Fn() -> String) {
+        if limit > 0.0 && hidden > limit && self.hidden.is_none() {
+            self.hidden = Some(format!(
+                "the resolution of the samples hides {hidden} {of}, more than the limit of {limit}",
+                hidden = figure(hidden),
+                of = of(),
+                limit = figure(limit)
+            ));
         }
     }
 
@@ -196,10 +211,10 @@ impl Findings {
     }
 
     pub(super) fn verdict(self) -> Verdict {
-        if self.broken.is_empty() {
-            Verdict::Satisfied { share: self.share }
-        } else {
-            Verdict::Violated(self.broken)
+        match self.hidden {
+            _ if !self.broken.is_empty() => Verdict::Violated(self.broken),
+            Some(why) => Verdict::NotJudged(why),
+            None => Verdict::Satisfied { share: self.share },
         }
     }
 }

@@ -127,3 +127,24 @@ fn what_a_record_rounds_away_is_granted() {
     lawful(&written(0.5e-6));
     broken(&written(0.0), Law::Acceleration);
 }
+
+/// Samples whose resolution hides a limit do not show that it is kept, and still show that it is broken.
+#[test]
+fn coarse_samples_hide_limits() {
+    let (path, points) = straight();
+    let laws = [Law::Velocity, Law::Acceleration, Law::Feed];
+    let open = |resolution: f64| {
+        let judgement = judge_coarse(&points, &path, resolution);
+        laws.map(|law| matches!(judgement.of(law), Some(Verdict::NotJudged(_))))
+    };
+    assert_eq!(open(0.0004), [false, false, false]);
+    assert_eq!(open(0.0006), [false, true, false], "2400 mm/s² where 2000 are allowed");
+    assert_eq!(open(0.06), [false, true, true], "240 mm/s where 200 are programmed");
+    assert_eq!(open(0.1), [false, true, true]);
+    let mut jumps = points.clone();
+    for point in &mut jumps[41..] {
+        point[0] += 1.0;
+    }
+    let judgement = judge_coarse(&jumps, &path, 0.0006);
+    broken(&judgement, Law::Acceleration);
+}

@@ -140,9 +140,14 @@ impl Motion {
 
 /// A record of X, Y, Z, and of further columns.
 fn record(points: &[AxisVector], columns: &[(Column, Vec<f64>)]) -> Samples {
+    record_with(0.0, points, columns)
+}
+
+/// The same with a resolution, which only says how far the positions may be off.
+fn record_with(resolution: f64, points: &[AxisVector], columns: &[(Column, Vec<f64>)]) -> Samples {
     let axes = [Axis::X, Axis::Y, Axis::Z].map(Column::Position);
     let names = axes.into_iter().chain(columns.iter().map(|(column, _)| *column)).collect();
-    let mut samples = Samples::new(PERIOD, 0.0, names).unwrap();
+    let mut samples = Samples::new(PERIOD, resolution, names).unwrap();
     for (sample, point) in points.iter().enumerate() {
         let more = columns.iter().map(|(_, values)| values[sample]);
         let row: Vec<f64> = point[..3].iter().copied().chain(more).collect();
@@ -159,6 +164,10 @@ fn script(events: &[(u32, MotionAction)]) -> MotionScript {
 
 fn judged(points: &[AxisVector], path: &ProgrammedPath) -> Judgement {
     judge(&record(points, &[]), path, &limits(), &MotionScript::default())
+}
+
+fn judge_coarse(points: &[AxisVector], path: &ProgrammedPath, resolution: f64) -> Judgement {
+    judge(&record_with(resolution, points, &[]), path, &limits(), &MotionScript::default())
 }
 
 #[track_caller]
