@@ -8,8 +8,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use rustix::process::{
-    Pid, Resource, Rlimit, Signal, WaitId, WaitIdOptions, kill_process, kill_process_group,
-    prlimit, waitid,
+    Pid, Signal, WaitId, WaitIdOptions, kill_process, kill_process_group, waitid,
 };
 
 use super::limits::Limits;
@@ -73,7 +72,7 @@ impl Process {
             return Err(std::io::Error::new(ErrorKind::Interrupted, "the process ends"));
         }
         let child = Command::new("/bin/sh")
-            .args(["-c", &without_shell(command)])
+            .args(["-c", &limited(command, limits)])
             .env(MARK, &mark)
             .process_group(0)
             .stdin(input)
@@ -81,14 +80,7 @@ impl Process {
             .stderr(errors)
             .spawn()?;
         let process = Self { child, mark, ended: None };
-        if let Some(pid) = process.pid() {
-            groups.leaders.push(pid);
-            let most = |bytes| Rlimit { current: Some(bytes), maximum: Some(bytes) };
-            // The system may have set lower limits, which cannot be raised; those then apply.
-            let _memory = prlimit(Some(pid), Resource::As, most(limits.memory));
-            let _file = prlimit(Some(pid), Resource::Fsize, most(limits.file));
-            let _core = prlimit(Some(pid), Resource::Core, most(0));
-        }
+        groups.leaders.extend(process.pid());
         Ok(process)
     }
 
@@ -165,6 +157,16 @@ fn kill_marked(is_wanted: impl Fn(&[u8]) -> bool) {
             let _gone = kill_process(pid, Signal::KILL);
         }
     }
+}
+
+/// A command with limits that hold before it starts. Where the system has set lower ones, which cannot be raised, those
+/// hold.
+fn limited(command: &str, limits: Limits) -> String {
+    // Units of `ulimit`: kilobytes of memory, blocks of 512 bytes of files.
+    let (memory, file) = (limits.memory / 1024, limits.file / 512);
+    let each = [format!("-v {memory}"), format!("-f {file}"), "-c 0".to_owned()];
+    let set = each.map(|limit| format!("ulimit {limit} 2>/dev/null; "));
+    format!("{}{}", set.concat(), without_shell(command))
 }
 
 /// A plain command replaces the shell, so that its own exit status is reported.

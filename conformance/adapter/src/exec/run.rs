@@ -164,7 +164,9 @@ impl Session {
             Reply::Outcome(outcome) => Ok(*outcome),
             Reply::File(name) => {
                 let bytes = self.take_answer_file(&name)?;
-                read_json(&bytes)
+                self.limits
+                    .check_objects(&bytes)
+                    .and_then(|()| read_json(&bytes).map_err(|error| error.to_string()))
                     .map_err(|error| unreadable(&format!("file of `{operation}`: {error}"), &bytes))
             }
             reply => Err(self.unexpected_reply(operation, &reply)),
@@ -197,6 +199,7 @@ impl Session {
         let streams = received.credit > 0;
         let deadline = now() + self.limits.time;
         let mut bytes_left = self.limits.whole;
+        let mut objects_left = self.limits.objects;
         loop {
             let reply = match self.exchange(&unsent, operation, deadline, expected) {
                 Ok(reply) => reply,
@@ -214,6 +217,11 @@ impl Session {
                     bytes_left = bytes_left
                         .checked_sub(self.lines.last_line_length())
                         .ok_or(HarnessError::Flooded { bytes: self.limits.whole })?;
+                    let objects: usize = steps.iter().map(|step| 1 + step.events.len()).sum();
+                    objects_left = objects_left.checked_sub(objects).ok_or_else(|| {
+                        let what = format!("more than {} steps and events", self.limits.objects);
+                        unreadable(&what, b"steps")
+                    })?;
                     received.steps.extend(steps);
                 }
                 Reply::At(index) if !events.is_empty() => {

@@ -231,6 +231,9 @@ impl Session {
                 return Err(NoReply::Other(HarnessError::Flooded { bytes: self.limits.bytes }));
             }
         };
+        self.limits.check_objects(&answer).map_err(|why| {
+            NoReply::Other(unreadable(&format!("answer to `{name}`: {why}"), &answer))
+        })?;
         let sent = self.last;
         if name == RUN && self.has_single_answer() {
             // The controller resets while its answer is parsed here.

@@ -304,7 +304,7 @@ fn template_exits_when_its_input_ends() {
 fn limits_are_those_of_the_page() {
     let usual = Limits::default();
     assert_eq!((usual.time.as_secs(), usual.bytes, usual.whole), (10, 64 << 20, 256 << 20));
-    assert_eq!((usual.memory, usual.file), (4 << 30, 1 << 30));
+    assert_eq!((usual.memory, usual.file, usual.objects), (4 << 30, 1 << 30, 2_000_000));
 }
 
 #[test]

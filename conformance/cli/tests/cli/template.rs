@@ -44,7 +44,7 @@ pub(crate) fn changed(name: &str, changes: &[(&str, &str)]) -> String {
 /// Limits under which tests do not take long. Python may start as slowly as a busy machine lets it.
 pub(crate) fn limits() -> Limits {
     let (time, start) = (Duration::from_secs(1), Duration::from_secs(60));
-    Limits { time, start, bytes: 1 << 20, whole: 1 << 20, ..Limits::default() }
+    Limits { time, start, bytes: 1 << 20, whole: 1 << 20, objects: 100_000, ..Limits::default() }
 }
 
 /// The verdicts of one rule's cases: that of the case that is meddled with and whether it was judged alone, and the
