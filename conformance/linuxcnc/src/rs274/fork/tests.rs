@@ -22,7 +22,7 @@ use crate::rs274::streams::Stop;
 use crate::rs274::{LIMITS, Rs274};
 
 /// Every so many cases of the suite one is run both ways.
-const SAMPLE: usize = 16;
+const SAMPLE: usize = 64;
 
 const SHORT: Limits = Limits { time: Duration::from_millis(300), bytes: 10_000 };
 
@@ -106,7 +106,8 @@ fn digests(folder: &Path) -> BTreeMap<OsString, Vec<u8>> {
     all
 }
 
-/// Scenarios of the suite that the controller runs: a sample, and those with a tool table or deleted blocks.
+/// Scenarios of the suite that the controller runs: a sample, a larger one of those with a tool table, and all with
+/// deleted blocks.
 fn scenarios(controller: &Rs274) -> Vec<Scenario> {
     let suite = Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).unwrap();
     let edition = suite.edition("rs274-2.9-observed").unwrap();
@@ -114,8 +115,12 @@ fn scenarios(controller: &Rs274) -> Vec<Scenario> {
     let spoken = suite.rules.iter().filter(|rule| rule.language == edition.language);
     let cases = spoken.flat_map(|rule| &rule.cases);
     let all = cases.map(|case| scenario_of(case, &options, edition)).enumerate();
-    let rare = |it: &Scenario| it.program.block_delete || !it.machine.tools.is_empty();
-    let chosen = all.filter(|(place, it)| place.is_multiple_of(SAMPLE) || rare(it));
+    let every = |it: &Scenario| match (it.program.block_delete, it.machine.tools.is_empty()) {
+        (true, _) => 1,
+        (false, false) => SAMPLE / 8,
+        (false, true) => SAMPLE,
+    };
+    let chosen = all.filter(|(place, it)| place.is_multiple_of(every(it)));
     chosen.map(|(_, it)| it).filter(|it| controller.supports(it).is_ok()).collect()
 }
 
