@@ -274,7 +274,9 @@ impl Interpreter {
                     return Ok(Progress::Ended(end));
                 }
                 Err(error) => {
-                    self.modal.lose_waiting();
+                    if !self.modal.reads_ahead() {
+                        self.modal.lose_waiting();
+                    }
                     self.ended = Some(Err(error.clone()));
                     return Err(error);
                 }
@@ -449,9 +451,10 @@ impl Interpreter {
         self.modal.begin_read_ahead();
     }
 
-    /// Ends reading ahead: the point is where it was before, and the tools are those of the machine.
-    pub fn end_read_ahead(&mut self) {
-        self.modal.end_read_ahead(&mut self.parameters.numbered);
+    /// Ends reading ahead: the point is where it was before, and the tools are those of the machine. The settings that
+    /// wait for a compensated move are reported.
+    pub fn end_read_ahead<K: Sink>(&mut self, sink: &mut K) {
+        self.modal.end_read_ahead(&mut self.parameters.numbered, sink);
     }
 
     /// Depth of calls; 0 in the main program.

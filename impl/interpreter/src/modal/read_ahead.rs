@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 
+use crate::canon::Sink;
 use crate::parameters::Numbered;
 
 use super::Modal;
@@ -24,14 +25,21 @@ impl Modal {
         }));
     }
 
+    /// Whether blocks are only read: what they set counts, also where a later block is refused.
+    pub(crate) fn reads_ahead(&self) -> bool {
+        self.machine_snapshot.is_some()
+    }
+
     /// From here on blocks are only read.
     pub(crate) fn begin_read_ahead(&mut self) {
         self.begin_read_ahead_at(self.reached_point());
     }
 
-    /// Ends reading ahead: position and tools are those of the machine again.
-    pub(crate) fn end_read_ahead(&mut self, numbered: &mut Numbered) {
+    /// Ends reading ahead: position and tools are those of the machine again. Settings that wait behind a compensated
+    /// move have been read, too; the move is lost.
+    pub(crate) fn end_read_ahead<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K) {
         let Some(snapshot) = self.machine_snapshot.take() else { return };
+        self.report_waiting(sink);
         self.forget_compensated_path();
         let point = snapshot.point.converted(self.machine_to_active());
         self.position = self.active.now().program_of(point);

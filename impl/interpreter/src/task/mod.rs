@@ -360,7 +360,7 @@ impl<M: Machine> Task<M> {
             Ok(())
         };
         // The block itself may have been read to where it waits for the machine.
-        self.interpreter.end_read_ahead();
+        self.interpreter.end_read_ahead(&mut self.state);
         read
     }
 

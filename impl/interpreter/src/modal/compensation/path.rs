@@ -18,6 +18,8 @@ pub(in super::super) struct CompensationState {
     pub(super) before: Option<PathState>,
     /// What waits for the next move in the plane.
     pub(super) queue: Queue,
+    /// How many items waited before the block.
+    pub(super) queued: usize,
 }
 
 /// The part of the state that moves change.
@@ -62,7 +64,8 @@ pub(super) struct LastMove {
 impl CompensationState {
     /// Compensation is off.
     pub(in super::super) fn new(limit: u32) -> Self {
-        Self { is_idle: true, path: PathState::default(), before: None, queue: Queue::new(limit) }
+        let (path, queue) = (PathState::default(), Queue::new(limit));
+        Self { is_idle: true, path, before: None, queue, queued: 0 }
     }
 
     /// Whether a plain move needs nothing of compensation.
@@ -86,6 +89,7 @@ impl CompensationState {
     #[inline]
     pub(in super::super) fn begin_notes(&mut self) {
         self.before = None;
+        self.queued = self.queue.items.len();
     }
 
     /// The part that moves change, for a change that a refusal rolls back.
@@ -96,12 +100,12 @@ impl CompensationState {
         &mut self.path
     }
 
-    /// The block is refused: its moves are forgotten, and what waited is lost.
+    /// The block is refused: nothing of it waits, and its moves are forgotten.
     pub(in super::super) fn roll_back(&mut self) {
         if let Some(before) = self.before.take() {
             self.path = before;
         }
-        self.queue.clear();
+        self.queue.items.truncate(self.queued);
     }
 
     /// What waits is lost.

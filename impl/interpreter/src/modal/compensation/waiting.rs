@@ -117,6 +117,21 @@ impl Modal {
         Ok(())
     }
 
+    /// Reports the settings that wait. The effects among them are lost.
+    pub(in super::super) fn report_waiting<K: Sink>(&mut self, sink: &mut K) {
+        while let Some(item) = self.compensation.queue.items.pop_front() {
+            sink.release(item.place);
+            match item.content {
+                Content::Feed(rate) => {
+                    let changed = Settings { feed_rate: Some(rate), ..Settings::default() };
+                    sink.set(item.line, &changed);
+                }
+                Content::Settings(changed) => sink.set(item.line, &changed),
+                Content::Effect(_) => {}
+            }
+        }
+    }
+
     /// Performs an effect that has waited.
     fn perform_late<K: Sink>(
         &mut self,
