@@ -120,15 +120,15 @@ impl Modal {
     /// Reports the settings that wait. The effects among them are lost.
     pub(in super::super) fn report_waiting<K: Sink>(&mut self, sink: &mut K) {
         while let Some(item) = self.compensation.queue.items.pop_front() {
-            sink.release(item.place);
-            match item.content {
+            let changed = match item.content {
                 Content::Feed(rate) => {
-                    let changed = Settings { feed_rate: Some(rate), ..Settings::default() };
-                    sink.set(item.line, &changed);
+                    Box::new(Settings { feed_rate: Some(rate), ..Settings::default() })
                 }
-                Content::Settings(changed) => sink.set(item.line, &changed),
-                Content::Effect(_) => {}
-            }
+                Content::Settings(changed) => changed,
+                Content::Effect(_) => continue,
+            };
+            sink.release(item.place);
+            sink.set(item.line, &changed);
         }
     }
 
