@@ -16,6 +16,9 @@ const TRACE_BYTES_MAX: usize = 1 << 20;
 /// What the page adds to each line of a trace.
 const LINE_MARKUP_BYTES: usize = 16;
 
+/// Cards of a finding; its other cases are named alone, since their cards would say the same of other programs.
+const CARDS_MAX: usize = 16;
+
 /// A divergence on the page.
 #[derive(Debug, Serialize)]
 pub(super) struct Card<'a> {
@@ -63,12 +66,24 @@ pub(super) struct Kind<'a> {
     class: String,
     /// The one with the smallest program first.
     cases: Vec<Card<'a>>,
+    /// The cases without a card.
+    others: Vec<Other<'a>>,
+}
+
+/// A case that is named alone.
+#[derive(Debug, Serialize)]
+struct Other<'a> {
+    rule: &'a str,
+    case: &'a str,
+    word: &'static str,
+    class: String,
 }
 
 impl Kind<'_> {
     /// Whether a case of a rule is among its cards.
     pub(super) fn has(&self, rule: &str) -> bool {
-        self.cases.iter().any(|card| card.rule == rule)
+        let cards = self.cases.iter().map(|card| card.rule);
+        cards.chain(self.others.iter().map(|other| other.rule)).any(|other| other == rule)
     }
 }
 
@@ -93,7 +108,11 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
     };
     let controller = &report.header.controller;
     let kinds = report.findings().iter().map(|finding| {
-        let cases: Vec<_> = finding.divergent().map(&mut card).collect();
+        let cases: Vec<_> = finding.divergent().take(CARDS_MAX).map(&mut card).collect();
+        let others = finding.divergent().skip(CARDS_MAX).map(|(result, _)| {
+            let word = result.verdict.word();
+            Other { rule: &result.rule.id, case: result.name, word, class: class(word) }
+        });
         let class = cases.first().map(|card| card.class.clone()).unwrap_or_default();
         Kind {
             what: title(controller, finding),
@@ -103,6 +122,7 @@ pub(super) fn kinds<'a>(report: &'a Report<'_>) -> Vec<Kind<'a>> {
             size: size(finding),
             class,
             cases,
+            others: others.collect(),
         }
     });
     kinds.collect()
