@@ -274,9 +274,7 @@ impl Interpreter {
                     return Ok(Progress::Ended(end));
                 }
                 Err(error) => {
-                    if !self.modal.reads_ahead() {
-                        self.modal.lose_waiting();
-                    }
+                    self.modal.lose_waiting();
                     self.ended = Some(Err(error.clone()));
                     return Err(error);
                 }
@@ -451,8 +449,7 @@ impl Interpreter {
         self.modal.begin_read_ahead();
     }
 
-    /// Ends reading ahead: the point is where it was before, and the tools are those of the machine. The settings that
-    /// wait for a compensated move are reported.
+    /// Ends reading ahead: point and tools are those of the machine again. Settings that wait are reported.
     pub fn end_read_ahead<K: Sink>(&mut self, sink: &mut K) {
         self.modal.end_read_ahead(&mut self.parameters.numbered, sink);
     }

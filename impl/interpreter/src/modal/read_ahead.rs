@@ -26,7 +26,7 @@ impl Modal {
     }
 
     /// Whether blocks are only read: what they set counts, also where a later block is refused.
-    pub(crate) fn reads_ahead(&self) -> bool {
+    pub(super) fn reads_ahead(&self) -> bool {
         self.machine_snapshot.is_some()
     }
 

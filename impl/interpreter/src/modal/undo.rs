@@ -62,6 +62,7 @@ impl Modal {
         self.selected = before.selected;
         self.controller_mode = before.controller_mode;
         self.compensation.roll_back();
+        self.lose_waiting();
         self.note_compensation();
     }
 }

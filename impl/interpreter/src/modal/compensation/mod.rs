@@ -88,9 +88,11 @@ impl Modal {
         Ok(())
     }
 
-    /// A refusal has cut the run off: what waits is lost.
+    /// A refusal has cut the run off: what waits is lost, unless it was only read ahead.
     pub(crate) fn lose_waiting(&mut self) {
-        self.compensation.lose_waiting();
+        if !self.reads_ahead() {
+            self.compensation.lose_waiting();
+        }
     }
 
     /// Sets how many settings and effects may wait, and how many moves a profile may have.
