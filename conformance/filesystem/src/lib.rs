@@ -9,6 +9,6 @@ mod private;
 mod tests;
 
 pub use output::{
-    PartialFolder, check_folder, copy_output, open_output, write_output, write_outputs,
+    PartialFolder, check_folder, copy_output, move_into, open_output, write_output, write_outputs,
 };
 pub use private::{PrivateFolder, SharedFolder, open_lock, remove_private_folders};

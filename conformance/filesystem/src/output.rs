@@ -294,3 +294,13 @@ impl Drop for PartialFolder {
         let _gone = std::fs::remove_dir_all(&self.partial);
     }
 }
+
+/// Moves a file into a folder, which is made where there is none. A file of its name there is replaced.
+///
+/// # Errors
+/// It has no name, the folder cannot be made, or it is on another file system.
+pub fn move_into(file: &Path, folder: &Path) -> Result<()> {
+    let name = file.file_name().ok_or(ErrorKind::InvalidInput)?;
+    std::fs::create_dir_all(folder)?;
+    std::fs::rename(file, folder.join(name))
+}

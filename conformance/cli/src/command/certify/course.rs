@@ -382,20 +382,18 @@ const EARLIER: &str = "earlier";
 /// Moves the report of an earlier run into a folder of its own, so that it is not taken for the report of this one if
 /// this one ends without a report. A baseline that is there stays, with its whole report.
 fn set_aside(folder: &Path, compared_with: &[PathBuf]) -> Result<(), CliError> {
-    let files: Vec<_> = REPORT_FILES.iter().map(|name| (name, folder.join(name))).collect();
+    let files = REPORT_FILES.map(|name| folder.join(name));
     let is_same = |file: &Path, other: &PathBuf| {
         file.canonicalize().is_ok_and(|file| other.canonicalize().is_ok_and(|other| file == other))
     };
-    if files.iter().any(|(_, file)| compared_with.iter().any(|other| is_same(file, other))) {
+    if files.iter().any(|file| compared_with.iter().any(|other| is_same(file, other))) {
         return Ok(());
     }
     let earlier = folder.join(EARLIER);
-    for (name, file) in files {
+    for file in files {
         // A link or a device at the path of an output stays where it is.
         if file.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
-            let moved = std::fs::create_dir_all(&earlier)
-                .and_then(|()| std::fs::rename(&file, earlier.join(name)));
-            moved.map_err(|error| {
+            gaugeblock_filesystem::move_into(&file, &earlier).map_err(|error| {
                 CliError::usage(
                     format!("{}: {error}", file.display()),
                     "the report of an earlier run is moved before another one begins",
