@@ -21,7 +21,7 @@ const PRIVATE: u32 = 0o700;
 const PREFIX: &str = "gaugeblock-";
 
 /// A private folder that is younger is never removed by another process: it may not be locked yet.
-const LEAST_AGE: Duration = Duration::from_mins(10);
+const LEAST_AGE: Duration = Duration::from_secs(600);
 
 /// The private folders of this process.
 #[derive(Default)]

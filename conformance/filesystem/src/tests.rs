@@ -4,7 +4,7 @@ use std::fs::{self, Permissions};
 use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
 use std::path::{Path, PathBuf};
 use std::thread;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use rustix::fs::{CWD, FileType, Mode, mknodat};
 
@@ -280,7 +280,8 @@ fn folders_of_killed_processes_are_removed() {
         fs::write(path.join("left"), "").unwrap();
         let folder = fs::File::open(&path).unwrap();
         folder.set_permissions(Permissions::from_mode(mode)).unwrap();
-        folder.set_modified(SystemTime::now() - Duration::from_hours(hours)).unwrap();
+        let now = folder.metadata().unwrap().modified().unwrap();
+        folder.set_modified(now - Duration::from_secs(3600 * hours)).unwrap();
         folder
     };
     made("gaugeblock-rs274-1-0", 0o700, 1);

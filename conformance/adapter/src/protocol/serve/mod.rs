@@ -184,10 +184,12 @@ impl Serving<'_> {
 
     /// Refuses a request over the network whose outcome may not fit into memory, with its id and the reason.
     fn within_bounds(&self, request: Request) -> std::result::Result<Request, (u64, String)> {
-        let budget = match &request.operation {
-            Operation::Run { scenario, .. } | Operation::Move { scenario, .. } => &scenario.budget,
-            _ => return Ok(request),
+        let (Operation::Run { scenario, .. } | Operation::Move { scenario, .. }) =
+            &request.operation
+        else {
+            return Ok(request);
         };
+        let budget = &scenario.budget;
         let largest = budget.steps.max(budget.effects);
         if self.served.caller == Caller::Network && largest > LARGEST_BUDGET {
             let why =
