@@ -16,7 +16,7 @@ const TRACE_BYTES_MAX: usize = 1 << 20;
 /// What the page adds to each line of a trace.
 const LINE_MARKUP_BYTES: usize = 16;
 
-/// Cards of a finding; its other cases are named alone, since their cards would say the same of other programs.
+/// Most cards of a finding. Its other cases are listed by name: their cards would repeat the difference.
 const CARDS_MAX: usize = 16;
 
 /// A divergence on the page.
@@ -66,11 +66,11 @@ pub(super) struct Kind<'a> {
     class: String,
     /// The one with the smallest program first.
     cases: Vec<Card<'a>>,
-    /// The cases without a card.
+    /// The cases that are listed by name.
     others: Vec<Other<'a>>,
 }
 
-/// A case that is named alone.
+/// A case that is listed by name.
 #[derive(Debug, Serialize)]
 struct Other<'a> {
     rule: &'a str,
@@ -80,7 +80,7 @@ struct Other<'a> {
 }
 
 impl Kind<'_> {
-    /// Whether a case of a rule is among its cards.
+    /// Whether it has a case of a rule.
     pub(super) fn has(&self, rule: &str) -> bool {
         let cards = self.cases.iter().map(|card| card.rule);
         cards.chain(self.others.iter().map(|other| other.rule)).any(|other| other == rule)

@@ -168,7 +168,7 @@ struct Row<'a> {
     sentence: &'a str,
     sources: String,
     cases: String,
-    /// The first finding in which a case of it diverges, by its number.
+    /// The number of the first finding with a case of the rule.
     finding: Option<usize>,
 }
 

@@ -92,7 +92,7 @@ impl<'a> Report<'a> {
         verdicts(self.run)
     }
 
-    /// How many rules of each chapter came to what.
+    /// The number of rules by chapter and verdict.
     pub fn chapters(&self) -> Vec<ChapterCounts<'a>> {
         rule::chapters(&self.rules())
     }

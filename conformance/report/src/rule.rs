@@ -61,7 +61,7 @@ pub struct ChapterCounts<'a> {
     pub pass: usize,
     /// Rules that are broken.
     pub diverges: usize,
-    /// Rules of which no case is supported.
+    /// Rules without a supported case.
     pub unsupported: usize,
     /// Rules that could not be judged.
     pub not_judged: usize,
