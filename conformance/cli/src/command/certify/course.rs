@@ -3,12 +3,13 @@
 use std::fmt::Write as _;
 use std::num::NonZero;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::exec::Limits;
 use gaugeblock_compare::Capabilities;
+use gaugeblock_filesystem::move_into;
 use gaugeblock_report::cost::{self, Cost};
 use gaugeblock_report::stored::JournalCase;
 use gaugeblock_report::terminal::Detail;
@@ -77,9 +78,27 @@ impl<'a> Course<'a> {
         Ok(Candidate { files: self.files(controller.as_ref())?, controller, edition })
     }
 
-    /// Keeps the report of an earlier run in a folder apart from the one that this run may end without.
+    /// Moves an earlier report into a folder of its own, so that it is not mistaken for that of a run that ends without
+    /// one. A report that this run is compared with stays.
     pub(super) fn set_aside(&self, folder: &Path) -> Result<(), CliError> {
-        set_aside(folder, &self.arguments.against.files())
+        let files = REPORT_FILES.map(|name| folder.join(name));
+        let compared: Vec<_> =
+            self.arguments.against.files().iter().flat_map(|file| file.canonicalize()).collect();
+        if files.iter().flat_map(|file| file.canonicalize()).any(|file| compared.contains(&file)) {
+            return Ok(());
+        }
+        for file in files {
+            // A link or a device at the path of an output stays where it is.
+            if file.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
+                move_into(&file, &folder.join(EARLIER)).map_err(|error| {
+                    CliError::usage(
+                        format!("{}: {error}", file.display()),
+                        "the report of an earlier run is moved before another one begins",
+                    )
+                })?;
+            }
+        }
+        Ok(())
     }
 
     /// The files of a controller, for a report or a certificate.
@@ -253,7 +272,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// Cases in a row that time out or crash until a controller is given up: its campaign might take days.
+/// After so many cases in a row without an outcome a run ends: with a hanging controller it could take days.
 const MOST_WITHOUT_OUTCOME: usize = 200;
 
 /// Whether a case counts for --max-fail.
@@ -376,30 +395,5 @@ pub(crate) fn write_report(folder: &Path, report: &Report<'_>) -> Result<(), Cli
 const REPORT_FILES: [&str; 6] =
     ["report.json", "report.html", cost::FILE, "junit.xml", "report.txt", "summary.md"];
 
-/// Where an earlier report is kept while there is no newer one.
+/// The folder of an earlier report, within the folder of reports.
 const EARLIER: &str = "earlier";
-
-/// Moves the report of an earlier run into a folder of its own, so that it is not taken for the report of this one if
-/// this one ends without a report. A baseline that is there stays, with its whole report.
-fn set_aside(folder: &Path, compared_with: &[PathBuf]) -> Result<(), CliError> {
-    let files = REPORT_FILES.map(|name| folder.join(name));
-    let is_same = |file: &Path, other: &PathBuf| {
-        file.canonicalize().is_ok_and(|file| other.canonicalize().is_ok_and(|other| file == other))
-    };
-    if files.iter().any(|file| compared_with.iter().any(|other| is_same(file, other))) {
-        return Ok(());
-    }
-    let earlier = folder.join(EARLIER);
-    for file in files {
-        // A link or a device at the path of an output stays where it is.
-        if file.symlink_metadata().is_ok_and(|metadata| metadata.is_file()) {
-            gaugeblock_filesystem::move_into(&file, &earlier).map_err(|error| {
-                CliError::usage(
-                    format!("{}: {error}", file.display()),
-                    "the report of an earlier run is moved before another one begins",
-                )
-            })?;
-        }
-    }
-    Ok(())
-}
