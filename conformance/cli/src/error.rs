@@ -12,7 +12,7 @@ pub(crate) struct CliError {
 }
 
 impl CliError {
-    /// Exit status of a call that is wrong, or whose input is.
+    /// Exit status after a wrong call or wrong input.
     pub(crate) const WRONG_CALL: u8 = 2;
 
     /// The call or its input is wrong.

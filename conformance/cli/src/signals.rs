@@ -6,7 +6,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 
-/// From now on a signal that ends the process kills its controllers and removes its private folders first.
+/// Starts a thread that acts before a signal ends the process: it kills controllers and removes private folders.
 ///
 /// # Errors
 /// No signal can be watched.
@@ -29,7 +29,7 @@ pub(crate) fn watch() -> std::io::Result<()> {
     std::thread::Builder::new().name("signals".to_owned()).spawn(ends).map(drop)
 }
 
-/// The signals that whatever started this process has it ignore, as `nohup` does: a bit each.
+/// The ignored signals, one bit each. `nohup`, for example, starts a process with SIGHUP ignored.
 fn ignored() -> u64 {
     let status = read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

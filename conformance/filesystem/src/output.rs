@@ -295,7 +295,7 @@ impl Drop for PartialFolder {
     }
 }
 
-/// Moves a file into a folder, which is made where there is none. A file of its name there is replaced.
+/// Moves a file into a folder, and makes the folder if it is absent. A file of the same name in it is replaced.
 ///
 /// # Errors
 /// It has no name, the folder cannot be made, or it is on another file system.

@@ -17,10 +17,10 @@ use rustix::fs::{AtFlags, CWD, FlockOperation, Mode, OFlags, flock, mkdirat, ope
 /// Permissions of a private folder, whatever the umask: its owner may do everything, others nothing.
 const PRIVATE: u32 = 0o700;
 
-/// How the name of every private folder begins.
+/// The prefix of the name of every private folder.
 const PREFIX: &str = "gaugeblock-";
 
-/// A private folder that is younger is never removed by another process: it may not be locked yet.
+/// Another process never removes a younger private folder: it may not be locked yet.
 const LEAST_AGE: Duration = Duration::from_secs(600);
 
 /// The private folders of this process.
@@ -29,14 +29,14 @@ struct Folders {
     paths: BTreeSet<PathBuf>,
     /// Parents whose abandoned folders have been removed.
     swept: BTreeSet<PathBuf>,
-    /// The process ends: no folder is made any more.
+    /// The process ends, and makes no more folders.
     closed: bool,
 }
 
 static FOLDERS: Mutex<Folders> =
     Mutex::new(Folders { paths: BTreeSet::new(), swept: BTreeSet::new(), closed: false });
 
-/// A panic of another thread leaves the list as it was.
+/// The list stays valid if another thread panics.
 fn folders() -> MutexGuard<'static, Folders> {
     FOLDERS.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -113,7 +113,7 @@ impl PrivateFolder {
             let why = format!("{}: another user owns it or may enter it", path.display());
             return Err(Error::new(ErrorKind::PermissionDenied, why));
         }
-        // It says that its process lives, in whatever name space the process is.
+        // The lock marks the folder as in use, also for processes in other name spaces.
         let _where_locks_exist = flock(&folder, FlockOperation::NonBlockingLockShared);
         Ok(Self { path, handle: folder.into() })
     }

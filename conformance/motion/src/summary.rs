@@ -8,7 +8,7 @@ use gaugeblock_vocabulary::motion::{
     MotionAction, MotionLimits, MotionScript, PathElement, ProgrammedPath, Samples, Shape,
 };
 
-/// What samples do not show of a motion: the share of the least time that lawful ones take, and periods.
+/// The share of the least time, less some periods, that lawful samples take at least.
 const UNCERTAIN_SHARE: f64 = 0.99;
 const UNCERTAIN_PERIODS: f64 = 4.0;
 
@@ -22,7 +22,7 @@ pub struct Summary {
     pub time: f64,
     /// No motion that keeps its limits at every instant takes less; or why that is not known.
     pub least: Result<f64, String>,
-    /// Seconds by which lawful samples may be below the least time, since they show the motion once in a period.
+    /// Seconds by which lawful samples may be below the least time: they have one position per period.
     pub uncertainty: f64,
     /// Which bounds it rests on, in words.
     pub kinds: Vec<&'static str>,
@@ -63,8 +63,8 @@ impl Summary {
         self.judgement.violations().next().is_none()
     }
 
-    /// Whether a motion along the path cannot be so fast, even if it keeps its limits in samples alone: then they show
-    /// another motion, whatever each law says of it. What is aborted does not follow the path to its end.
+    /// Whether the time is below that of every motion along the path, even of one that keeps its limits in samples
+    /// alone. Then the samples are of another motion. An aborted motion does not reach the end of the path.
     pub fn is_impossible(&self) -> bool {
         let Ok(least) = &self.least else { return false };
         !self.aborted && self.time < least * UNCERTAIN_SHARE - self.uncertainty

@@ -143,14 +143,14 @@ impl Limits {
     }
 }
 
-/// The greatest share of an acceleration that a lone arc takes along the path, if it has the rest across it.
+/// Below this share of the acceleration along a lone arc, the rest is available across it.
 const LONE_ARC_ALONG_RATIO_MAX: f64 = 0.6;
 
 /// The ratio by which a growing radius lowers the limit of jerk.
 const GROWING_RATIO: f64 = 1.35;
 
-/// The acceleration across an arc that its speed may need, if the averaged parameter takes little of what the machine
-/// has along it: what averaging leaves out is left for the curvature.
+/// The acceleration that is available across a lone arc: what the averaged parameter leaves of the machine's. `None`
+/// if the parameter takes most of it.
 pub(crate) fn lone_arc_across(along: f64, machine: f64) -> Option<f64> {
     (along < LONE_ARC_ALONG_RATIO_MAX * machine)
         .then(|| PLANNED_RATIO * math::sqrt(squared(machine) - squared(along)))

@@ -123,14 +123,14 @@ impl LimitTable {
         let longest = self.cycles_max().min(WINDOW_CYCLES_MAX >> 1);
         let time = |cycles: u16| {
             let limits = self.smoothed_over(cycles);
-            // A higher acceleration leaves less of the jerk for the speed.
+            // The higher the acceleration, the lower the speed that the jerk allows.
             let acceleration = least(&limits.acceleration, &way.direction, 9);
             let jerk = least(&limits.jerk, &way.direction, 9);
             let fastest = lone_arc_speed(1.0 / way.radius, acceleration, jerk);
             let machine = least(&limits.unsmoothed, &way.direction, 9);
             let across = lone_arc_across(acceleration, machine).unwrap_or(acceleration);
             let speed = math::min(math::min(way.speed, fastest), math::sqrt(across * way.radius));
-            // What the curvature allows is known, as for a line.
+            // The speed has the limit of the curvature already.
             let way = Way { speed, radius: f64::INFINITY, ..*way };
             time_of(limits, &way, 2.0 * f64::from(cycles) * limits.cycle, 0.0)
         };

@@ -13,7 +13,7 @@ pub struct Limits {
     pub bytes: usize,
     /// Bytes of an outcome in batches, or of an answer in a file.
     pub whole: usize,
-    /// Objects of an answer, and steps and events of batches: each may need a kilobyte or two of memory here.
+    /// Objects of an answer, and steps and events of batches. Each may need one or two kilobytes of memory.
     pub objects: usize,
     /// Bytes of memory of each of its processes.
     pub memory: u64,

@@ -20,13 +20,13 @@ const MARK: &str = "GAUGEBLOCK_SESSION";
 /// The groups of the sessions of this process that have not been reaped.
 struct Groups {
     leaders: Vec<Pid>,
-    /// The process ends: no session is started any more.
+    /// The process ends, and starts no more sessions.
     closed: bool,
 }
 
 static GROUPS: Mutex<Groups> = Mutex::new(Groups { leaders: Vec::new(), closed: false });
 
-/// A panic of another thread leaves the list as it was.
+/// The list stays valid if another thread panics.
 fn groups() -> MutexGuard<'static, Groups> {
     GROUPS.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -142,7 +142,7 @@ impl Drop for Process {
     }
 }
 
-/// Kills the processes that have such a variable in their environment.
+/// Kills the processes with a matching variable in their environment.
 fn kill_marked(is_wanted: impl Fn(&[u8]) -> bool) {
     let Ok(entries) = std::fs::read_dir("/proc") else { return };
     for entry in entries.flatten() {
@@ -159,8 +159,7 @@ fn kill_marked(is_wanted: impl Fn(&[u8]) -> bool) {
     }
 }
 
-/// A command with limits that hold before it starts. Where the system has set lower ones, which cannot be raised, those
-/// hold.
+/// A command with limits that apply before it starts. Lower limits of the system stay in force: they cannot be raised.
 fn limited(command: &str, limits: Limits) -> String {
     // Units of `ulimit`: kilobytes of memory, blocks of 512 bytes of files.
     let (memory, file) = (limits.memory / 1024, limits.file / 512);

@@ -469,7 +469,7 @@ fn links_of_the_page_lead_to_findings_rules_and_chapters() {
     let links: Vec<&str> =
         page.split("href=\"#").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     for link in &links {
-        // A filter is no place.
+        // A filter does not name an element.
         let is_filter = link.contains('=');
         assert!(is_filter || page.contains(&format!("id=\"{link}\"")), "{link}");
     }

@@ -1,4 +1,4 @@
-//! What a run that ends early leaves behind: no processes, no folders, and no report that is taken for its own.
+//! A run that ends early leaves no processes and no folders. An earlier report is not mistaken for its own.
 
 use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
@@ -17,7 +17,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The processes of a command's sessions, which have a mark in their environment.
+/// The processes of a command's sessions: each has a mark in its environment.
 fn sessions(of: &Child) -> Vec<String> {
     let mark = format!("GAUGEBLOCK_SESSION={}-", of.id());
     let processes = fs::read_dir("/proc").expect("/proc").flatten();
@@ -35,9 +35,9 @@ fn names(folder: &Path) -> Vec<String> {
     entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect()
 }
 
-/// Waits until something is true, for which a busy machine may need long.
+/// Waits for a condition. A busy machine may need minutes.
 fn until(what: &str, is_true: impl Fn() -> bool) {
-    for _ in 0..1200 {
+    for _ in 0..12_000 {
         if is_true() {
             return;
         }
@@ -51,8 +51,8 @@ fn send(signal: &str, to: &Child) {
     assert!(status.expect("kill runs").success());
 }
 
-/// A command with a controller that never answers, which starts a process of its own; its temporary files are in a
-/// folder. The shell obeys `before` first.
+/// Starts a command with a controller that never answers and that starts another process. Its temporary files are in a
+/// folder. The shell executes `before` first.
 fn hanging(temporary: &Path, before: &str) -> Child {
     let call = format!(
         "{before} exec \"$0\" certify --controller 'exec:sleep 1000 & sleep 1000' --time-limit 1000"

@@ -53,7 +53,7 @@ def run(command, status, errors):
             return str(message[1])
         idle = status.interp_state == linuxcnc.INTERP_IDLE
         begun = begun or not idle
-        # The interpreter is idle while a dwell that it has read is still to be executed.
+        # The interpreter can be idle before the task controller has executed the last dwell.
         executed = status.exec_state == linuxcnc.EXEC_DONE and status.state == linuxcnc.RCS_DONE
         if begun and idle and executed and status.inpos and status.queue == 0:
             return None

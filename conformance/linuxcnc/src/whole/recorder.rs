@@ -125,7 +125,7 @@ fn hal(machine: &Machine, columns: &[Column]) -> String {
         let _never = writeln!(text, "{line}");
     };
     let scales: Vec<_> = (0..machine.axes.len()).map(|joint| format!("scale-{joint}")).collect();
-    // The last pin says whether the program runs.
+    // The last pin is on while the program runs.
     let kinds: String = columns.iter().map(|column| kind(*column)).chain(['b']).collect();
     put("loadrt [KINS]KINEMATICS".to_owned());
     put(format!(
@@ -208,8 +208,8 @@ fn rows(text: &str, width: usize) -> Result<Vec<Vec<f64>>, String> {
     if rows.is_empty() { Err("no sample was recorded".to_owned()) } else { Ok(rows) }
 }
 
-/// The rows in which the program runs, with the dwells at its ends, and in which something changes; and a few at rest on
-/// either side. The last column says whether the program runs.
+/// The rows from the beginning of the program to its end, with the dwells there, and a few at rest on either side. The
+/// last column is 1 while the program runs.
 fn executed(rows: &[Vec<f64>]) -> &[Vec<f64>] {
     let runs = |row: &[f64]| row.last().is_some_and(|running| *running > 0.0);
     let matters = |pair: &[Vec<f64>]| {

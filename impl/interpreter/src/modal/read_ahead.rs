@@ -25,7 +25,7 @@ impl Modal {
         }));
     }
 
-    /// Whether blocks are only read: what they set counts, also where a later block is refused.
+    /// Whether blocks are only read. Their settings count even if a later block is refused.
     pub(super) fn reads_ahead(&self) -> bool {
         self.machine_snapshot.is_some()
     }
@@ -35,8 +35,8 @@ impl Modal {
         self.begin_read_ahead_at(self.reached_point());
     }
 
-    /// Ends reading ahead: position and tools are those of the machine again. Settings that wait behind a compensated
-    /// move have been read, too; the move is lost.
+    /// Ends reading ahead: position and tools are those of the machine again. Settings that wait for a
+    /// compensated move were read: they are reported, and the move is lost.
     pub(crate) fn end_read_ahead<K: Sink>(&mut self, numbered: &mut Numbered, sink: &mut K) {
         let Some(snapshot) = self.machine_snapshot.take() else { return };
         self.report_waiting(sink);

@@ -1,5 +1,5 @@
-//! The servo cycles that programs take, each as listed in `cycle_times.txt`: a change of the planner shows there where
-//! it gains and where it loses.
+//! The servo cycles of programs are those in `cycle_times.txt`. A change of the planner changes that file, so a review
+//! sees each gain and each loss.
 
 use std::fmt::Write as _;
 use std::path::Path as FilePath;

@@ -23,9 +23,9 @@ fn keeps_limits(run: &Run) {
     assert!(speed <= 1.0 + 1e-9 && change <= 1.0 + 1e-9, "{speed} {change}");
 }
 
-/// At rest by an override of zero the motion is under way; only dwells and the spindle are waited for.
+/// With an override of zero the phase is `Moving`. It is `Waiting` only in a dwell or for the spindle.
 #[test]
-fn phase_says_what_is_waited_for() {
+fn phase_is_waiting_only_in_a_dwell_or_for_the_spindle() {
     let dwell = segment(Path::Dwell { seconds: 0.02 }, PathControl::ExactStop);
     let program = [dwell, line(at(1.0, 0.0, 0.0), PathControl::ExactStop)];
     let stopped = InputParameter { feed_override: 0.0, ..InputParameter::default() };

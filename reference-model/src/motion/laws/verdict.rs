@@ -151,7 +151,7 @@ pub(super) struct Findings {
     law: Law,
     share: Option<f64>,
     broken: Vec<Violation>,
-    /// Why what is not broken is not known to hold.
+    /// Why the law is not judged, unless it is broken.
     hidden: Option<String>,
 }
 
@@ -176,8 +176,8 @@ impl Findings {
         }
     }
 
-    /// A limit can only be judged if samples are written more finely: what their resolution hides must be less than the
-    /// limit.
+    /// Notes that the resolution of the samples is too coarse for a limit: the law can then be broken, but not
+    /// satisfied.
     pub(super) fn hides(&mut self, hidden: f64, limit: f64, of: &dyn Fn() -> String) {
         if limit > 0.0 && hidden > limit && self.hidden.is_none() {
             self.hidden = Some(format!(

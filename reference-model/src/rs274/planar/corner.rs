@@ -48,7 +48,7 @@ fn inside(leg: &Leg) -> Option<f64> {
     }
 }
 
-/// Whether the curves of two moves touch, of which one is an arc.
+/// Whether the curves of a line and an arc, or of two arcs, touch.
 fn touch(before: &Leg, next: &Leg) -> bool {
     match (before.curve, next.curve) {
         (Curve::Straight(_), Curve::Straight(_)) => false,

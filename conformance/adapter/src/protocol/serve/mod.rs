@@ -32,7 +32,7 @@ const LARGE: usize = 64 << 10;
 /// Bytes of a line that comes over the network.
 const LONGEST_REQUEST_BYTES: u64 = 64 << 20;
 
-/// Blocks or effects of a run for which a caller over the network asks at most: the outcome of a run is in memory.
+/// Most blocks or effects in the budget of a caller over the network: the outcome of a run is in memory.
 const LARGEST_BUDGET: u32 = 1_000_000;
 
 /// What is served.
@@ -182,7 +182,7 @@ impl Serving<'_> {
         Ok(lasts)
     }
 
-    /// Refuses a request over the network whose outcome may not fit into memory, with its id and the reason.
+    /// Refuses a request over the network whose outcome may not fit into memory. The error has its id and the reason.
     fn within_bounds(&self, request: Request) -> std::result::Result<Request, (u64, String)> {
         let (Operation::Run { scenario, .. } | Operation::Move { scenario, .. }) =
             &request.operation

@@ -18,7 +18,7 @@ pub(in super::super) struct CompensationState {
     pub(super) before: Option<PathState>,
     /// What waits for the next move in the plane.
     pub(super) queue: Queue,
-    /// How many items waited before the block.
+    /// The length of the queue before the block.
     pub(super) queued: usize,
 }
 
@@ -100,7 +100,7 @@ impl CompensationState {
         &mut self.path
     }
 
-    /// The block is refused: nothing of it waits, and its moves are forgotten.
+    /// The block is refused: removes its moves, and its items from the queue.
     pub(in super::super) fn roll_back(&mut self) {
         if let Some(before) = self.before.take() {
             self.path = before;

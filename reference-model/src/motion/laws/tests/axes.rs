@@ -128,7 +128,7 @@ fn what_a_record_rounds_away_is_granted() {
     broken(&written(0.0), Law::Acceleration);
 }
 
-/// Samples whose resolution hides a limit do not show that it is kept, and still show that it is broken.
+/// If the resolution of samples hides a limit, its law can be broken, but not satisfied.
 #[test]
 fn coarse_samples_hide_limits() {
     let (path, points) = straight();

@@ -143,7 +143,7 @@ fn record(points: &[AxisVector], columns: &[(Column, Vec<f64>)]) -> Samples {
     record_with(0.0, points, columns)
 }
 
-/// The same with a resolution, which only says how far the positions may be off.
+/// The same with a declared resolution; the positions themselves are exact.
 fn record_with(resolution: f64, points: &[AxisVector], columns: &[(Column, Vec<f64>)]) -> Samples {
     let axes = [Axis::X, Axis::Y, Axis::Z].map(Column::Position);
     let names = axes.into_iter().chain(columns.iter().map(|(column, _)| *column)).collect();
