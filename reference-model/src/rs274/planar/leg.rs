@@ -80,7 +80,7 @@ impl Leg {
 
     /// An arc leads from P - k R u0 to Q - k R u1 about its own centre; none if the tool does not fit into it.
     ///
-    /// `slack` is added to the radius that is left, active length unit.
+    /// `slack` is added to the radius that is left, and to the length that is none; active length unit.
     pub(crate) fn arc(arc: ProgrammedArc, cutter: Cutter, slack: f64) -> Option<Self> {
         let sense = if arc.turns < 0 { -1.0 } else { 1.0 };
         let inside = sense * cutter.side;
@@ -92,13 +92,17 @@ impl Leg {
         let (first, last) = (direction(to_start), direction(to_end));
         let start = away(arc.start, -inside * cutter.radius, first);
         let end = away(arc.end, -inside * cutter.radius, last);
-        let is_full = arc.start == arc.end;
+        // An arc has a length: one that ends in the direction of its start is a whole turn.
+        let programmed = match sweep(first, last, sense) {
+            turned if turned * length(to_end) <= slack.max(0.0) => math::TURN,
+            turned => turned,
+        };
         Some(Self {
             curve: Curve::Round {
                 circle: Circle { centre: arc.centre, radius },
                 sense,
                 inside,
-                sweep: if is_full { math::TURN } else { sweep(first, last, sense) },
+                sweep: programmed,
             },
             start,
             end,

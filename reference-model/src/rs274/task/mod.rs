@@ -288,14 +288,14 @@ impl ModelRun<'_> {
     }
 
     /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a
-    /// longer one.
+    /// longer one. A dwell behind a compensated move that waits takes its time once the move is put out.
     fn exhausted(&self) -> Option<Bound> {
         let budget = &self.scenario.budget;
         if self.record.steps() >= budget.steps as usize {
             Some(Bound::Steps)
         } else if self.record.effects() >= budget.effects {
             Some(Bound::Effects)
-        } else if self.state.environment.time() >= budget.time {
+        } else if self.state.environment.time() - self.record.waiting_seconds() >= budget.time {
             Some(Bound::Time)
         } else {
             None

@@ -29,6 +29,20 @@ impl Record {
         !self.waiting.is_empty()
     }
 
+    /// The time that dwells take which wait, seconds.
+    pub(super) fn waiting_seconds(&self) -> f64 {
+        let events = self.waiting.iter().filter_map(|place| {
+            let events = self.steps.get(place.step).map_or(&self.events, |step| &step.events);
+            events.get(place.event)
+        });
+        events
+            .map(|event| match event {
+                Event::Do(Effect::Dwell { seconds }) => *seconds,
+                Event::Do(_) | Event::Set(_) | Event::Unknown(_) => 0.0,
+            })
+            .sum()
+    }
+
     /// Nothing waits any more.
     pub(crate) fn put_out(&mut self) {
         self.waiting.clear();
