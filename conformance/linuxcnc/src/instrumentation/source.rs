@@ -131,6 +131,19 @@ impl Source {
         self.all().any(|(_, _, line)| compact(line).contains("#<_line>"))
     }
 
+    /// The first block that moves and ends the program, where a compensated move may wait. The error that stops the
+    /// program before it puts out what waits.
+    pub(crate) fn end_of_compensated_path(&self) -> Option<BlockLocation> {
+        let has = |line: &str, words: &[&str]| {
+            let code = without_names(&code(line));
+            words.iter().any(|word| code.contains(word))
+        };
+        let compensates = self.all().any(|(_, _, line)| has(line, &["g41", "g42"]));
+        let mut ends = self.all().filter(|(_, _, line)| compensates && form(line) == Form::End);
+        ends.find(|(_, _, line)| has(line, &["x", "y", "z"]))
+            .map(|(file, number, _)| self.block(file, number))
+    }
+
     /// The first block with M0 or M60, which would stop until someone resumes, and the number of the code; not a
     /// block that is refused for two such codes.
     pub(crate) fn pause(&self) -> Option<(BlockLocation, u32)> {

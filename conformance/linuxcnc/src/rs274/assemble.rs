@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use gaugeblock_adapter::HarnessError;
-use gaugeblock_vocabulary::{Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings};
+use gaugeblock_vocabulary::{
+    BlockLocation, Bound, End, Indexed, Language, Outcome, Position, Scenario, Settings,
+};
 
 use super::canon::{Canon, Mark};
 use super::output::Line;
@@ -103,12 +105,24 @@ pub(super) fn outcome(
 
 /// Of a program that does something else under observation, since the number of a line decides what it does.
 pub(super) fn decided_by_line(source: &Source) -> Outcome {
-    let what = "#<_line> decides what is done, and checkpoints are lines, too".to_owned();
+    let what = "#<_line> decides what is done, and checkpoints are lines, too";
+    not_observable(source.block(0, 1), what)
+}
+
+/// Of a program that does something else under observation, since a compensated move waits for the block that ends it.
+pub(super) fn put_out_before_end(block: BlockLocation) -> Outcome {
+    not_observable(
+        block,
+        "a compensated move that waits for a move in the block that ends the program",
+    )
+}
+
+fn not_observable(block: BlockLocation, what: &str) -> Outcome {
     Outcome {
         language: Language::Rs274,
         start: Settings::default(),
         steps: Vec::new(),
-        end: End::Unsupported { block: source.block(0, 1), what },
+        end: End::Unsupported { block, what: what.to_owned() },
         parameters: None,
         pins: Vec::new(),
         samples: Vec::new(),

@@ -192,6 +192,10 @@ impl Adapter for Rs274 {
             Err(HarnessError::ObservationDisturbs { .. }) if source.names_line() => {
                 return Ok(assemble::decided_by_line(&source));
             }
+            Err(disturbs @ HarnessError::ObservationDisturbs { .. }) => {
+                let block = source.end_of_compensated_path().ok_or(disturbs)?;
+                return Ok(assemble::put_out_before_end(block));
+            }
             observed => observed?,
         };
         let status = match observed.output.stop {

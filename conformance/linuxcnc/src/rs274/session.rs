@@ -120,6 +120,7 @@ impl Session<'_> {
         self.uninstrumented == Uninstrumented::All
             || in_sub
             || self.source.names_line()
+            || self.source.end_of_compensated_path().is_some()
             || (observed.refused && may_tell_line)
             || self.is_sampled()
     }

@@ -174,6 +174,17 @@ fn percent_signs_end_a_program() {
 }
 
 #[test]
+fn compensated_move_is_not_judged_that_waits_for_the_end() {
+    let path = "f1\ng42.1 d1\ng1 x1\ny-2\n";
+    let Some(outcome) = run(&format!("{path}m2 x0\n")) else { return };
+    assert!(matches!(outcome.end, End::Unsupported { block, .. } if block.line == 5));
+    for end in ["x0\nm2\n", "m2\n"] {
+        let end = run(&format!("{path}{end}")).map(|outcome| outcome.end);
+        assert_eq!(end, Some(End::ProgramEnd), "{path}");
+    }
+}
+
+#[test]
 fn messages_go_to_their_channels() {
     let Some(outcome) = run("(msg,a)\n#5599=0\n(debug,b)\n(print,c#31)\n(log,d)\nm2\n") else {
         return;
