@@ -19,7 +19,7 @@ use gaugeblock_vocabulary::{
 use super::output::Call;
 use crate::instrumentation::checkpoint::Checkpoint;
 use crate::instrumentation::lengths::Lengths;
-use crate::instrumentation::source::{code, plain_word};
+use crate::instrumentation::source::{Form, code, form, plain_word};
 use crate::instrumentation::state;
 
 /// What a call means for the run.
@@ -81,9 +81,9 @@ impl Canon {
         self.block = code(line);
     }
 
-    /// Whether the block's code has this word, or a letter of any word.
+    /// Whether the block's code has this word, or a letter of any word. An O-word is none.
     pub(super) fn has_word(&self, word: &str) -> bool {
-        self.block.contains(word)
+        !matches!(form(&self.block), Form::Control | Form::Call) && self.block.contains(word)
     }
 
     /// Whether M19 has oriented a spindle that has not turned since.
