@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_report::comparison::LimitRow;
 use serde::Serialize;
 
 use super::address;
@@ -16,6 +17,8 @@ struct Home {
     documents: usize,
     chapters: Vec<Chapter>,
     profiles: Vec<Profile>,
+    /// The measured limits of the controllers.
+    limits: Vec<LimitRow>,
     /// The controllers of the reports, in the order of the shares.
     controllers: Vec<String>,
 }
@@ -79,6 +82,7 @@ pub(super) fn add(book: &Book<'_>, site: &mut Site) -> Result<(), String> {
                 rules: suite.rules_of(profile).len(),
             })
             .collect(),
+        limits: book.comparison.map_or_else(Vec::new, |comparison| comparison.limits.clone()),
         controllers: book.comparison.map_or_else(Vec::new, |comparison| {
             comparison.controllers.iter().map(|column| column.name.clone()).collect()
         }),

@@ -6,6 +6,7 @@ use std::cmp::Reverse;
 use std::time::Duration;
 
 use gaugeblock_runner::certify::{CaseResult, Scope};
+use gaugeblock_runner::measure::Measurement;
 use minijinja::Environment;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -55,6 +56,7 @@ struct Page<'a> {
     judged: bool,
     mismatches: Option<Vec<String>>,
     profiles: Vec<Distance>,
+    measurements: Vec<Limit<'a>>,
     fingerprint: Option<Fingerprint<'a>>,
     words: Vec<Word>,
     kinds: Vec<Kind<'a>>,
@@ -100,6 +102,7 @@ fn page<'a>(report: &'a Report<'_>) -> Page<'a> {
         judged: report.counts().judged() > 0,
         mismatches: mismatches.map(|all| all.iter().map(ToString::to_string).collect()),
         profiles: distances(report),
+        measurements: limits(report),
         fingerprint: fingerprint(report),
         words: words(report),
         rules: rules(report, &kinds),
@@ -132,6 +135,25 @@ fn distances(report: &Report<'_>) -> Vec<Distance> {
     let all = json::profiles(report).into_iter().zip(&report.profiles);
     let listed = all.filter(|(_, result)| result.is_listed());
     listed.map(|(judged, result)| Distance { judged, named: result.missing_in_words() }).collect()
+}
+
+/// A measured limit of the controller.
+#[derive(Debug, Serialize)]
+struct Limit<'a> {
+    id: &'a str,
+    title: &'a str,
+    result: String,
+    program: &'a str,
+}
+
+fn limits<'a>(report: &'a Report<'_>) -> Vec<Limit<'a>> {
+    let limit = |it: &'a Measurement| Limit {
+        id: &it.id,
+        title: &it.title,
+        result: it.result(),
+        program: &it.program,
+    };
+    report.measurements.iter().map(limit).collect()
 }
 
 #[derive(Debug, Serialize)]

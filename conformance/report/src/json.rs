@@ -5,6 +5,7 @@ use gaugeblock_runner::certify::Scope;
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::{Divergent, Finding, FindingCause, Severity};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
+use gaugeblock_runner::measure::Measurement;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Source;
 use gaugeblock_vocabulary::Options;
@@ -71,6 +72,9 @@ pub struct Document {
     pub findings: Vec<ReportedFinding>,
     /// What the controller shows of each choice and quirk, where it was asked for.
     pub fingerprint: Option<Vec<FingerprintEntry>>,
+    /// The controller's limits, where they were measured.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measurements: Vec<Measurement>,
     /// Each case.
     pub cases: Vec<StoredCase>,
     /// Where it disagrees with what is known of it, if it was held against that.
@@ -244,6 +248,7 @@ pub fn document(report: &Report<'_>) -> Document {
         void: void.collect(),
         findings: report.findings().iter().map(|it| reported_finding(report, it)).collect(),
         fingerprint: report.run.fingerprint.clone(),
+        measurements: report.measurements.clone(),
         cases: report.run.cases.iter().map(StoredCase::of).collect(),
         expectations: report.mismatches.clone(),
     }

@@ -31,6 +31,7 @@ pub use rule::{ChapterCounts, Counts, RuleResult, RuleVerdict};
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
 use gaugeblock_runner::findings::{Finding, findings};
+use gaugeblock_runner::measure::Measurement;
 use gaugeblock_suite::{Rule, Suite, sections};
 
 /// A run with its mismatches.
@@ -48,6 +49,8 @@ pub struct Report<'a> {
     pub profiles: Vec<ProfileResult<'a>>,
     /// Where it disagrees with the expectations, if there are any.
     pub mismatches: Option<Vec<ExpectationMismatch>>,
+    /// Its limits, where they were measured.
+    pub measurements: Vec<Measurement>,
     /// What the controller does otherwise, by cause, once it has been asked for.
     pub findings: OnceCell<Vec<Finding<'a, 'a>>>,
 }
@@ -67,6 +70,7 @@ impl<'a> Report<'a> {
             notes: Vec::new(),
             profiles: Vec::new(),
             mismatches: None,
+            measurements: Vec::new(),
             findings: OnceCell::new(),
         }
     }

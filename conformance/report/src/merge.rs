@@ -6,6 +6,7 @@ use gaugeblock_adapter::Adapter;
 use gaugeblock_compare::Accuracy;
 use gaugeblock_runner::certify::{CaseResult, Plan, RepeatSampling, Scope};
 use gaugeblock_runner::fingerprint::FingerprintEntry;
+use gaugeblock_runner::measure::Measurement;
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Options;
@@ -123,6 +124,9 @@ pub struct Stored {
     pub cases: Vec<StoredCase>,
     /// What the controller shows of each choice and quirk.
     pub fingerprint: Option<Vec<FingerprintEntry>>,
+    /// The controller's limits, where they were measured.
+    #[serde(default)]
+    pub measurements: Vec<Measurement>,
     profiles: Vec<Claimed>,
 }
 
@@ -179,11 +183,13 @@ pub fn merged(parts: &[(String, Stored)]) -> Result<Stored, String> {
         return Err(format!("shards are missing: {}", missing.join(", ")));
     }
     let notes: BTreeSet<&String> = parts.iter().flat_map(|(_, part)| &part.notes).collect();
+    let measured = parts.iter().map(|(_, part)| part).find(|part| !part.measurements.is_empty());
     Ok(Stored {
         header: Header { shard: Shard::WHOLE, ..first.header.clone() },
         notes: notes.into_iter().cloned().collect(),
         cases: parts.iter().flat_map(|(_, part)| part.cases.iter().cloned()).collect(),
         fingerprint: parts.iter().find_map(|(_, part)| part.fingerprint.clone()),
+        measurements: measured.map_or_else(Vec::new, |part| part.measurements.clone()),
         profiles: first.profiles.clone(),
     })
 }

@@ -69,6 +69,7 @@ pub fn terminal(report: &Report<'_>, detail: Detail) -> String {
     waived(&mut text, report);
     mismatches(&mut text, report);
     profiles(&mut text, report);
+    measurements(&mut text, report);
     void(&mut text, report, verbose);
     unseen(&mut text, report, verbose);
     verdict(&mut text, report);
@@ -359,6 +360,19 @@ fn profiles(text: &mut String, report: &Report<'_>) {
         let Profile { id, version, .. } = result.profile;
         line!(text, "{} {id} (version {version})", styled(style, says));
     }
+}
+
+/// The controller's limits, where they were measured.
+fn measurements(text: &mut String, report: &Report<'_>) {
+    if report.measurements.is_empty() {
+        return;
+    }
+    line!(text, "measured limits");
+    for measurement in &report.measurements {
+        let result = measurement.result();
+        line!(text, "  {:<21}{}", escape_line(&measurement.id), escape_line(&result));
+    }
+    line!(text);
 }
 
 /// Why a field is masked.

@@ -82,17 +82,9 @@ pub(crate) fn measure(arguments: &Arguments, suite: &Suite) -> Result<u8, CliErr
 /// A line for each measurement: its name, what it is, and the edge.
 fn text(measurements: &[Measurement], with_programs: bool) -> String {
     let mut text = String::new();
-    for Measurement { id, title, unit, measured, program, .. } in measurements {
-        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-        let result = match measured {
-            Measured::Edge { accepted, refused } => {
-                format!("{}{unit} accepted, {}{unit} not", number(*accepted), number(*refused))
-            }
-            Measured::AtLeast(value) => format!("{}{unit} or more", number(*value)),
-            Measured::Below(value) => format!("below {}{unit}", number(*value)),
-            Measured::Value(value) => format!("{}{unit}", number(*value)),
-            Measured::Nothing(why) => format!("not measured: {}", escape_line(why)),
-        };
+    for measurement in measurements {
+        let Measurement { id, title, program, .. } = measurement;
+        let result = escape_line(&measurement.result());
         let _infallible = writeln!(text, "{id:<20} {title}\n{:<20} {result}", "");
         if with_programs {
             for line in program.lines() {
@@ -102,20 +94,4 @@ fn text(measurements: &[Measurement], with_programs: bool) -> String {
         }
     }
     text
-}
-
-/// A number with as many digits as it was searched with.
-fn number(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        return format!("{value:.0}");
-    }
-    // Five digits: the decimals of `1.2346e-3` are four and three more.
-    let scientific = format!("{value:.4e}");
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
-    let decimals = usize::try_from(4 - exponent.unwrap_or(0).clamp(-10, 4)).unwrap_or_default();
-    let text = format!("{value:.decimals$}");
-    if decimals == 0 {
-        return text;
-    }
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

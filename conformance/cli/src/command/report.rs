@@ -95,6 +95,7 @@ fn merge(arguments: &Merge, suite: &Suite) -> Result<u8, CliError> {
         notes: [whole.notes.clone(), newer, fixed].concat(),
         profiles,
         mismatches,
+        measurements: whole.measurements.clone(),
         ..Report::of(suite, &run, header.clone())
     };
     if let Some(folder) = &arguments.report {

@@ -27,7 +27,7 @@ fn run(call: &[&str], status: i32) -> String {
 fn rule_has_its_program_and_the_controllers_that_keep_it() {
     let here = folder("site");
     let (reports, site) = (here.join("reports"), here.join("site"));
-    let certify = ["certify", "--controller", "production", "--only", "dwell"];
+    let certify = ["certify", "--controller", "production", "--only", "dwell", "--measure"];
     run(&[&certify[..], &["--report", text(&reports)]].concat(), 0);
     let compared = format!("mill={}", text(&reports));
     run(&["book", text(&site), "--compared", &compared], 0);
@@ -37,6 +37,7 @@ fn rule_has_its_program_and_the_controllers_that_keep_it() {
     assert!(rule.contains("<td class=\"pass\">pass</td>"), "its verdict");
     assert!(rule.contains("do</b> dwell"), "what a block does");
     assert!(!page("rules/arcs.centre.html").contains("<td>mill</td>"), "a rule that was not run");
+    assert!(page("index.html").contains("<td>10 accepted, 11 not</td>"), "its measured limits");
     let Some(browser) = browser() else { return };
     let address = format!("{}?q=dwell.seconds", text(&site.join("index.html")));
     let found = rendered(browser, &here, &address);

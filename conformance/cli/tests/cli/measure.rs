@@ -1,5 +1,7 @@
 //! `gaugeblock measure`.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::command::gaugeblock;
@@ -59,4 +61,38 @@ fn unknown_measurement_is_a_wrong_call() {
     let output = gaugeblock(&["measure", "--only", "weight"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("no measurement begins with weight"));
+}
+
+#[test]
+fn reports_and_comparisons_have_the_limits() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("measured");
+    let _absent = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let only = ["certify", "--measure", "--only", "feed.mode-holds", "--fingerprint", "never"];
+    let output = gaugeblock(&[&only[..], &["--report", &path("whole")]].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let merged = gaugeblock(&["report", "merge", &path("whole"), "--report", &path("merged")]);
+    assert_eq!(merged.status.code(), Some(0), "{merged:?}");
+    for report in ["whole", "merged"] {
+        for (file, limit) in [
+            ("report.txt", "call-depth           10 accepted, 11 not"),
+            ("report.html", "<summary>10 accepted, 11 not</summary>"),
+            ("report.json", "\"id\": \"call-depth\""),
+        ] {
+            let text = std::fs::read_to_string(folder.join(report).join(file));
+            assert!(text.expect("a report").contains(limit), "{report}/{file}");
+        }
+    }
+    let compared = gaugeblock(&[
+        "report",
+        "compare",
+        &path("whole"),
+        &path("merged"),
+        "--report",
+        &path("side"),
+    ]);
+    assert_eq!(compared.status.code(), Some(0), "{compared:?}");
+    let page = std::fs::read_to_string(folder.join("side/comparison.html")).expect("a page");
+    assert!(page.contains("<td>10 accepted, 11 not</td>"), "{page}");
 }

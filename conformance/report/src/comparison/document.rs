@@ -20,6 +20,8 @@ pub struct Comparison {
     pub chapters: Vec<ChapterRow>,
     /// Per profile, how far each controller is from it.
     pub profiles: Vec<ProfileRow>,
+    /// The limits of the controllers that were measured.
+    pub limits: Vec<LimitRow>,
     /// Each rule that exists for one of the controllers.
     pub rules: Vec<RuleRow>,
     /// How many rules are void in the editions of all controllers: these are left out.
@@ -145,6 +147,17 @@ pub struct ProfileRow {
     pub sentence: String,
     /// Per controller; absent if its edition has no rule of the profile, or the report has no profiles.
     pub distances: Vec<Option<Distance>>,
+}
+
+/// A measured limit of each controller.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct LimitRow {
+    /// Its name.
+    pub id: String,
+    /// A phrase that names the quantity.
+    pub title: String,
+    /// Per controller; absent if its report has no measurement of it.
+    pub results: Vec<Option<String>>,
 }
 
 /// How far a controller is from a profile.

@@ -15,14 +15,14 @@ use std::collections::BTreeSet;
 use schemars::{Schema, schema_for};
 
 pub use document::{
-    Alone, Cell, CellVerdict, ChapterRow, Column, Comparison, Distance, ProfileRow, RuleCounts,
-    RuleRow, Trend, TrendRun,
+    Alone, Cell, CellVerdict, ChapterRow, Column, Comparison, Distance, LimitRow, ProfileRow,
+    RuleCounts, RuleRow, Trend, TrendRun,
 };
 pub use html::html;
 pub use read::ComparedReport;
 pub use terminal::terminal;
 
-use rows::{alone, chapters, profiles, rows};
+use rows::{alone, chapters, limits, profiles, rows};
 use trend::trends;
 
 /// Version of the form of a comparison.
@@ -62,6 +62,7 @@ pub fn comparison(reports: &[ComparedReport]) -> Result<Comparison, String> {
         controllers: latest.iter().map(|report| column(report)).collect(),
         chapters: chapters(&rules, latest.len()),
         profiles: profiles(&latest),
+        limits: limits(&latest),
         void_for_all: all - rules.len(),
         alone: alone(&rules, latest.len()),
         rules,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gaugeblock_runner::measure::Measurement;
 use gaugeblock_runner::waivers::Day;
 use serde::Deserialize;
 
@@ -35,6 +36,8 @@ pub struct ComparedReport {
     pub(super) rules: BTreeMap<String, ReadRule>,
     /// Rules that the edition does not have.
     pub(super) void: Vec<String>,
+    /// The controller's limits, where they were measured.
+    pub(super) measurements: Vec<Measurement>,
 }
 
 /// A rule of a report.
@@ -53,6 +56,8 @@ struct Form {
     profiles: Vec<JudgedProfile>,
     rules: Vec<FormRule>,
     void: Vec<VoidRule>,
+    #[serde(default)]
+    measurements: Vec<Measurement>,
     cases: Vec<FormCase>,
 }
 
@@ -105,6 +110,7 @@ impl ComparedReport {
             exit_status: form.exit_status,
             profiles: form.profiles,
             rules: rules.collect(),
+            measurements: form.measurements,
             void: form.void.into_iter().map(|void| void.rule).collect(),
             header: form.header,
         })

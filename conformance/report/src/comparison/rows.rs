@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::document::{
-    Alone, Cell, CellVerdict, ChapterRow, Distance, ProfileRow, RuleCounts, RuleRow,
+    Alone, Cell, CellVerdict, ChapterRow, Distance, LimitRow, ProfileRow, RuleCounts, RuleRow,
 };
 use super::read::ComparedReport;
 use crate::json::MissingRule;
@@ -75,6 +75,26 @@ pub(super) fn profiles(reports: &[&ComparedReport]) -> Vec<ProfileRow> {
                 rows.len() - 1
             });
             rows[index].distances[place] = Some(distance);
+        }
+    }
+    rows
+}
+
+/// Each quantity that was measured of one of the controllers, with the results of all.
+pub(super) fn limits(reports: &[&ComparedReport]) -> Vec<LimitRow> {
+    let mut rows: Vec<LimitRow> = Vec::new();
+    for (place, report) in reports.iter().enumerate() {
+        for measurement in &report.measurements {
+            let index = rows.iter().position(|row| row.id == measurement.id);
+            let index = index.unwrap_or_else(|| {
+                rows.push(LimitRow {
+                    id: measurement.id.clone(),
+                    title: measurement.title.clone(),
+                    results: vec![None; reports.len()],
+                });
+                rows.len() - 1
+            });
+            rows[index].results[place] = Some(measurement.result());
         }
     }
     rows

@@ -135,6 +135,9 @@ pub(crate) struct Arguments {
     /// controller runs in real time]
     #[arg(long, value_name = "WHEN", value_enum)]
     pub(super) fingerprint: Option<FingerprintWhen>,
+    /// Measure the controller's limits, too (`gaugeblock measure`), for the report
+    #[arg(long, conflicts_with_all = ["list", "max_fail"])]
+    pub(super) measure: bool,
     /// Run every program a second time without instrumentation, to check that it changes nothing [default: a sample]
     #[arg(long)]
     pub(super) check_observation: bool,

@@ -22,6 +22,7 @@ use gaugeblock_runner::certify::{
 use gaugeblock_runner::expectations::Expectations;
 use gaugeblock_runner::fingerprint::{fingerprint_entries, may_be_refused, shown_open_options};
 use gaugeblock_runner::journal::{self, Journal};
+use gaugeblock_runner::measure::{self, Measurement};
 use gaugeblock_runner::shard::Shard;
 use gaugeblock_suite::{Edition, Suite, only_case, options_of};
 use gaugeblock_vocabulary::Options;
@@ -117,6 +118,15 @@ impl<'a> Course<'a> {
         Ok(files)
     }
 
+    /// The controller's limits.
+    fn measurements(&self, edition: &Edition, controller: &dyn Adapter) -> Vec<Measurement> {
+        let options = self.suite.options(edition);
+        let progress = Progress::of(measure::names().len(), "measurements");
+        let all = measure::measure(controller, &options, |_| true, |_| progress.add(1));
+        progress.finish();
+        all
+    }
+
     /// Lists the cases that a call selects for a controller.
     pub(super) fn list(
         &self,
@@ -206,7 +216,10 @@ impl<'a> Course<'a> {
             let earlier = self.earlier.as_ref();
             notes.extend(write_expectations(file, earlier, &run, controller.capabilities())?);
         }
-        let report = Report { notes, profiles, mismatches, ..Report::of(suite, &run, header) };
+        let measurements =
+            if arguments.measure { self.measurements(edition, controller) } else { Vec::new() };
+        let report =
+            Report { notes, profiles, mismatches, measurements, ..Report::of(suite, &run, header) };
         if let Some(folder) = folder {
             write_report(folder, &report)?;
             // The report has all that the journal had.
