@@ -13,7 +13,8 @@ The production interpreter prints canonical calls in the form of LinuxCNC's `rs2
 It finds subroutine files in the program's folder, and in SUBROUTINE_PATH and PROGRAM_PREFIX of the
 INI file. It reads no other file of the host, and user-defined M codes run nothing.
 
-Exit status: 0 the program ended; 1 a block was refused; 2 wrong call, or a file is missing.";
+Exit status: 0 the program ended; 1 a block was refused; 2 wrong call, a file is missing,
+or a block has more than a million effects.";
 
 /// What the command is called with.
 #[derive(Clone, Debug, Default, Args)]

@@ -11,13 +11,14 @@
 //!
 //! **Not imitated:** the menu that is printed without `-g`, and its prompts; plug-in interpreters, Python and remapped
 //! codes; programs that are named by a word; O-words from standard input; G87; parameters `#<_ini[…]>` that a program
-//! sets. A file without an end ends the run with `-n 0` too, where `rs274` prints the same for ever. Two codes of one
-//! block that change the same offset print its last value twice. Where the last bits of a rotation, or of polar words
-//! of an incremental move, decide the sign of a zero, it can differ. Quirks (`conformance/suite/quirks`) that are
-//! visible in a line of their own are printed here: rounded F and S of saved state, switches that are not restored,
-//! subs that are defined after their call, the way of cycles to the R plane, the passes of G76 (`threads`). The
-//! interpreter emulates those that change a position (`Interpreter::emulate_rs274`); its module `quirks` lists them.
-//! `tests/corpus` counts programs of others that are printed alike.
+//! sets. A block of more than a million effects ends the run: its calls are printed when it ends. A file without an end
+//! ends the run with `-n 0` too, where `rs274` prints the same for ever. Two codes of one block that change the same
+//! offset print its last value twice. Where the last bits of a rotation, or of polar words of an incremental move,
+//! decide the sign of a zero, it can differ. Quirks (`conformance/suite/quirks`) that are visible in a line of their
+//! own are printed here: rounded F and S of saved state, switches that are not restored, subs that are defined after
+//! their call, the way of cycles to the R plane, the passes of G76 (`threads`). The interpreter emulates those that
+//! change a position (`Interpreter::emulate_rs274`); its module `quirks` lists them. `tests/corpus` counts programs of
+//! others that are printed alike.
 //!
 //! **Invariants.** Nothing is read but the files that the call names and subroutine files in their folders.
 //! User-defined codes run nothing.
@@ -55,12 +56,12 @@ pub use arguments::Arguments;
 use block::Fixed;
 use gaugeblock_filesystem::open_output;
 use gaugeblock_interpreter::{Error, Interpreter, Limits, Progress};
-use gaugeblock_vocabulary::{End, Fault, FaultKind};
+use gaugeblock_vocabulary::{BlockLocation, End, Fault, FaultKind, Program};
 use ini::Ini;
 pub use machine::read_machine;
 use output::Output;
 pub use parameters::read_parameter_file;
-use printer::Printer;
+use printer::{BLOCK_EFFECTS_MAX, Printer};
 use refusals::RefusedBlock;
 use source::{Files, Texts};
 pub use tool_table::read_tool_table;
@@ -71,6 +72,21 @@ const BLOCKS: u64 = 1 << 20;
 /// Why it does not begin, or does not end as it should; for people.
 type ErrorMessage = String;
 
+/// Why the command fails.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// A file of the call that cannot be read or written, or an option that is refused.
+    Refused(String),
+    /// A block with more effects than are kept.
+    BlockTooLong(String),
+}
+
+impl From<ErrorMessage> for Failure {
+    fn from(message: ErrorMessage) -> Self {
+        Self::Refused(message)
+    }
+}
+
 /// A run of the command.
 #[derive(Debug)]
 struct Run {
@@ -79,15 +95,17 @@ struct Run {
     texts: Texts,
     /// Whether it continues after a refused block.
     goes_on: bool,
+    /// The block whose effects were too many, if there was one: the run ends there.
+    too_long: Option<BlockLocation>,
 }
 
 /// Runs the command; the exit status. `editions` is the text of the suite's `editions.toml`.
 ///
 /// # Errors
-/// A file of the call that cannot be read or written, or an option that is refused; for people.
-pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, ErrorMessage> {
+/// As [`Failure`] lists them; for people.
+pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, Failure> {
     if arguments.plug.is_some() {
-        return Err("-p: no other interpreter can be loaded".to_owned());
+        return Err("-p: no other interpreter can be loaded".to_owned().into());
     }
     complain("executing");
     let ini = match &arguments.ini {
@@ -130,12 +148,14 @@ pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, ErrorMessage> 
         if let Some(name) = name
             && others.any(|other| is_same(other, name))
         {
-            return Err(format!("{}: a file that is read would be written over", name.display()));
+            let name = name.display();
+            return Err(format!("{name}: a file that is read would be written over").into());
         }
     }
     let output = Output::new(sink(arguments.output.as_deref())?);
     let printer = Printer::new(output, texts.clone(), &interpreter.settings(), fixed);
-    let mut run = Run { interpreter, printer, texts, goes_on: arguments.next == 0 };
+    let goes_on = arguments.next == 0;
+    let mut run = Run { interpreter, printer, texts, goes_on, too_long: None };
     let folders = machine::folders(&ini, arguments.program.as_deref());
     let status = match program {
         Some(text) => run.program(text, folders, arguments.ini.is_some()),
@@ -144,7 +164,10 @@ pub fn rs274(arguments: &Arguments, editions: &str) -> Result<u8, ErrorMessage> 
     run.printer.out.flush();
     if let Some(error) = run.printer.out.failure() {
         let name = arguments.output.as_ref().map(|path| path.display().to_string());
-        return Err(format!("{}: {error}", name.as_deref().unwrap_or("standard output")));
+        return Err(format!("{}: {error}", name.as_deref().unwrap_or("standard output")).into());
+    }
+    if let Some(block) = &run.too_long {
+        return Err(Failure::BlockTooLong(too_long(block, arguments.program.as_deref())));
     }
     if let Some(path) = &arguments.parameters {
         let now: BTreeMap<_, _> = run.interpreter.parameters().into_iter().collect();
@@ -187,6 +210,10 @@ impl Run {
     fn blocks(&mut self, source: &mut Files) -> (u8, bool) {
         loop {
             let fault = match self.interpreter.run(source, &mut self.printer, BLOCKS) {
+                Ok(Progress::Stopped) if self.printer.is_full() => {
+                    self.too_long = Some(self.interpreter.block());
+                    return (2, false);
+                }
                 Ok(Progress::More | Progress::Stopped | Progress::Aborted) => continue,
                 Ok(Progress::Ended(End::ProgramEnd)) => return (0, true),
                 Ok(Progress::Ended(End::PercentEnd)) => {
@@ -243,7 +270,7 @@ impl Run {
     fn run_mdi(&mut self, folders: &[std::path::PathBuf]) -> u8 {
         for line in std::io::stdin().lock().split(b'\n') {
             let Ok(line) = line else { break };
-            if line.trim_ascii() == b"quit" {
+            if line.trim_ascii() == b"quit" || self.too_long.is_some() {
                 break;
             }
             if line.trim_ascii() == b"%" {
@@ -256,6 +283,10 @@ impl Run {
             let mut source = Files::new(line, folders.to_vec(), self.texts.clone());
             loop {
                 match self.interpreter.run(&mut source, &mut self.printer, BLOCKS) {
+                    Ok(Progress::Stopped) if self.printer.is_full() => {
+                        self.too_long = Some(self.interpreter.block());
+                        break;
+                    }
                     Ok(Progress::More | Progress::Stopped | Progress::Aborted) => {}
                     Ok(Progress::Ended(_)) => break,
                     Err(Error::Fault(fault)) => {
@@ -275,6 +306,16 @@ impl Run {
         self.printer.out.call("ON_RESET");
         0
     }
+}
+
+/// That a block has too many effects. The main program has the name of its file.
+fn too_long(block: &BlockLocation, program: Option<&Path>) -> String {
+    let file = match program {
+        Some(program) if &*block.file == Program::MAIN => program.display().to_string(),
+        None if &*block.file == Program::MAIN => "standard input".to_owned(),
+        Some(_) | None => block.file.to_string(),
+    };
+    format!("{file}:{}: more than {BLOCK_EFFECTS_MAX} effects in one block", block.line)
 }
 
 /// What the interpreter does not do yet, as a fault.

@@ -15,6 +15,9 @@ use super::source::Texts;
 use super::text;
 use super::words::{Phase, Words};
 
+/// Most effects of one block. Its calls are printed when it ends, so it is kept until then.
+pub(super) const BLOCK_EFFECTS_MAX: usize = 1_000_000;
+
 /// Prints what an interpreter does.
 #[derive(Debug)]
 pub(super) struct Printer {
@@ -91,6 +94,11 @@ impl Printer {
     /// The words of the block that was begun last.
     pub(super) fn words(&self) -> &Words {
         &self.words
+    }
+
+    /// Whether the block in execution has more effects than are kept.
+    pub(super) fn is_full(&self) -> bool {
+        self.events.len() > BLOCK_EFFECTS_MAX
     }
 
     /// The motion code in force, in tenths.
@@ -316,6 +324,9 @@ impl Sink for Printer {
             return Reply::Done;
         }
         self.events.push(Event::Do(effect.clone()));
+        if self.is_full() {
+            return Reply::Stop;
+        }
         if let Effect::StraightProbe { end, .. } = effect {
             Reply::Contact(Some(*end))
         } else if let Effect::WaitInput { .. } = effect {

@@ -148,7 +148,7 @@ fn plan_program(
     if outcome.end != End::ProgramEnd {
         let why = if let End::Fault(fault) = &outcome.end { &fault.message } else { "" };
         let why = format!("the program does not reach its end: {why}");
-        return Err(Stopped { block: None, why, endless: false, unlimited: None });
+        return Err(Stopped { block: None, why, endless: false, too_long: false, unlimited: None });
     }
     let circumstances = RunConditions {
         start: program.position(),
@@ -211,7 +211,13 @@ mod tests {
         let mut result = MotionResult::default();
         result.record_unplanned(
             &program,
-            Stopped { block: None, why: "it rests".to_owned(), endless, unlimited: None },
+            Stopped {
+                block: None,
+                why: "it rests".to_owned(),
+                endless,
+                too_long: false,
+                unlimited: None,
+            },
         );
         result
     }

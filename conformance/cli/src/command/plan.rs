@@ -48,7 +48,7 @@ Other actions: rapid_override, adaptive_feed, feed_stop,
 and spindle_speed = { spindle = 0, turns = 10 }.
 
 Exit status: 0 every motion rule that could be checked holds, and at least one could;
-1 a motion rule is broken; 2 wrong call or input;
+1 a motion rule is broken; 2 wrong call or input, or more than ten million servo cycles;
 3 the program cannot be planned, or no motion rule could be checked.";
 
 #[derive(Debug, Args)]
@@ -182,6 +182,10 @@ fn plan_samples(
             Some(block) => format!("{}:{}", own_name::location_name(block, file), block.line),
             None => file.display().to_string(),
         };
+        if stopped.too_long {
+            let hint = "plan it in parts, or with a longer `period` in the machine file";
+            return CliError::usage(format!("{place}: {}", stopped.why), hint);
+        }
         let hint = match stopped.unlimited {
             Some(axis) => {
                 format!("add `{axis} = {{ velocity = …, acceleration = … }}` to its [axes]")

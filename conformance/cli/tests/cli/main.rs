@@ -4,6 +4,7 @@ mod any_answer;
 mod assertions_only;
 mod baseline;
 mod book;
+mod bounds;
 mod by_protocol;
 mod certificate;
 mod certificate_shards;

@@ -13,15 +13,16 @@ use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };
 use gaugeblock_vocabulary::{
-    Axis, BlockLocation, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Switch,
+    Axis, BlockLocation, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Step,
+    Switch,
 };
 
 use effects::{follows_spindle, is_element, pins, spindle, switching};
 
 /// How many segments the planner's queue holds.
 const QUEUE: u32 = 2000;
-/// Longest motion, servo cycles: more than a day of milliseconds.
-const MOST_CYCLES: usize = 100_000_000;
+/// Longest motion, servo cycles: memory holds their samples. With a period of a millisecond it is 2 hours 46 minutes.
+pub const SERVO_CYCLES_MAX: usize = 10_000_000;
 
 /// Longest rest, in servo cycles, in addition to dwells.
 const MOST_REST: f64 = 20_000.0;
@@ -58,13 +59,15 @@ pub struct Stopped {
     pub why: String,
     /// Whether planning never ends.
     pub endless: bool,
+    /// Whether the motion takes more than [`SERVO_CYCLES_MAX`]; it is endless, then.
+    pub too_long: bool,
     /// The axis that moves and has no limits.
     pub unlimited: Option<Axis>,
 }
 
 impl Stopped {
     fn new(why: impl Into<String>) -> Self {
-        Self { block: None, why: why.into(), endless: false, unlimited: None }
+        Self { block: None, why: why.into(), endless: false, too_long: false, unlimited: None }
     }
 
     fn endless(why: impl Into<String>) -> Self {
@@ -89,27 +92,28 @@ pub fn plan(
 ///
 /// # Errors
 /// An axis without limits moves, or the planner cannot plan the motion: a spline, a rigid tap, or a thread on a spindle
-/// that does not turn. Or a hold never ends.
+/// that does not turn. Or a hold never ends, or the motion takes more than [`SERVO_CYCLES_MAX`].
 pub fn plan_with(
     outcome: &Outcome,
     limits: &MotionLimits,
     circumstances: &RunConditions,
 ) -> Result<Planned, Stopped> {
     let mut drive = Simulation::new(outcome, limits, circumstances)?;
-    for step in &outcome.steps {
+    for (place, step) in outcome.steps.iter().enumerate() {
+        drive.step = place;
         for event in &step.events {
             let done = match event {
                 Event::Set(change) => drive.set(change),
                 Event::Do(effect) => drive.perform(step.block.line, effect),
                 Event::Unknown(_) => Ok(()),
             };
-            done.map_err(|stopped| Stopped { block: Some(step.block.clone()), ..stopped })?;
+            done.map_err(|stopped| drive.at_block(stopped, outcome, Some(step)))?;
             if drive.operator.abort {
                 break;
             }
         }
     }
-    drive.rest()?;
+    drive.rest().map_err(|stopped| drive.at_block(stopped, outcome, None))?;
     Ok(Planned { samples: drive.samples, speed: drive.speed, requested: drive.requested })
 }
 
@@ -136,8 +140,11 @@ struct Simulation<'a> {
     outputs: BTreeMap<Pin, f64>,
     /// The feed of each segment by its number.
     feeds: Vec<f64>,
-    /// The lines of the segments.
+    /// The lines of the segments, and their steps of the outcome.
     lines: Vec<u32>,
+    origins: Vec<usize>,
+    /// The step of the outcome whose effects the planner gets.
+    step: usize,
     /// What acts on the segments (M48 to M53).
     controls: Vec<Controls>,
     /// How many elements of the path the planner has been given, moves and rests.
@@ -243,6 +250,8 @@ impl<'a> Simulation<'a> {
             outputs,
             feeds: vec![f64::NAN],
             lines: vec![0],
+            origins: vec![0],
+            step: 0,
             controls: Vec::new(),
             given: 0,
             samples,
@@ -251,6 +260,14 @@ impl<'a> Simulation<'a> {
         };
         drive.record()?;
         Ok(drive)
+    }
+
+    /// Why it stopped, with the block: of a motion that takes too long the one in motion, else the one that was given.
+    fn at_block(&self, stopped: Stopped, outcome: &Outcome, given: Option<&Step>) -> Stopped {
+        let number = usize::try_from(self.output.segment).unwrap_or(0);
+        let origin = self.origins.get(number).and_then(|place| outcome.steps.get(*place));
+        let step = origin.filter(|_| stopped.too_long).or(given);
+        Stopped { block: step.map(|step| step.block.clone()), ..stopped }
     }
 
     /// A spindle turns on until all is done that follows it: else nothing would bring the last of that to its end.
@@ -311,6 +328,7 @@ impl<'a> Simulation<'a> {
         }
         self.follows |= matches!(segment.feed, Feed::PerTurn(_));
         self.lines.push(line);
+        self.origins.push(self.step);
         let controls = self.in_force();
         if self.controls.last() != Some(&controls) {
             self.planner.prevent_merge();
@@ -382,8 +400,9 @@ impl<'a> Simulation<'a> {
     }
 
     fn cycle(&mut self) -> Result<Phase, Stopped> {
-        if self.speed.len() >= MOST_CYCLES {
-            return Err(Stopped::endless("it takes more than a hundred million servo cycles"));
+        if self.speed.len() >= SERVO_CYCLES_MAX {
+            let why = format!("the motion takes more than {SERVO_CYCLES_MAX} servo cycles");
+            return Err(Stopped { too_long: true, ..Stopped::endless(why) });
         }
         self.operate();
         let turns = self.operator.turns.unwrap_or_else(|| spindle(&self.settings));
