@@ -89,6 +89,17 @@ impl BlockEnd<'_> {
         self.parameters.set_items(values);
     }
 
+    /// Reports each named parameter that was set since the last call and is visible at this call level, also where its
+    /// value is the same as before.
+    pub fn take_named(&mut self, report: impl FnMut(&str, f64)) {
+        self.parameters.named.take_changes(self.names, report);
+    }
+
+    /// The local named parameters of this call level. One can be listed twice.
+    pub fn locals(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.parameters.named.locals(self.names)
+    }
+
     /// Every named parameter that exists and is visible at this call level, by name; global ones begin with an
     /// underscore. Predefined ones are not among them.
     pub fn named(&self) -> impl Iterator<Item = (&str, f64)> {

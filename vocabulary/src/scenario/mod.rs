@@ -106,6 +106,26 @@ impl Program {
             if block.file == Self::MAIN { &self.main } else { self.files.get(&*block.file)? };
         self.language.lines(text).nth(usize::try_from(block.line).ok()?.checked_sub(1)?)
     }
+
+    /// The lines of all files, to look up many of them.
+    pub fn lines(&self) -> ProgramLines<'_> {
+        let lines = |text| self.language.lines(text).collect();
+        let files = self.files.iter().map(|(name, text)| (name.as_str(), lines(text)));
+        // As in `line`, no other file has the name of the main program.
+        ProgramLines(files.chain([(Self::MAIN, lines(&self.main))]).collect())
+    }
+}
+
+/// The lines of a program by file, each without its line end ([`Program::lines`]).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProgramLines<'a>(BTreeMap<&'a str, Vec<&'a str>>);
+
+impl<'a> ProgramLines<'a> {
+    /// The text of a block, as [`Program::line`] gives it.
+    pub fn line(&self, block: &BlockLocation) -> Option<&'a str> {
+        let place = usize::try_from(block.line).ok()?.checked_sub(1)?;
+        self.0.get(&*block.file)?.get(place).copied()
+    }
 }
 
 impl Default for Program {
@@ -178,5 +198,15 @@ mod tests {
         assert_eq!(line(Program::MAIN, 2), Some("m2"));
         assert_eq!(line("cave.ngc", 1), Some("g1"));
         assert_eq!([line(Program::MAIN, 3), line(Program::MAIN, 0), line("absent", 1)], [None; 3]);
+        let lines = program.lines();
+        for (file, number) in
+            [(Program::MAIN, 0), (Program::MAIN, 2), (Program::MAIN, 3), ("cave.ngc", 1)]
+        {
+            assert_eq!(
+                lines.line(&BlockLocation::new(file, number)),
+                line(file, number),
+                "{file}:{number}"
+            );
+        }
     }
 }

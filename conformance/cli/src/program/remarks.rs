@@ -1,5 +1,6 @@
 //! What `run` remarks about a run that a person may have expected to go on in another way.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use gaugeblock_vocabulary::{BlockLocation, End, Language, Outcome, Scenario};
@@ -32,12 +33,14 @@ fn unknown_tools(outcome: &Outcome, scenario: &Scenario, file: &Path) -> Vec<Str
         return Vec::new();
     }
     let mut unknown: Vec<(u32, &BlockLocation)> = Vec::new();
+    let mut seen = BTreeSet::new();
+    let lines = scenario.program.lines();
+    let known: BTreeSet<u32> = scenario.machine.tools.iter().map(|known| known.number).collect();
     for step in outcome.steps.iter().filter(|step| step.state.is_some()) {
-        let Some(tool) = scenario.program.line(&step.block).and_then(selected_tool) else {
+        let Some(tool) = lines.line(&step.block).and_then(selected_tool) else {
             continue;
         };
-        let is_known = scenario.machine.tools.iter().any(|known| known.number == tool);
-        if !is_known && tool != 0 && !unknown.iter().any(|(other, _)| *other == tool) {
+        if tool != 0 && !known.contains(&tool) && seen.insert(tool) {
             unknown.push((tool, &step.block));
         }
     }

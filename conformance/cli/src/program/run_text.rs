@@ -13,8 +13,9 @@ pub(crate) fn run_text(outcome: &Outcome, names: &Outcome, scenario: &Scenario) 
     // The settings at the start have positions, too.
     let mut text: String = head.lines().take(2).map(|line| format!("{line}\n")).collect();
     record(&mut text, "start", &outcome.start.entries(), axes);
+    let lines = scenario.program.lines();
     for (step, named) in outcome.steps.iter().zip(&names.steps) {
-        let source = scenario.program.line(&step.block).unwrap_or_default().trim();
+        let source = lines.line(&step.block).unwrap_or_default().trim();
         let comment = if source.is_empty() { String::new() } else { format!("  # {source}") };
         let _infallible = writeln!(text, "block {}{comment}", named.block);
         for event in &step.events {

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use gaugeblock_adapter::clock::now;
+
 use super::command::gaugeblock;
 
 /// A file in the folder of the tests.
@@ -39,4 +41,18 @@ fn motion_of_too_many_servo_cycles_is_not_planned() {
     let program = file("bounds-far.ngc", "g21 g0 x1\nx1000000000000\nm2\n");
     let parts = ["bounds-far.ngc:2: the motion takes more than 10000000 servo cycles", "hint: "];
     refused(&["plan", &program, "--machine", &machine], &parts);
+}
+
+#[test]
+fn time_of_a_run_is_not_quadratic_in_its_named_parameters() {
+    let lines: String = (0..25_000).map(|at| format!("#<_a{at}>=1\n")).collect();
+    let program = file("bounds-names.ngc", &(lines + "m2\n"));
+    let begun = now();
+    let output = gaugeblock(&["run", &program, "--controller", "production"]);
+    let seconds = begun.elapsed().as_secs_f64();
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains(":25000  # #<_a24999>=1"));
+    // Comparing all of them after each block takes minutes without optimisation.
+    assert!(seconds < 60.0, "{seconds} s");
 }

@@ -47,8 +47,9 @@ pub(super) struct Recorder<'a> {
     state: Rs274State,
     /// Numbered parameters as recorded last; those that are not among them are zero.
     numbered: Sorted<u32, f64>,
-    /// Named parameters as recorded last.
-    named: BTreeMap<String, f64>,
+    /// Global and local named parameters as recorded last.
+    globals: BTreeMap<String, f64>,
+    locals: BTreeMap<String, f64>,
     /// Numbered parameters that were set since a state was recorded last.
     written: Sorted<u32, f64>,
     /// Whether a call or return has led elsewhere since a state was recorded last.
@@ -78,7 +79,8 @@ impl<'a> Recorder<'a> {
             over: false,
             state: Rs274State::default(),
             numbered,
-            named: BTreeMap::new(),
+            globals: BTreeMap::new(),
+            locals: BTreeMap::new(),
             written: Sorted::new(),
             elsewhere: false,
         }
@@ -200,10 +202,11 @@ impl<'a> Recorder<'a> {
 
     /// What changed since a state was recorded last. After a call or return the level is recorded anew, and with it
     /// the local named parameters that exist.
-    fn changes(&mut self, done: &BlockEnd<'_>) -> Rs274State {
-        if std::mem::take(&mut self.elsewhere) {
+    fn changes(&mut self, done: &mut BlockEnd<'_>) -> Rs274State {
+        let is_elsewhere = std::mem::take(&mut self.elsewhere);
+        if is_elsewhere {
             self.state.call_level = None;
-            self.named.retain(|name, _| !is_local_name(name));
+            self.locals.clear();
         }
         let now = done.state();
         let mut changes = now.since(&self.state);
@@ -215,11 +218,16 @@ impl<'a> Recorder<'a> {
                 changed.push((number.to_string(), value));
             }
         }
-        for (name, value) in done.named() {
-            if self.named.get(name) != Some(&value) {
-                self.named.insert(name.to_owned(), value);
+        let mut record = |name: &str, value| {
+            let named = if is_local_name(name) { &mut self.locals } else { &mut self.globals };
+            if named.get(name) != Some(&value) {
+                named.insert(name.to_owned(), value);
                 changed.push((name.to_owned(), value));
             }
+        };
+        done.take_named(&mut record);
+        if is_elsewhere {
+            done.locals().for_each(|(name, value)| record(name, value));
         }
         changes.parameter = (!changed.is_empty()).then(|| changed.into_iter().collect());
         changes

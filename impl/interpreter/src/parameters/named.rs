@@ -79,7 +79,17 @@ struct Hidden {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScopeMark {
     scope: u64,
+    first: usize,
     hidden: usize,
+}
+
+/// Marks a slot as written.
+#[inline]
+fn mark_written(marks: &mut [u64], id: NameId) {
+    let word = usize::try_from(id >> 6).unwrap_or(usize::MAX);
+    if let Some(marks) = marks.get_mut(word) {
+        *marks |= 1 << (id & 63);
+    }
 }
 
 /// Values of the named parameters.
@@ -91,8 +101,12 @@ pub(crate) struct ScopeMark {
 pub(crate) struct Named {
     slots: Vec<Slot>,
     hidden: Vec<Hidden>,
+    /// A bit for each slot that was written since [`Named::take_changes`].
+    marks: Vec<u64>,
     /// The scope of the current call level.
     scope: u64,
+    /// Where its local parameters begin in `hidden`.
+    first: usize,
     /// The last scope that was opened; scopes are never used twice.
     last: u64,
 }
@@ -100,13 +114,21 @@ pub(crate) struct Named {
 impl Named {
     /// No parameter exists.
     pub(crate) fn new() -> Self {
-        Self { slots: Vec::new(), hidden: Vec::new(), scope: 1, last: 1 }
+        Self {
+            slots: Vec::new(),
+            hidden: Vec::new(),
+            marks: Vec::new(),
+            scope: 1,
+            first: 0,
+            last: 1,
+        }
     }
 
     /// Makes room for all names of a table.
     pub(crate) fn cover(&mut self, names: &Names) {
         if self.slots.len() < names.len() {
             self.slots.resize(names.len(), Slot { value: 0.0, scope: NOWHERE });
+            self.marks.resize(names.len().div_ceil(64), 0);
         }
     }
 
@@ -159,7 +181,10 @@ impl Named {
     #[inline]
     pub(crate) fn restore_slot(&mut self, id: NameId, before: Slot) -> Slot {
         match usize::try_from(id).ok().and_then(|id| self.slots.get_mut(id)) {
-            Some(slot) => core::mem::replace(slot, before),
+            Some(slot) => {
+                mark_written(&mut self.marks, id);
+                core::mem::replace(slot, before)
+            }
             None => before,
         }
     }
@@ -177,15 +202,16 @@ impl Named {
 
     /// Opens a scope for a call.
     pub(crate) fn enter(&mut self) -> ScopeMark {
-        let mark = ScopeMark { scope: self.scope, hidden: self.hidden.len() };
+        let mark = self.share();
         self.last = self.last.wrapping_add(1);
         self.scope = self.last;
+        self.first = self.hidden.len();
         mark
     }
 
     /// A mark for a call that shares its caller's scope.
     pub(crate) fn share(&self) -> ScopeMark {
-        ScopeMark { scope: self.scope, hidden: self.hidden.len() }
+        ScopeMark { scope: self.scope, first: self.first, hidden: self.hidden.len() }
     }
 
     /// Ends the scope that the mark began.
@@ -197,10 +223,41 @@ impl Named {
                     usize::try_from(hidden.id).ok().and_then(|id| self.slots.get_mut(id))
                 {
                     *slot = hidden.slot;
+                    mark_written(&mut self.marks, hidden.id);
                 }
             }
         }
-        self.scope = mark.scope;
+        (self.scope, self.first) = (mark.scope, mark.first);
+    }
+
+    /// Reports each parameter that was set since the last time and exists at this call level, and forgets that it was.
+    pub(crate) fn take_changes<'a>(
+        &mut self,
+        names: &'a Names,
+        mut report: impl FnMut(&'a str, f64),
+    ) {
+        for (word, marks) in (0_u32..).zip(&mut self.marks) {
+            let mut marks = core::mem::take(marks);
+            while marks != 0 {
+                let id = word.wrapping_mul(64).wrapping_add(marks.trailing_zeros());
+                marks &= marks.wrapping_sub(1);
+                let slot = usize::try_from(id).ok().and_then(|id| self.slots.get(id));
+                if let Some(slot) = slot
+                    && (slot.scope == GLOBAL || slot.scope == self.scope)
+                {
+                    report(names.name(id), slot.value);
+                }
+            }
+        }
+    }
+
+    /// The local parameters that exist at this call level, with their names; one can be there twice.
+    pub(crate) fn locals<'a>(
+        &'a self,
+        names: &'a Names,
+    ) -> impl Iterator<Item = (&'a str, f64)> + 'a {
+        let set = self.hidden.get(self.first..).unwrap_or(&[]);
+        set.iter().filter_map(|hidden| Some((names.name(hidden.id), self.local(hidden.id)?)))
     }
 
     /// Every parameter that exists at this call level, with its name.

@@ -22,7 +22,7 @@ use alloc::vec::Vec;
 
 use gaugeblock_vocabulary::{Effect, End, Machine, Options, Rs274State, Settings};
 
-use crate::{BlockEnd, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
+use crate::{BlockEnd, BlockKind, Error, Interpreter, Limits, Memory, Progress, Reply, Sink};
 
 /// Writes down what it hears.
 #[derive(Default)]
@@ -30,6 +30,8 @@ struct Recorder {
     effects: Vec<(u32, String)>,
     messages: Vec<String>,
     named: BTreeMap<String, f64>,
+    /// The same from changes alone.
+    taken: BTreeMap<String, f64>,
     settings: Settings,
     done: Vec<(String, u32)>,
 }
@@ -52,8 +54,35 @@ impl Sink for Recorder {
     }
 
     fn end_block(&mut self, done: &mut BlockEnd<'_>) {
+        let is_first = self.done.is_empty();
         self.done.push((done.file().into(), done.line()));
         self.named = done.named().map(|(name, value)| (name.into(), value)).collect();
+        if matches!(
+            done.kind(),
+            BlockKind::Call
+                | BlockKind::Return
+                | BlockKind::NumberedCall
+                | BlockKind::NumberedReturn
+                | BlockKind::End
+        ) {
+            self.taken.retain(|name, _| name.starts_with('_'));
+            self.taken.extend(done.locals().map(|(name, value)| (name.into(), value)));
+        }
+        if is_first {
+            // The interpreter may have run before.
+            self.taken = self.named.clone();
+        }
+        let taken = &mut self.taken;
+        done.take_named(|name, value| {
+            taken.insert(name.into(), value);
+        });
+        let bits = |(name, value): (&String, &f64)| (name.clone(), value.to_bits());
+        assert!(
+            self.taken.iter().map(bits).eq(self.named.iter().map(bits)),
+            "{:?} is taken for {:?}",
+            self.taken,
+            self.named
+        );
     }
 }
 
