@@ -1,13 +1,15 @@
-//! Files that Gaugeblock writes on its host: outputs at paths that the caller names, and private folders.
+//! Files of the host: outputs at paths that the caller names, private folders, and inputs from folders of others.
 //!
 //! **Invariants.** An output never replaces a device, a FIFO or a link. No link is followed to a file that this module
 //! creates under a name of its own.
 
+mod input;
 mod output;
 mod private;
 #[cfg(test)]
 mod tests;
 
+pub use input::read_regular;
 pub use output::{
     PartialFolder, check_folder, copy_output, move_into, open_output, write_output, write_outputs,
 };

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use gaugeblock_adapter::{Adapter, HarnessError, MotionRequest, NoSamples};
 use gaugeblock_compare::Capabilities;
+use gaugeblock_filesystem::read_regular;
 use gaugeblock_vocabulary::motion::Samples;
 use gaugeblock_vocabulary::{
     BlockLocation, Bound, Effect, End, Event, Fault, Language, Outcome, Program, Rs274State,
@@ -16,8 +17,8 @@ use gaugeblock_vocabulary::{
 use serde::Deserialize;
 
 use crate::{
-    Answer, BLOCKS, Blocks, CONTROL, ExportedProgram, Manifest, SAMPLES, SHEET, Sheet, digest,
-    digest_of_motion, read_blocks,
+    Answer, BLOCKS, Blocks, CONTROL, ExportedProgram, FILE_BYTES_MAX, Manifest, SAMPLES, SHEET,
+    Sheet, digest, digest_of_motion, read_blocks, read_file, read_file_if_there,
 };
 
 /// What a control says of itself.
@@ -63,11 +64,11 @@ impl Offline {
         let manifest = Manifest::read(folder)?;
         let path = folder.join(CONTROL);
         let name = path.display();
-        let text = std::fs::read_to_string(&path).map_err(|error| format!("{name}: {error}"))?;
+        let text = read_file(&path).map_err(|error| format!("{name}: {error}"))?;
         let control: Control = toml::from_str(&text)
             .map_err(|error| format!("{name}: {}", error.to_string().trim()))?;
         if control.name.trim().is_empty() || control.name.chars().any(char::is_control) {
-            return Err(format!("{name}: `name` is empty, so nothing says what was certified"));
+            return Err(format!("{name}: `name` is empty or has a control character"));
         }
         let mut capabilities = no_observables(&control);
         capabilities.accuracy().check().map_err(|error| format!("{name}: {error}"))?;
@@ -99,7 +100,13 @@ impl Offline {
         let files = program.files.iter().map(|(name, text)| (name.as_str(), text));
         for (name, text) in mains.chain(files) {
             let place = format!("{}/{name}", entry.exported.folder);
-            let Ok(found) = std::fs::read(self.folder.join(&place)) else { continue };
+            let found = match read_regular(&self.folder.join(&place), FILE_BYTES_MAX) {
+                Ok(found) => found,
+                Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
+                Err(error) => {
+                    return Err(HarnessError::Unreadable { what: place, line: error.to_string() });
+                }
+            };
             let plain = |bytes: &[u8]| String::from_utf8_lossy(bytes).replace("\r\n", "\n");
             if plain(&found) != plain(text.as_bytes()) {
                 return Err(HarnessError::Unreadable {
@@ -197,7 +204,7 @@ impl Adapter for Offline {
         if let Err(error) = self.check_unmodified(entry, &motion.scenario.program) {
             return failed(error);
         }
-        match std::fs::read_to_string(self.folder.join(&place)) {
+        match read_file(&self.folder.join(&place)) {
             Ok(text) => {
                 Samples::from_csv(&text).or_else(|error| unreadable(&place, &error.to_string()))
             }
@@ -224,11 +231,8 @@ fn read_content(
 ) -> Result<SheetContent, (String, String)> {
     let read = |file: &str| {
         let place = format!("{}/{file}", exported.folder);
-        match std::fs::read_to_string(folder.join(&place)) {
+        match read_file_if_there(&folder.join(&place)) {
             Ok(text) => Ok((place, text)),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-                Ok((place, String::new()))
-            }
             Err(error) => Err((place, error.to_string())),
         }
     };

@@ -86,7 +86,7 @@ impl Manifest {
     pub fn read(folder: &Path) -> Result<Self, String> {
         let path = folder.join(MANIFEST);
         let name = path.display();
-        let text = std::fs::read_to_string(&path).map_err(|error| format!("{name}: {error}"))?;
+        let text = read_file(&path).map_err(|error| format!("{name}: {error}"))?;
         let manifest: Self =
             serde_json::from_str(&text).map_err(|error| format!("{name}: {error}"))?;
         if manifest.format != FORMAT {
@@ -101,6 +101,30 @@ impl Manifest {
                 Err(format!("{name}: {:?} is not a valid folder of a program", exported.folder))
             }
         }
+    }
+}
+
+/// Most bytes of a file of a campaign.
+const FILE_BYTES_MAX: u64 = 64 << 20;
+
+/// The text of a file of a campaign, which others have filled in: a regular file of bounded size.
+///
+/// # Errors
+/// It is not there, is not such a file, or is not UTF-8.
+pub fn read_file(path: &Path) -> std::io::Result<String> {
+    let bytes = gaugeblock_filesystem::read_regular(path, FILE_BYTES_MAX)?;
+    String::from_utf8(bytes)
+        .map_err(|error| std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error()))
+}
+
+/// The text of a file that a campaign need not have; empty if it is not there.
+///
+/// # Errors
+/// As [`read_file`], except that it may be absent.
+pub fn read_file_if_there(path: &Path) -> std::io::Result<String> {
+    match read_file(path) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(String::new()),
+        read => read,
     }
 }
 

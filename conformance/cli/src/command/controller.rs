@@ -309,5 +309,11 @@ pub(crate) fn check_observed_edition(
 
 /// Refuses a folder that holds no campaign.
 pub(crate) fn not_a_campaign(why: String) -> CliError {
-    CliError::usage(why, "`gaugeblock offline export` writes such a folder")
+    let is_of_control = why.contains(&format!("{}: ", gaugeblock_offline::CONTROL));
+    let hint = if is_of_control {
+        "complete control.toml: `name`, `version` and `resolution` of the control"
+    } else {
+        "`gaugeblock offline export` writes such a folder"
+    };
+    CliError::usage(why, hint)
 }

@@ -248,9 +248,15 @@ fn open(
     let mut open = Vec::new();
     for question in questions {
         let folder = arguments.folder.join(&question.exported.folder);
-        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        let answer = Answer::read(&read(SHEET), &question.exported);
-        let blocks = read_blocks(&read(BLOCKS), &question.exported.axes);
+        let read = |name: &str| {
+            let path = folder.join(name);
+            gaugeblock_offline::read_file_if_there(&path).map_err(|error| {
+                let message = format!("{}: {error}", path.display());
+                CliError::usage(message, "remove it, or export the campaign again")
+            })
+        };
+        let answer = Answer::read(&read(SHEET)?, &question.exported);
+        let blocks = read_blocks(&read(BLOCKS)?, &question.exported.axes);
         let has_samples = folder.join(SAMPLES).exists();
         if answer == Ok(Answer::Blank) && blocks == Ok(None) && !has_samples {
             open.push(question);

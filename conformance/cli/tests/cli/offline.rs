@@ -301,3 +301,42 @@ fn filters_select_what_is_exported() {
     assert_eq!(count("filter-pattern", "dwell.second?"), all);
     assert_eq!(count("filter-case", "dwell.seconds/a fraction"), 1);
 }
+
+#[test]
+fn file_of_a_campaign_that_is_not_a_regular_file_is_refused() {
+    let folder = campaign("fifo", RULES);
+    let fifo = |name: &str| {
+        let _not_there = fs::remove_file(folder.join(name));
+        let mode = rustix::fs::Mode::from_raw_mode(0o600);
+        let fifo = rustix::fs::FileType::Fifo;
+        rustix::fs::mknodat(rustix::fs::CWD, folder.join(name), fifo, mode, 0).expect("a FIFO");
+    };
+    let answer = ["offline", "answer", path(&folder), "--controller", "production"];
+    let certify = ["certify", "--controller", &controller(&folder), "--only", RULES];
+    name_control(&folder);
+    fifo("0001/answer.toml");
+    let said = ends_with(3, &certify);
+    assert!(said.contains("0001/answer.toml): it is not a regular file"), "{said}");
+    let said = ends_with(2, &answer);
+    assert!(said.contains("0001/answer.toml: it is not a regular file"), "{said}");
+    fs::remove_file(folder.join("0001/answer.toml")).expect("it is removed");
+    ends_with(0, &answer);
+    fifo("0001/main.ngc");
+    let said = ends_with(3, &certify);
+    assert!(said.contains("0001/main.ngc): it is not a regular file"), "{said}");
+    for name in ["control.toml", "manifest.json"] {
+        fifo(name);
+        let said = ends_with(2, &certify);
+        assert!(said.contains(&format!("{name}: it is not a regular file")), "{said}");
+    }
+}
+
+#[test]
+fn name_of_the_control_is_requested_where_it_belongs() {
+    let folder = campaign("unnamed", RULES);
+    let said = ends_with(2, &["certify", "--controller", &controller(&folder)]);
+    assert!(
+        said.contains("`name` is empty") && said.contains("hint: complete control.toml"),
+        "{said}"
+    );
+}
