@@ -4,6 +4,7 @@ mod abridge;
 pub mod baseline;
 mod cards;
 pub mod comparison;
+mod consistency;
 pub mod cost;
 mod escape;
 pub mod grouping;
@@ -25,8 +26,8 @@ use std::collections::BTreeMap;
 pub use escape::{escape_line, escape_text};
 pub use merge::{ControllerFile, Header};
 pub use profiles::ProfileResult;
-pub(crate) use rule::verdicts;
 pub use rule::{ChapterCounts, Counts, RuleResult, RuleVerdict};
+pub(crate) use rule::{Totals, verdicts};
 
 use gaugeblock_runner::certify::{CaseResult, RuleDivergence, Run, Verdict};
 use gaugeblock_runner::expectations::ExpectationMismatch;
@@ -150,18 +151,12 @@ impl<'a> Report<'a> {
     /// The exit status: 0 all that was judged is as documented or known, and the rest is accepted; 1 a divergence, a
     /// wrong expectation or a claimed profile that it does not pass; 3 not finished, or nothing was judged at all.
     pub fn exit_status(&self) -> u8 {
-        let counts = self.counts();
-        let wrong = match &self.mismatches {
-            Some(mismatches) => !mismatches.is_empty(),
-            None => counts.diverges + counts.side_difference > 0,
-        };
-        let fails = self.profiles.iter().any(|profile| profile.claimed && !profile.passes());
-        if wrong || fails {
-            1
-        } else if counts.open() > 0 || counts.judged() == 0 || !self.leaks().is_empty() {
-            3
-        } else {
-            0
+        Totals {
+            counts: self.counts(),
+            mismatches: self.mismatches.as_ref().map(Vec::len),
+            fails_profile: self.profiles.iter().any(|profile| profile.claimed && !profile.passes()),
+            leaks: !self.leaks().is_empty(),
         }
+        .exit_status()
     }
 }

@@ -14,6 +14,7 @@ use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use super::consistency;
 use super::stored::StoredCase;
 
 /// Version of the form.
@@ -140,9 +141,12 @@ impl Stored {
     /// Reads a report in JSON.
     ///
     /// # Errors
-    /// It is not one; the message follows the name of the file.
+    /// It is not one, or its counts or its exit status do not follow from its cases; the message follows the name of
+    /// the file.
     pub fn read(text: &str) -> Result<Self, String> {
-        read(text)
+        let stored: Self = read(text)?;
+        consistency::check(&read(text)?, &stored.cases)?;
+        Ok(stored)
     }
 
     /// The profiles that were claimed.

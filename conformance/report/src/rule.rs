@@ -138,13 +138,17 @@ pub struct Counts {
 
 impl Counts {
     pub(crate) fn add(&mut self, result: &CaseResult<'_>) {
-        let verdict = &result.verdict;
+        self.add_verdict(&result.verdict, result.accepted.is_some(), &result.compared);
+    }
+
+    /// Adds a case by its verdict, whether a list accepts that it is not judged, and what was compared.
+    pub(crate) fn add_verdict(&mut self, verdict: &Verdict, accepted: bool, compared: &Tally) {
         self.cases += 1;
         self.broken += usize::from(verdict.own_divergence().is_some());
         let is_open = verdict.undetermined_reason().is_some();
-        let is_accepted = result.accepted.is_some() || verdict.is_without_assertion();
+        let is_accepted = accepted || verdict.is_without_assertion();
         self.not_judged_accepted += usize::from(is_open && is_accepted);
-        if *verdict == Verdict::Pass && result.compared.unjudged() > 0 {
+        if *verdict == Verdict::Pass && compared.unjudged() > 0 {
             self.pass_in_part += 1;
         }
         let count = match verdict {
@@ -220,6 +224,34 @@ impl Counts {
             RuleVerdict::Pass
         } else {
             RuleVerdict::Unsupported
+        }
+    }
+}
+
+/// What an exit status follows from.
+pub(crate) struct Totals {
+    pub(crate) counts: Counts,
+    /// How often the run disagrees with its expectations, if there are any.
+    pub(crate) mismatches: Option<usize>,
+    /// Whether a claimed profile is not passed.
+    pub(crate) fails_profile: bool,
+    /// Whether a case failed only where other programs had run before.
+    pub(crate) leaks: bool,
+}
+
+impl Totals {
+    pub(crate) fn exit_status(&self) -> u8 {
+        let counts = self.counts;
+        let wrong = match self.mismatches {
+            Some(mismatches) => mismatches > 0,
+            None => counts.diverges + counts.side_difference > 0,
+        };
+        if wrong || self.fails_profile {
+            1
+        } else if counts.open() > 0 || counts.judged() == 0 || self.leaks {
+            3
+        } else {
+            0
         }
     }
 }

@@ -194,6 +194,19 @@ impl StoredVerdict {
         }
     }
 
+    /// The verdict as it was reported, with the list that accepts it.
+    pub(crate) fn reported(&self) -> Verdict {
+        match (self, self.verdict()) {
+            (Self::Known(known), Verdict::Diverges(found) | Verdict::SideDifference(found)) => {
+                Verdict::Known(found, known.reason.clone())
+            }
+            (Self::Waived(waived), Verdict::Diverges(found) | Verdict::SideDifference(found)) => {
+                Verdict::Waived(found, waived.reason.clone())
+            }
+            (_, verdict) => verdict,
+        }
+    }
+
     /// The verdict of the run alone: what it was held against then is not held against it now.
     fn verdict(&self) -> Verdict {
         let divergence = |stored: &StoredDivergence| RuleDivergence {

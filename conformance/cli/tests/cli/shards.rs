@@ -134,3 +134,82 @@ fn a_run_that_was_broken_off_is_neither_lost_nor_mixed_up() {
         assert!(message.contains("journal.jsonl") && message.contains("hint:"), "{message}");
     }
 }
+
+#[test]
+fn report_whose_counts_are_not_those_of_its_cases_is_not_merged() {
+    let here = folder("edited");
+    let call = [
+        "certify",
+        "--controller",
+        "reference",
+        "--only",
+        "saved-state.feed",
+        "--report",
+        text(&here),
+    ];
+    gaugeblock(&call);
+    let whole = report(&here);
+    for (old, new, words) in [
+        (
+            "\"verdict\": \"pass\"",
+            "\"verdict\": \"unsupported\", \"why\": { \"reason\": \"no\" }",
+            "`pass` of its counts",
+        ),
+        (
+            "\"exit_status\": 0",
+            "\"exit_status\": 3",
+            "its exit status is 3, and its cases result in 0",
+        ),
+    ] {
+        // Rules have verdicts, too: the first one after this is of a case.
+        let cases = whole.find("\"cases\": [").filter(|_| old.contains("verdict")).unwrap_or(0);
+        let at = cases + whole[cases..].find(old).expect("it is in the report");
+        let edited = format!("{}{new}{}", &whole[..at], &whole[at + old.len()..]);
+        std::fs::write(here.join("report.json"), edited).expect("a file");
+        let output = gaugeblock(&["report", "merge", text(&here)]);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains("contradicts itself") && message.contains(words), "{message}");
+    }
+    std::fs::write(here.join("report.json"), whole).expect("a file");
+    assert_eq!(gaugeblock(&["report", "merge", text(&here)]).status.code(), Some(0));
+}
+
+#[test]
+fn journal_with_two_results_of_a_case_is_refused() {
+    let here = folder("journal-twice");
+    let call = [
+        "certify",
+        "--controller",
+        "reference",
+        "--jobs",
+        "1",
+        "--report",
+        text(&here),
+        "--resume",
+    ];
+    let mut run = Command::new(env!("CARGO_BIN_EXE_gaugeblock"))
+        .args(call)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command runs");
+    let journal = here.join("journal.jsonl");
+    let written = || std::fs::read_to_string(&journal).unwrap_or_default();
+    while written().lines().count() < 4 {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    run.kill().expect("it can be killed");
+    run.wait().expect("it ends");
+    let lines = written();
+    let line = lines.lines().nth(1).expect("a case");
+    let other =
+        line.replace("\"verdict\":\"pass\"", "\"verdict\":\"crash\",\"why\":{\"reason\":\"x\"}");
+    assert_ne!(line, other);
+    let edited = format!("{}{other}\n", &lines[..=lines.rfind('\n').expect("a line")]);
+    std::fs::write(&journal, edited).expect("the journal");
+    let output = gaugeblock(&call);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("is there twice, with different results"), "{message}");
+}

@@ -1,5 +1,6 @@
 //! A controller is opened, runs the suite, and has a report.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::num::NonZero;
 use std::ops::ControlFlow;
@@ -360,9 +361,30 @@ fn open_journal<'a>(
     let journal = journal.map_err(|why| {
         CliError::usage(why, "--resume continues an interrupted run; or choose another folder")
     })?;
+    check_journal(folder, &done)?;
     let done = done.iter().map(|case| case.result(suite)).collect::<Result<Vec<_>, _>>();
     let done = done.map_err(|why| CliError::usage(why, "the journal belongs to another suite"))?;
     Ok((journal, done))
+}
+
+/// Refuses a journal with two results of one case: a run writes each case once.
+fn check_journal(folder: &Path, done: &[JournalCase]) -> Result<(), CliError> {
+    let mut seen = BTreeMap::new();
+    for JournalCase { case, .. } in done {
+        let earlier = seen.insert((&case.rule, &case.case), case);
+        if earlier.is_some_and(|earlier| earlier != case) {
+            return Err(CliError::usage(
+                format!(
+                    "{}: {} / {} is there twice, with different results",
+                    folder.join(journal::FILE).display(),
+                    case.rule,
+                    case.case
+                ),
+                "choose another folder, or remove the journal and run all cases again",
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Writes the divergences as expectations, with the reasons that the earlier file had. Returns notes about reasons.
