@@ -78,7 +78,9 @@ fn chapter_of(report: &Report<'_>, chapter: &str) -> TestSuite {
     let mut suite = TestSuite::new(chapter);
     for (name, value) in [
         ("controller", escape_line(&report.header.controller)),
+        ("version", escape_line(&report.header.version)),
         ("edition", report.edition_and_scope()),
+        ("suite", escape_line(&report.header.suite)),
         ("gaugeblock", env!("CARGO_PKG_VERSION").to_owned()),
     ] {
         suite.add_property((name, value.as_str()));

@@ -125,6 +125,9 @@ fn controller_text_is_escaped_in_every_report() {
     assert_eq!(page.matches("<script").count(), 1, "the page's own");
     let read = quick_junit::Report::deserialize_from_str(&xml).expect("it is XML");
     assert!(read.test_suites.iter().any(|suite| suite.errors > 3 && suite.failures > 3));
+    let chapter = read.test_suites.first().expect("a chapter");
+    let has = |name| chapter.properties.iter().any(|property| property.name.as_str() == name);
+    assert!(["controller", "version", "edition", "suite"].into_iter().all(has), "{chapter:?}");
 }
 
 /// A controller that refuses nothing breaks each rule that refuses: a finding each.
