@@ -1,5 +1,5 @@
 /* An adapter for Gaugeblock, protocol 1: connect your controller in `run`. `gaugeblock adapter protocol` has the rest.
-   cc -std=c99 -Wall -o adapter adapter.c */
+   cc -std=c99 -Wall -o adapter adapter.c; a real adapter takes a JSON library */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,9 @@
 static const char *declaration =
     "{\"protocol\":1,\"name\":\"toy in C\",\"version\":\"0.1\",\"languages\":[\"rs274\"],\"units\":[\"mm\",\"inch\"],\"features\":[],"
     "\"observables\":{\"fields\":[\"position\"],\"fields_at_effects\":[],\"effects\":[\"straight_traverse\"],\"moves_in_place\":true,"
-    "\"fault_kinds\":false,\"final_parameters\":false,\"pins\":[]},\"resolution\":0,\"clock\":\"virtual\"}";
+    "\"fault_kinds\":false,\"final_parameters\":false,\"pins\":[]},\"resolution\":0,\"clock\":\"virtual\","
+    "\"language\":{\"g\":[\"0\",\"21\"],\"m\":[\"2\"],\"axes\":\"XYZ\",\"letters\":\"\",\"parameters\":[],"
+    "\"expressions\":false,\"o_words\":false,\"comments\":[]}}";
 
 /* What the controller did with a program, whose lines end with the two characters \n as JSON writes them. This one knows G0, G21, M2. */
 static void run(const char *text, const char *end)
@@ -20,8 +22,7 @@ static void run(const char *text, const char *end)
         for (; text < end && strncmp(text, "\\n", 2) != 0; text++) {
             char *after, letter = *text, *place = strchr("xyz", letter);
             double number = letter == ' ' ? 0 : strtod(text + 1, &after);
-            if (letter == ' ')
-                continue;
+            if (letter == ' ') continue;
             if ((letter != 'g' || (number != 0 && number != 21)) && (letter != 'm' || number != 2) && (place == NULL || !traverse)) {
                 printf("],\"end\":{\"end\":\"fault\",\"block\":{\"file\":\"main.ngc\",\"line\":%d},\"message\":\"unknown word\"}}", line);
                 return;
@@ -43,8 +44,7 @@ static void run(const char *text, const char *end)
 int main(void)
 {
     char *line = NULL;
-    size_t room = 0;
-    for (int over = 0; !over && getline(&line, &room, stdin) > 0; fflush(stdout)) { /* a real adapter takes a JSON library */
+    for (size_t over = 0, room = 0; !over && getline(&line, &room, stdin) > 0; fflush(stdout)) {
         const char *found = strstr(line, "\"main\":\""), *from = found ? found + 8 : "", *to = from;
         while (*to != '"' && *to != 0)
             to += *to == '\\' ? 2 : 1;

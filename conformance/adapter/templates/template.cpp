@@ -8,14 +8,15 @@
 static const char *const DECLARATION =
     R"("hello":{"protocol":1,"name":"toy in C++","version":"0.1","languages":["rs274"],"units":["mm","inch"],"features":[],)"
     R"("observables":{"fields":["position"],"fields_at_effects":[],"effects":["straight_traverse","straight_feed"],)"
-    R"("moves_in_place":true,"fault_kinds":false,"final_parameters":false,"pins":[]},"resolution":0,"clock":"virtual"})";
+    R"("moves_in_place":true,"fault_kinds":false,"final_parameters":false,"pins":[]},"resolution":0,"clock":"virtual",)"
+    R"("language":{"g":["0","1","21"],"m":["2"],"axes":"XYZ","letters":"F","parameters":[],"expressions":false,)"
+    R"("o_words":false,"comments":[]}})"; // it runs no more
 
 struct Canon { // The canonical functions, which the interpreter calls: each adds an effect to those of the block.
     std::string effects, point = R"({"x":0,"y":0,"z":0})";
     void move(const char *effect, double x, double y, double z) {
         char json[99];
-        std::snprintf(json, sizeof json, R"({"x":%.17g,"y":%.17g,"z":%.17g})", x, y, z);
-        point = json;
+        std::snprintf(json, sizeof json, R"({"x":%.17g,"y":%.17g,"z":%.17g})", x, y, z), point = json;
         effects += (effects.empty() ? "" : ",") + (R"({"do":{"effect":")" + std::string(effect)) + R"(","end":)" + point + "}}";
     }
     void STRAIGHT_TRAVERSE(double x, double y, double z) { move("straight_traverse", x, y, z); }
@@ -30,9 +31,8 @@ struct Interpreter { // Replace it by yours. This one knows G0, G1, G21, F and M
             if (!(words >> number) || !std::strchr("gmfxyz", letter)) throw "unknown word";
             if ((letter == 'g' && number != 0 && number != 1 && number != 21) || (letter == 'm' && number != 2)) throw "unknown code";
             if (letter >= 'x') at[letter - 'x'] = number, moves = 1;
-            if (letter == 'f') feed = number;
             if (letter == 'g' && number < 2) motion = number;
-            ends += letter == 'm';
+            if (letter == 'f') feed = number; else ends += letter == 'm';
         }
         if (moves && (motion < 0 || (motion == 1 && feed <= 0))) throw "no motion mode, or no feed";
         if (moves) motion == 0 ? canon.STRAIGHT_TRAVERSE(at[0], at[1], at[2]) : canon.STRAIGHT_FEED(at[0], at[1], at[2]);
@@ -51,8 +51,8 @@ static std::string run(std::istringstream program, Interpreter interpreter = {},
 int main() {
     for (std::string line; std::getline(std::cin, line) && !line.empty();) { // A real adapter takes a JSON library.
         const auto is = [&](const char *op) { return line.find(R"("op":")" + std::string(op)) != std::string::npos; };
-        const auto from = line.find(R"("main":")") + 8;
-        std::string main = is("run") ? line.substr(from, line.find('"', from) - from) : "";
+        const auto from = line.find(R"("main":")") + 8, to = line.find('"', from);
+        std::string main = is("run") ? line.substr(from, to - from) : "";
         for (size_t at; (at = main.find("\\n")) != std::string::npos;) main.replace(at, 2, "\n");
         std::cout << R"({"id":)" << std::stol(line.substr(line.find(R"("id":)") + 5)) << ",";
         std::cout << (is("hello") ? DECLARATION : is("run") ? run(std::istringstream(main)) : is("reset") || is("bye") ? R"("done":{})" : R"("refused":"?")") << "}" << std::endl;

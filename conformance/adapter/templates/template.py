@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 """An adapter for Gaugeblock, protocol 1: connect your controller in `run`. `gaugeblock adapter protocol` has the rest."""
-import json
-import re
-import sys
+import json, re, sys
 
 DECLARATION = {
     "protocol": 1, "name": "toy", "version": "0.1", "languages": ["rs274"], "units": ["mm", "inch"],
@@ -10,9 +8,10 @@ DECLARATION = {
     "observables": {  # what is judged, and nothing else
         "fields": ["motion", "position"], "fields_at_effects": [], "effects": ["straight_traverse", "straight_feed"],
         "moves_in_place": True, "fault_kinds": False, "final_parameters": False, "pins": []},
+    "language": {"g": ["0", "1", "21"], "m": ["2"], "axes": "XYZ", "letters": "F", "parameters": [],  # it runs no more
+                 "expressions": False, "o_words": False, "comments": []},
     "resolution": 0.0, "clock": "virtual"}
 MOTIONS = {0: ("traverse", "straight_traverse"), 1: ("feed", "straight_feed")}
-LINE = re.compile(r"(?:[a-z][-+]?[0-9]*\.?[0-9]+\s*)*")
 WORD = re.compile(r"([a-z])([-+0-9.]+)")
 
 
@@ -25,8 +24,10 @@ def run(scenario):
     steps, motion, feed, point = [], ("none", None), 0.0, {"x": 0.0, "y": 0.0, "z": 0.0}
     outcome = {"language": "rs274", "start": {}, "steps": steps}
     for line, text in enumerate(scenario["program"]["main"].lower().splitlines(), 1):
-        block, events = {"file": "main.ngc", "line": line}, []
-        if not LINE.fullmatch(text):
+        block, text = {"file": "main.ngc", "line": line}, re.sub(r"^\s*/|\s", "", text)
+        if not text:
+            continue  # a blank line is not executed
+        if not re.fullmatch(r"(?:[a-z][-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))*", text):
             raise Unsupported("anything but plain words")
         words = [(letter, float(number)) for letter, number in WORD.findall(text)]
         for letter, number in words:
@@ -39,9 +40,8 @@ def run(scenario):
         moved = {letter: number for letter, number in words if letter in "xyz"}
         if moved and (motion[1] is None or motion[0] == "feed" and feed <= 0):
             return {**outcome, "end": {"end": "fault", "block": block, "message": "no motion mode, or no feed"}}
-        if moved:
-            point = {**point, **moved}
-            events.append({"do": {"effect": motion[1], "end": point}})
+        point = {**point, **moved}
+        events = [{"do": {"effect": motion[1], "end": point}}] if moved else []
         motion = MOTIONS[1] if ("m", 2) in words else motion
         steps.append({"block": block, "events": events, "state": {"language": "rs274", "motion": motion[0], "position": point}})
         if ("m", 2) in words:

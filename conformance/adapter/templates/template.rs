@@ -17,8 +17,7 @@ fn canonical_calls(program: &str) -> String {
                 _ => return calls + "ERROR(unknown word)\n",
             }
         }
-        let call = format!("STRAIGHT_TRAVERSE({:.4}, {:.4}, {:.4})\n", at[0], at[1], at[2]);
-        calls += if moves { &call } else { "" };
+        calls += &format!("STRAIGHT_TRAVERSE({:.4}, {:.4}, {:.4})\n", at[0], at[1], at[2]).repeat(usize::from(moves));
         if block.contains('m') {
             return calls + "PROGRAM_END()\n";
         }
@@ -45,13 +44,14 @@ fn outcome(calls: &str) -> Value {
 }
 
 fn main() {
-    let declaration = json!({"protocol": 1, "name": "toy in Rust", "version": "0.1", "languages": ["rs274"],
-        "units": ["mm", "inch"], "features": [], "resolution": 1e-4, "clock": "virtual",
+    let hello = json!({"protocol": 1, "name": "toy in Rust", "version": "0.1", "languages": ["rs274"], "features": [],
+        "units": ["mm", "inch"], "resolution": 1e-4, "clock": "virtual", "language": {"g": ["0", "21"], "m": ["2"],
+            "axes": "XYZ", "letters": "", "parameters": [], "expressions": false, "o_words": false, "comments": []},
         "observables": {"blocks": false, "fault_blocks": false, "fault_kinds": false, "fields": ["position"], // calls name no block
             "fields_at_effects": [], "effects": ["straight_traverse"], "moves_in_place": true, "pins": [], "final_parameters": false}});
     for request in std::io::stdin().lines().map_while(Result::ok).flat_map(|it| serde_json::from_str::<Value>(&it)) {
         let (answer, value) = match (request["op"].as_str(), request["scenario"]["program"]["main"].as_str()) {
-            (Some("hello"), _) => ("hello", declaration.clone()),
+            (Some("hello"), _) => ("hello", hello.clone()),
             (Some("run"), Some(program)) => ("outcome", outcome(&canonical_calls(program))),
             (op, _) => if op == Some("reset") || op == Some("bye") { ("done", json!({})) } else { ("refused", json!("?")) },
         };

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use gaugeblock_adapter::exec::Exec;
 use gaugeblock_runner::certify::{Plan, Scope, certify};
+use gaugeblock_runner::language::check_program;
 use gaugeblock_suite::Suite;
 
 use crate::command::gaugeblock;
@@ -31,6 +32,7 @@ pub(crate) fn suite() -> Suite {
 /// The words of the verdicts on the cases of the rule that are run, and what was found.
 pub(crate) fn verdicts(suite: &Suite, command: &str) -> Vec<(&'static str, String)> {
     let controller = Exec::start(command, limits()).expect("the adapter starts");
+    let controller = controller.check_language_by(check_program);
     let edition = suite.edition("linuxcnc-2.9").expect("the edition");
     let only = [RULE.to_owned()];
     let plan =
@@ -75,8 +77,10 @@ fn never_refusing(name: &str, declared: &str) -> String {
     let accepts = ("if letter == \"g\" and number > 99.9:", "if False:");
     let runs_any = ("if letter not in \"xyzf\" and", "if letter not in \"xyzfg\" and");
     let without_mode = ("if moved and (motion[1]", "if False and (motion[1]");
-    let moves = ("        if moved:\n", "        if moved and motion[1]:\n");
-    changed(name, &[accepts, runs_any, without_mode, moves, ("\"pins\": []", declared)])
+    let moves = ("if letter in \"xyz\"}", "if letter in \"xyz\" and motion[1]}");
+    let any_language = ("\"language\": {", "\"another\": {");
+    let pins = ("\"pins\": []", declared);
+    changed(name, &[accepts, runs_any, without_mode, moves, any_language, pins])
 }
 
 #[test]

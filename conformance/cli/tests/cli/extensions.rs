@@ -7,6 +7,7 @@ use std::time::Duration;
 use gaugeblock_adapter::exec::Exec;
 use gaugeblock_adapter::{Adapter, MotionRequest, NoSamples};
 use gaugeblock_runner::certify::{RepeatSampling, Verdict};
+use gaugeblock_runner::language::check_program;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Scenario;
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript};
@@ -40,7 +41,9 @@ fn declared_extensions_do_not_change_other_verdicts() {
     let suite =
         Suite::read(&gaugeblock_embedded_suite::files().expect("the suite")).expect("the suite");
     let start = |command: &str| {
-        Exec::start(command, limits()).unwrap_or_else(|error| panic!("{command}: {error}"))
+        Exec::start(command, limits())
+            .unwrap_or_else(|error| panic!("{command}: {error}"))
+            .check_language_by(check_program)
     };
     let (plain, usual) =
         verdicts_on(&start(&changed("offers-none.py", &[])), &suite, RepeatSampling(0));
@@ -92,7 +95,8 @@ fn a_session_goes_on_after_a_cancelled_run() {
         let adapter = std::fs::read_to_string(path).expect("the adapter");
         std::fs::write(path, format!("open({count:?}, 'a').write('x')\n{adapter}"))
             .expect("the adapter");
-        let controller = Exec::start(&command, limits()).expect("it starts");
+        let controller =
+            Exec::start(&command, limits()).expect("it starts").check_language_by(check_program);
         let (verdict, _) = verdicts_on(&controller, &suite, RepeatSampling(0));
         assert!(is_expected(&verdict.0, "no end after 1 s"), "{verdict:?}");
         assert_eq!(std::fs::read_to_string(&count).expect("the count").len(), sessions);
@@ -127,7 +131,8 @@ fn invalid_samples_are_reported_and_not_judged() {
         );
         std::fs::write(path, adapter.replace("    elif op == \"state\":", &answering))
             .expect("the adapter");
-        let controller = Exec::start(&command, limits()).expect("it starts");
+        let controller =
+            Exec::start(&command, limits()).expect("it starts").check_language_by(check_program);
         let said = controller.record_motion(&motion).map_err(|none| match none {
             NoSamples::Unsupported(said) => said,
             NoSamples::Failed(error) => error.to_string(),
@@ -203,7 +208,9 @@ fn connection_failures_are_reported() {
         ),
     ];
     for (then, why) in cases {
-        let controller = Exec::connect(&answering(then), limits).expect("it answers");
+        let controller = Exec::connect(&answering(then), limits)
+            .expect("it answers")
+            .check_language_by(check_program);
         for _again in 0..2 {
             let error = controller.run(&scenario).expect_err(why).to_string();
             assert!(error.starts_with(why), "{error}");

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::{Adapter, HarnessError};
+use gaugeblock_runner::language::check_program;
 use gaugeblock_vocabulary::{End, Outcome, Scenario};
 
 use crate::template::{LOOP, changed, file, limits};
@@ -29,7 +30,8 @@ impl Noting {
         );
         let changes = [&[(LOOP, noting.as_str())], changes].concat();
         let command = changed(&format!("{name}.py"), &changes);
-        Self { controller: Exec::start(&command, limits).expect("it starts"), notes }
+        let controller = Exec::start(&command, limits).expect("it starts");
+        Self { controller: controller.check_language_by(check_program), notes }
     }
 
     fn notes(&self) -> Vec<String> {

@@ -7,6 +7,7 @@ use std::time::Duration;
 use gaugeblock_adapter::exec::{Exec, Limits};
 use gaugeblock_adapter::protocol::{Answer, Request};
 use gaugeblock_runner::certify::{RepeatSampling, Verdict};
+use gaugeblock_runner::language::check_program;
 use gaugeblock_suite::Suite;
 
 use crate::command::gaugeblock;
@@ -102,7 +103,26 @@ fn the_templates_are_short_and_nothing_is_wrong_with_them() {
             text(&output.stdout),
             text(&output.stderr)
         );
+        let controller = format!("exec:{command}");
+        let call =
+            ["fuzz", "--controller", &controller, "--programs", "200", "--min-compared", "50"];
+        let output = gaugeblock(&call);
+        let said = text(&output.stdout);
+        assert!(
+            !said.contains("too little was compared") && said.contains(" programs in "),
+            "{said}"
+        );
     }
+}
+
+#[test]
+fn check_has_a_hint_where_no_language_is_declared() {
+    let check = |name: &str, changes: &[(&str, &str)]| {
+        text(&gaugeblock(&["adapter", "check", &changed(name, changes)]).stdout)
+    };
+    let hint = "it declares no `language`";
+    assert!(check("no-language.py", &[("\"language\": {", "\"another\": {")]).contains(hint));
+    assert!(!check("with-language.py", &[]).contains(hint));
 }
 
 /// What an adapter does on one program, and the verdict of its case with its reason; it passes where nothing is said.
@@ -125,6 +145,7 @@ fn verdicts_of(
     let limits = Limits { time: Duration::from_secs(seconds), ..limits() };
     let controller =
         Exec::start(command, limits).unwrap_or_else(|error| panic!("{command}: {error}"));
+    let controller = controller.check_language_by(check_program);
     verdicts_on(&controller, suite, twice)
 }
 
@@ -205,11 +226,11 @@ fn crash_is_not_a_pass() {
 #[test]
 fn unusable_controller_is_refused_before_any_run() {
     for (name, changes, words) in [
-        ("no-start.py", vec![("import json\n", "raise SystemExit(7)\n")], "exit status 7"),
+        ("no-start.py", vec![("import json, re, sys\n", "raise SystemExit(7)\n")], "exit status 7"),
         (
             "silent.py",
             vec![(LOOP, "import time\ntime.sleep(60)\nfor request in []:\n")],
-            "no end after 1 s",
+            "no answer to `hello` within 1 s",
         ),
         ("old.py", vec![("\"protocol\": 1,", "\"protocol\": 2,")], "version 2"),
         ("lacking.py", vec![("\"resolution\": 0.0, ", "")], "resolution"),
@@ -280,7 +301,7 @@ fn nothing_that_a_controller_says_moves_a_cursor() {
             "if letter == \"g\" and number > 99.9:",
             format!("if number > 99: raise Unsupported('{EVIL}')\n            if False:"),
         ),
-        ("evil-end.py", "import json\n", dies),
+        ("evil-end.py", "import json, re, sys\n", dies),
     ] {
         let command = changed(name, &[(old, new.as_str())]);
         let controller = format!("exec:{command}");

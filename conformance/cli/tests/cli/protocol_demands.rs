@@ -48,6 +48,7 @@ fn declaration_selects_scenarios() {
     );
     let controller =
         Exec::start(&changed("selects.py", &[metric, language]), limits()).expect("it starts");
+    let controller = controller.check_language_by(check_program);
     assert_eq!(controller.observed_edition(), Some("rs274-2.9-observed"));
     assert_eq!(controller.options().get("modal-groups.initial-motion"), Some("traverse"));
     let plain = Scenario::of("g0 x1\nm2\n");
@@ -230,7 +231,9 @@ for request in map(json.loads, requests()):\n"
 
 /// What an adapter was asked in a run of a rule.
 fn requests(name: &str, changes: &[(&str, &str)]) -> Vec<Value> {
-    let (command, notes) = noting(name, changes);
+    // Without a declared language it runs more than one program of the rule.
+    let any_language = ("\"language\": {", "\"another\": {");
+    let (command, notes) = noting(name, &[changes, &[any_language]].concat());
     assert!(verdicts(&suite(), &command).iter().any(|(word, _)| *word == "pass"));
     let notes = std::fs::read_to_string(notes).expect("the notes");
     notes.lines().map(|line| serde_json::from_str(line).expect(line)).collect()
@@ -281,8 +284,9 @@ fn adapter_that_does_not_exit_is_killed() {
     let stays = format!(
         "import os, time\nopen({process:?}, 'w').write(str(os.getpid()))\n{LOOP}    request[\"op\"] == \"bye\" and time.sleep(600)\n"
     );
-    let controller =
-        Exec::start(&changed("stays.py", &[(LOOP, &stays)]), limits()).expect("it starts");
+    let controller = Exec::start(&changed("stays.py", &[(LOOP, &stays)]), limits())
+        .expect("it starts")
+        .check_language_by(check_program);
     assert_eq!(
         controller.run(&Scenario::of("g0 x1\nm2\n")).expect("an outcome").end,
         End::ProgramEnd
@@ -310,7 +314,9 @@ fn limits_are_those_of_the_page() {
 #[test]
 fn adapter_runs_in_the_working_folder_of_the_referee() {
     let version = ("\"version\": \"0.1\"", "\"version\": __import__(\"os\").getcwd()");
-    let controller = Exec::start(&changed("folder.py", &[version]), limits()).expect("it starts");
+    let controller = Exec::start(&changed("folder.py", &[version]), limits())
+        .expect("it starts")
+        .check_language_by(check_program);
     let folder = std::env::current_dir().expect("a working folder");
     assert_eq!(controller.declaration().version, folder.to_str().expect("a path in UTF-8"));
 }
@@ -325,7 +331,8 @@ fn parameters_that_an_outcome_leaves_out_are_queried() {
     let all = ("\"final_parameters\": False", "\"final_parameters\": True");
     let offers = ("\"clock\": \"virtual\"", "\"clock\": \"virtual\", \"offers\": [\"state\"]");
     let command = changed("queried.py", &[(LOOP, answers.as_str()), all, offers]);
-    let controller = Exec::start(&command, limits()).expect("it starts");
+    let controller =
+        Exec::start(&command, limits()).expect("it starts").check_language_by(check_program);
     let outcome = controller.run(&Scenario::of("g0 x1\nm2\n")).expect("an outcome");
     assert_eq!(outcome.parameters.and_then(|all| all.0.get(&31).copied()), Some(5.0));
 }
@@ -369,7 +376,8 @@ fn failed_session_over_tcp_ends_with_bye() {
         // A new session is a new connection.
         (last, last_request(&listener, &declaration))
     });
-    let controller = Exec::connect(&address, limits()).expect("it answers");
+    let controller =
+        Exec::connect(&address, limits()).expect("it answers").check_language_by(check_program);
     for _again in 0..2 {
         let error = controller.run(&Scenario::of("g0 x1\nm2\n")).expect_err("it is not JSON");
         assert!(error.to_string().contains("unreadable"), "{error}");

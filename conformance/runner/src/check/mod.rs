@@ -21,6 +21,10 @@ const PROGRAMS: &[(Language, &str, &str)] = &[
     (Language::Nct, "O1\nG0 X1\nM30\n", "O1\nG0 X[1/0]\nM30\n"),
 ];
 
+/// The hint for an adapter that does not declare which part of RS-274 it has.
+const NO_LANGUAGE: &str = "it declares no `language`: if it has a part of RS-274, `fuzz` compares few of its programs\n\
+     hint: list its codes, axes and letters in `language`; `gaugeblock adapter protocol` describes it";
+
 /// Runs of the measurement of speed.
 const RUNS: u32 = 50;
 
@@ -75,6 +79,10 @@ pub fn checks(adapter: &Exec, suite: &Suite, clock: &dyn Fn() -> f64) -> Vec<Che
     add("speed", speed(adapter, &plain, clock));
     found.extend(declared::checks(adapter, suite));
     found.extend(extensions::checks(adapter, &plain, &first));
+    if declared.language.is_none() && declared.languages.contains(&Language::Rs274) {
+        let result = CheckResult::Skipped(NO_LANGUAGE.to_owned());
+        found.push(Check { name: "language", result });
+    }
     found
 }
 
