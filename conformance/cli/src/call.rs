@@ -1,5 +1,6 @@
 //! A call of the command: what it may say, and what it does.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -116,7 +117,7 @@ pub fn understands(words: &[String]) -> Result<(), String> {
 
 /// Runs the command line and returns the exit status.
 pub fn main() -> ExitCode {
-    let done = match Call::try_parse() {
+    let done = match Call::try_parse_from(plain_help(std::env::args_os().collect())) {
         Ok(call) => {
             call.colour.write_global();
             let watched = signals::watch().map_err(|error| {
@@ -147,6 +148,20 @@ pub fn main() -> ExitCode {
             ExitCode::from(refused.status)
         }
     }
+}
+
+/// The words of a call, in which `help --help` is `--help`: clap's own `help` takes no option.
+fn plain_help(mut words: Vec<OsString>) -> Vec<OsString> {
+    let is_help = |word: Option<&OsString>, names: &[&str]| {
+        word.is_some_and(|word| names.iter().any(|name| word == name))
+    };
+    if words.len() == 3
+        && is_help(words.get(1), &["help"])
+        && is_help(words.get(2), &["-h", "--help"])
+    {
+        words.remove(1);
+    }
+    words
 }
 
 /// Runs the command and returns the exit status.
@@ -213,7 +228,7 @@ fn suite(call: &Call) -> Result<Suite, CliError> {
 mod tests {
     use clap::{Command, CommandFactory as _};
 
-    use super::Call;
+    use super::{Call, plain_help};
 
     /// The width at which clap wraps help that is not printed on a terminal.
     const WIDTH: usize = 100;
@@ -228,5 +243,25 @@ mod tests {
             command.get_subcommands().for_each(check);
         }
         check(&Call::command());
+    }
+
+    #[test]
+    fn help_of_every_command_has_its_exit_statuses() {
+        fn check(command: &Command) {
+            let is_leaf = command.get_subcommands().next().is_none();
+            let footer = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let has_status = footer.contains("\nExit status:");
+            assert!(has_status || !is_leaf, "{}: {footer}", command.get_name());
+            command.get_subcommands().for_each(check);
+        }
+        check(&Call::command());
+    }
+
+    #[test]
+    fn help_of_help_is_the_help() {
+        let words = |text: &str| text.split(' ').map(Into::into).collect::<Vec<_>>();
+        assert_eq!(plain_help(words("gaugeblock help --help")), words("gaugeblock --help"));
+        assert_eq!(plain_help(words("gaugeblock help -h")), words("gaugeblock -h"));
+        assert_eq!(plain_help(words("gaugeblock help run")), words("gaugeblock help run"));
     }
 }

@@ -4,6 +4,7 @@ use std::io::{self, ErrorKind, Write as _};
 use std::sync::OnceLock;
 
 use gaugeblock_report::escape_text;
+use serde::Serialize;
 
 use crate::error::CliError;
 
@@ -13,6 +14,15 @@ static TROUBLE: OnceLock<String> = OnceLock::new();
 /// Writes to standard output; control characters are escaped.
 pub(crate) fn write_out(text: &str) {
     write_out_in_colours(&escape_text(text));
+}
+
+/// Writes a document as JSON.
+pub(crate) fn write_json(document: &impl Serialize) -> Result<(), CliError> {
+    let text = serde_json::to_string_pretty(document).map_err(|error| {
+        CliError::failure(error.to_string(), "this is a bug in gaugeblock; please report it")
+    })?;
+    write_out(&format!("{text}\n"));
+    Ok(())
 }
 
 /// Writes a text with our own terminal colours.

@@ -13,6 +13,7 @@
 //! difference.
 
 mod assertions;
+mod document;
 mod picture;
 mod polyline;
 mod sketch;
@@ -20,6 +21,7 @@ mod summary;
 mod synthesize;
 
 pub use assertions::{FEED_INTERVALS, check_assertions, scenario_and_path};
+pub use document::{JudgedMotionRule, MotionDocument, MotionVerdict, MotionViolation};
 pub use picture::Picture;
 pub use polyline::polyline;
 pub use sketch::Sketch;

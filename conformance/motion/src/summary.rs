@@ -58,6 +58,11 @@ impl Summary {
         }
     }
 
+    /// Whether anything moves: laws of samples hold where nothing does, and that is worth nothing.
+    pub fn moves(&self) -> bool {
+        self.time > 0.0
+    }
+
     /// Whether every law holds that can be judged.
     pub fn holds(&self) -> bool {
         self.judgement.violations().next().is_none()
@@ -73,7 +78,7 @@ impl Summary {
     /// The time, and how it compares, in a line.
     pub fn headline(&self) -> String {
         match &self.least {
-            _ if self.time <= 0.0 => "0.000 s: nothing moves".to_owned(),
+            _ if !self.moves() => "0.000 s: nothing moves".to_owned(),
             // Laws of samples leave room for what no motion could do that kept its limits at every instant.
             Ok(least) if self.time < least * (1.0 - 1e-6) => format!(
                 "{:.3} s; {least:.3} s at best ({}) if limits are kept at every instant, and not in the samples alone",
@@ -97,6 +102,7 @@ impl fmt::Display for Summary {
         writeln!(f, "{}", self.headline())?;
         for (law, verdict) in &self.judgement.0 {
             match verdict {
+                Verdict::Satisfied { .. } if !self.moves() => writeln!(f, "  n/a         {law}")?,
                 Verdict::Satisfied { share: Some(share) } => {
                     writeln!(f, "  holds       {law} (at most {:.2} % of it)", share * 100.0)?;
                 }

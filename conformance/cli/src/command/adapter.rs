@@ -30,9 +30,16 @@ pub(crate) enum Adapter {
     /// Find errors of an adapter
     Check(check::Arguments),
     /// Print the protocol description
+    #[command(after_help = "Example:
+  gaugeblock adapter protocol
+
+Exit status: 0 printed; 2 wrong call or input.")]
     Protocol,
     /// Print the words that an adapter may declare, and what they mean
-    #[command(after_help = "Example:\n  gaugeblock adapter vocabulary")]
+    #[command(after_help = "Example:
+  gaugeblock adapter vocabulary
+
+Exit status: 0 printed; 2 wrong call or input.")]
     Vocabulary,
     /// Print the JSON schema of requests or answers
     Schema(Schema),
@@ -42,7 +49,9 @@ pub(crate) enum Adapter {
 #[command(after_help = "Examples:
   gaugeblock adapter new > adapter.py
   gaugeblock adapter new --lang c adapter.c
-  gaugeblock adapter new --lang c++ adapter.cpp")]
+  gaugeblock adapter new --lang c++ adapter.cpp
+
+Exit status: 0 printed; 2 wrong call or input.")]
 pub(crate) struct New {
     /// Programming language
     #[arg(long, value_enum, default_value_t = Lang::Python)]
@@ -67,7 +76,9 @@ enum Lang {
 
 #[derive(Debug, Args)]
 #[command(after_help = "Example:
-  gaugeblock adapter schema request > request.schema.json")]
+  gaugeblock adapter schema request > request.schema.json
+
+Exit status: 0 printed; 2 wrong call or input.")]
 pub(crate) struct Schema {
     /// The message
     #[arg(value_enum)]

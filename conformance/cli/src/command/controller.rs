@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use gaugeblock_adapter::exec::{Exec, Limits};
-use gaugeblock_adapter::{Adapter, ControllerError};
+use gaugeblock_adapter::{Adapter, ControllerError, HarnessError};
 use gaugeblock_controllers::{Production, Reference, Restricted};
 use gaugeblock_grbl::Grbl;
 use gaugeblock_linuxcnc::{LinuxCnc, Rs274};
@@ -136,6 +136,10 @@ pub(crate) fn external_controller(name: &str, limits: Limits) -> Option<Result<E
     }
 }
 
+/// What to do about an adapter that does not start or answer.
+pub(crate) const START_HINT: &str =
+    "run the command by hand, and type a request; `gaugeblock adapter protocol` describes them";
+
 /// A controller that a command starts.
 pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
     if command.trim().is_empty() {
@@ -146,6 +150,10 @@ pub(crate) fn exec(command: &str, limits: Limits) -> Result<Exec, CliError> {
     }
     let started = Exec::start(command, limits).map(|exec| exec.check_language_by(check_program));
     started.map_err(|error| {
+        if let ControllerError::Broken(HarnessError::TimedOut { seconds }) = error {
+            let message = format!("exec:{command}: no answer to `hello` within {seconds} s");
+            return CliError::failure(message, START_HINT);
+        }
         let error = error.to_string();
         let by_shell = error.rsplit_once("exec: ").filter(|_| error.contains("exit status 127"));
         if let Some((_, why)) = by_shell {

@@ -12,11 +12,15 @@ use crate::streams::write_out;
 const COMPLETIONS_EXAMPLES: &str = "Examples:
   gaugeblock completions bash > ~/.local/share/bash-completion/completions/gaugeblock
   gaugeblock completions fish > ~/.config/fish/completions/gaugeblock.fish
-  gaugeblock completions zsh > ~/.zfunc/_gaugeblock";
+  gaugeblock completions zsh > ~/.zfunc/_gaugeblock
+
+Exit status: 0 printed; 2 wrong call or input.";
 
 const MAN_EXAMPLES: &str = "Examples:
   gaugeblock man ~/.local/share/man/man1
-      write gaugeblock.1, gaugeblock-certify.1 and so on; then `man gaugeblock-certify`";
+      write gaugeblock.1, gaugeblock-certify.1 and so on; then `man gaugeblock-certify`
+
+Exit status: 0 written; 2 wrong call, or a file that cannot be written.";
 
 /// For which shell.
 #[derive(Debug, Args)]

@@ -21,6 +21,7 @@ pub(crate) mod matrix;
 pub(crate) mod measure;
 pub(crate) mod motion_check;
 pub(crate) mod motion_fuzz;
+pub(crate) mod motion_fuzz_document;
 pub(crate) mod offline;
 pub(crate) mod options;
 pub(crate) mod pictures;

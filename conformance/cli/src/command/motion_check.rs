@@ -10,14 +10,15 @@ use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
 use super::{plan, user_files};
+use crate::arguments::Format;
 use crate::error::CliError;
 use crate::program::run_setup::RunSetup;
-use crate::streams::write_out;
 
 const EXAMPLES: &str = "Examples:
   gaugeblock motion check part.csv --program part.ngc --machine mill.toml
   gaugeblock motion check part.bin --program part.ngc --machine mill.toml --script hold.toml
   gaugeblock motion check part.csv --program part.ngc --machine mill.toml --svg part.svg
+  gaugeblock motion check part.csv --program part.ngc --machine mill.toml --format json
 
 Samples are a table. Its first line gives the servo period in seconds, its second names the columns:
   # gaugeblock samples 0 period=0.001 resolution=0
@@ -48,6 +49,9 @@ pub(crate) struct Arguments {
     /// Draw path, speed and accelerations
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
     #[command(flatten)]
     how: RunSetup,
 }
@@ -81,8 +85,7 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
         let (samples, path, limits, script) = (&samples, &path, &limits, &script);
         Drawing { title, samples, path, limits, script, feeds: None }.write(file)?;
     }
-    write_out(&plan::summary_text(&summary, &arguments.program));
-    Ok(plan::exit_status(&summary))
+    plan::write_summary(&summary, &arguments.program, arguments.format)
 }
 
 fn read(file: &Path) -> Result<Samples, CliError> {

@@ -22,16 +22,20 @@ use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::motion::MotionScript;
 use gaugeblock_vocabulary::{Axis, End, Outcome, Scenario, Settings};
 
+use super::motion_fuzz_document::{MotionFuzzDocument, ReportedGap, ReportedViolation};
 use super::user_files;
+use crate::arguments::Format;
 use crate::error::CliError;
 use crate::progress::Progress;
-use crate::streams::write_out;
+use crate::streams::{write_json, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock motion fuzz
       plan random programs on random machines for a minute
   gaugeblock motion fuzz --seed 7 --programs 100000 --report motion
       plan many programs; write the minimised program of each kind of violation into a folder
+  gaugeblock motion fuzz --programs 1000 --format json
+      print one JSON document; `gaugeblock schema motion-fuzz` describes it
 
 Each program is planned, and its samples are checked against the motion rules.
 Then the program is changed in one of seven ways (in four with limits of jerk), and the times are
@@ -71,6 +75,9 @@ pub(crate) struct Arguments {
     /// program where times differ
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
 }
 
 /// Breaches of one kind: how many, and of the program with the lowest number what was seen.
@@ -137,6 +144,28 @@ impl Tally {
         text
     }
 
+    fn document(&self, seed: u64, violations: Vec<ReportedViolation>) -> MotionFuzzDocument {
+        let gaps = |counts: &BTreeMap<String, (u64, u64)>| {
+            let gap = |(why, (count, first)): (&String, &(u64, u64))| ReportedGap {
+                why: why.clone(),
+                count: *count,
+                first: *first,
+            };
+            counts.iter().map(gap).collect()
+        };
+        MotionFuzzDocument {
+            gaugeblock: "motion-fuzz",
+            version: 1,
+            exit_status: self.exit_status(),
+            seed,
+            programs: self.programs,
+            cycles: self.cycles,
+            violations,
+            not_planned: gaps(&self.not_planned),
+            not_judged: gaps(&self.not_judged),
+        }
+    }
+
     /// 1 something is broken, 3 not everything was planned, or nothing was judged.
     fn exit_status(&self) -> u8 {
         if !self.found.is_empty() {
@@ -166,7 +195,7 @@ pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
         let (program, change) = motion_program(seed, number);
         judge_program((seed, number), (&program, &changes(change)), &runs)
     });
-    let mut text = String::new();
+    let mut violations = Vec::new();
     for (what, found) in &tally.found {
         let (drawn, change) = motion_program(seed, found.number);
         let of = (seed, found.number);
@@ -182,31 +211,46 @@ pub(crate) fn fuzz_motion(arguments: &Arguments, suite: &Suite) -> Result<u8, Cl
                 .map_or((smallest, None), |(alone, changed)| (alone, Some(changed))),
             None => (smallest, None),
         };
-        let _infallible = writeln!(
-            text,
-            "{what}, {} times, first by program {}: {}\n{}",
-            found.count,
-            found.number,
-            found.words,
-            smallest.text()
-        );
+        let mut calls = Vec::new();
         if let Some(folder) = &arguments.report {
             let name = what.replace('.', "-");
-            let call = write(folder, &name, &smallest, &scenario)?;
-            let _infallible = writeln!(text, "{call}");
+            calls.push(write(folder, &name, &smallest, &scenario)?);
             if let Some(changed) = changed {
-                let call = write(folder, &format!("{name}-changed"), &changed, &scenario)?;
-                let _infallible = writeln!(text, "{call}");
+                calls.push(write(folder, &format!("{name}-changed"), &changed, &scenario)?);
             }
-            text.push('\n');
         }
+        violations.push(ReportedViolation {
+            kind: what.clone(),
+            count: found.count,
+            first: found.number,
+            message: found.words.clone(),
+            program: smallest.text(),
+            calls,
+        });
     }
-    text.push_str(&tally.counts());
+    let text = violations.iter().map(violation_text).collect::<String>() + &tally.counts();
     if let Some(folder) = &arguments.report {
         user_files::write_whole(&folder.join("report.txt"), escape_text(&text).as_bytes())?;
     }
-    write_out(&text);
+    match arguments.format {
+        Format::Text => write_out(&text),
+        Format::Json => write_json(&tally.document(seed, violations))?,
+    }
     Ok(tally.exit_status())
+}
+
+/// Violations of a kind, for people.
+fn violation_text(violation: &ReportedViolation) -> String {
+    let ReportedViolation { kind, count, first, message, program, calls } = violation;
+    let mut text =
+        format!("{kind}, {count} times, first by program {first}: {message}\n{program}\n");
+    for call in calls {
+        let _infallible = writeln!(text, "{call}");
+    }
+    if !calls.is_empty() {
+        text.push('\n');
+    }
+    text
 }
 
 /// What production says a program does.

@@ -48,7 +48,9 @@ const EXPORT_EXAMPLES: &str = "Examples:
       export the rules whose ids begin so
 
 The files contain no expectations.
-The folder's README.md counts the cases that cannot run offline, by reason.";
+The folder's README.md counts the cases that cannot run offline, by reason.
+
+Exit status: 0 written; 2 wrong call or input.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXPORT_EXAMPLES)]
@@ -75,7 +77,10 @@ const ANSWER_EXAMPLES: &str = "Examples:
 
 Sheets that are already filled in do not change.
 Afterwards `certify --controller offline:campaign` and
-`certify --controller CONTROLLER --restrict-to offline:campaign` give the same verdicts.";
+`certify --controller CONTROLLER --restrict-to offline:campaign` give the same verdicts.
+
+Exit status: 0 all open sheets are filled in; 2 wrong call or input;
+3 the controller failed on a program, or is missing.";
 
 #[derive(Debug, Args)]
 #[command(after_help = ANSWER_EXAMPLES)]

@@ -17,10 +17,11 @@ use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
 use super::{run, user_files};
+use crate::arguments::Format;
 use crate::error::CliError;
 use crate::program::own_name;
 use crate::program::run_setup::RunSetup;
-use crate::streams::{write_error_in_colours, write_out};
+use crate::streams::{write_error_in_colours, write_json, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml
@@ -28,6 +29,7 @@ const EXAMPLES: &str = "Examples:
   gaugeblock plan part.ngc --machine mill.toml --samples part.csv
   gaugeblock plan part.ngc --machine mill.toml --feed-interval 20
   gaugeblock plan part.ngc --machine mill.toml --script hold.toml
+  gaugeblock plan part.ngc --machine mill.toml --format json
   gaugeblock plan part.ngc --machine mill.toml --controller linuxcnc --samples recorded.csv
 
 A machine file has the limits of the axes in millimetres, degrees and seconds:
@@ -81,6 +83,9 @@ pub(crate) struct Arguments {
     /// Draw path, speed and accelerations
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
 }
 
 pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> {
@@ -127,8 +132,21 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
         let (samples, path, limits) = (&moved.samples, &path, &limits);
         Drawing { title, samples, path, limits, script, feeds }.write(file)?;
     }
-    write_out(&summary_text(&summary, &arguments.file));
-    Ok(exit_status(&summary))
+    write_summary(&summary, &arguments.file, arguments.format)
+}
+
+/// Prints a summary. Returns the exit status.
+pub(crate) fn write_summary(
+    summary: &Summary,
+    file: &Path,
+    format: Format,
+) -> Result<u8, CliError> {
+    let status = exit_status(summary);
+    match format {
+        Format::Text => write_out(&in_own_name(&summary.to_string(), file)),
+        Format::Json => write_json(&summary.document(status, &|text| in_own_name(text, file)))?,
+    }
+    Ok(status)
 }
 
 /// The files that a call reads.
@@ -158,10 +176,10 @@ fn start(given: &[f64]) -> Result<Position, CliError> {
     Ok(Position::from(start))
 }
 
-/// What the laws say, with the name of the program file where the vocabulary calls it the main program.
-pub(crate) fn summary_text(summary: &Summary, file: &Path) -> String {
+/// A text with the name of the program file where the vocabulary calls it the main program.
+fn in_own_name(text: &str, file: &Path) -> String {
     let main = format!("{}:", Program::MAIN);
-    summary.to_string().replace(&main, &format!("{}:", user_files::program_name(file)))
+    text.replace(&main, &format!("{}:", user_files::program_name(file)))
 }
 
 /// Samples, with the planner's speed along the path and the requested feed, if known.
@@ -293,7 +311,7 @@ pub(crate) fn exit_status(summary: &Summary) -> u8 {
     let mut laws = summary.judgement.0.iter();
     if !summary.holds() {
         1
-    } else if summary.time > 0.0
+    } else if summary.moves()
         && !summary.is_impossible()
         && laws.any(|(_, verdict)| matches!(verdict, Verdict::Satisfied { .. }))
     {

@@ -7,8 +7,8 @@ use crate::error::CliError;
 
 pub(crate) use gaugeblock_rs274::Arguments;
 
-/// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1; a file that is missing and a block that
-/// is too long end with 2, as in the other commands.
+/// Runs the program. As in LinuxCNC's `rs274`, an error ends with exit status 1; a file that is missing and a block
+/// that is too long end with 2, as in the other commands.
 pub(crate) fn rs274(arguments: &Arguments) -> Result<u8, CliError> {
     let refused = |failure| match failure {
         Failure::Refused(message) => CliError {

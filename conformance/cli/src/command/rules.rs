@@ -16,12 +16,16 @@ const EXAMPLES: &str = "Examples:
   gaugeblock rules saved-state                  the rules of a chapter
   gaugeblock rules saved-state --format json    the same with sources, cases and reached outcomes
   gaugeblock rules --profile rs274-core         the rules of a profile of `suite profiles`
-  gaugeblock explain saved-state.feed           one rule with its sources and programs";
+  gaugeblock explain saved-state.feed           one rule with its sources and programs
+
+Exit status: 0 printed; 2 wrong call or input.";
 
 const CHOICES_EXAMPLES: &str = "Examples:
   gaugeblock choices                 every choice and quirk with its options
   gaugeblock choices saved-state     those of a chapter
-  gaugeblock choices rs274.          the quirks of LinuxCNC's stand-alone interpreter";
+  gaugeblock choices rs274.          the quirks of LinuxCNC's stand-alone interpreter
+
+Exit status: 0 printed; 2 wrong call or input.";
 
 /// Which ids are listed, and how.
 #[derive(Debug, Args)]

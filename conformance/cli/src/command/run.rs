@@ -16,7 +16,7 @@ use crate::program::own_name;
 use crate::program::remarks::remarks;
 use crate::program::run_setup::RunSetup;
 use crate::program::run_text::run_text;
-use crate::streams::{write_error, write_error_in_colours, write_out};
+use crate::streams::{write_error, write_error_in_colours, write_json, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock run part.ngc
@@ -81,15 +81,7 @@ pub(crate) fn run(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError> 
         if is_taken { outcome.clone() } else { own_name::of_outcome(&outcome, &arguments.file) };
     match arguments.format {
         Format::Text => write_out(&run_text(&outcome, &named, &scenario)),
-        Format::Json => {
-            let text = serde_json::to_string_pretty(&named).map_err(|error| {
-                CliError::failure(
-                    error.to_string(),
-                    "this is a bug in gaugeblock; please report it",
-                )
-            })?;
-            write_out(&format!("{text}\n"));
-        }
+        Format::Json => write_json(&named)?,
     }
     if let Some(pointer) = point_at(&outcome, &scenario, &arguments.file) {
         write_error_in_colours(&pointer);

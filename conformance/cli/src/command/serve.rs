@@ -26,7 +26,9 @@ const EXAMPLES: &str = "Examples:
   echo '{\"id\":1,\"op\":\"hello\",\"protocol\":1,\"referee\":\"me\"}' | gaugeblock serve --controller reference
       print the declaration of the reference model
 
-The server ends at `bye` or at the end of its input; with --tcp it runs until it is stopped.";
+The server ends at `bye` or at the end of its input; with --tcp it runs until it is stopped.
+
+Exit status: 0 the session ended; 2 wrong call; 3 the controller is missing or the port is taken.";
 
 /// Bytes of a request that are read at once.
 const REQUEST: usize = 64 << 10;

@@ -10,6 +10,8 @@ use gaugeblock_runner::certify::Scope;
 use gaugeblock_runner::suite_check;
 use gaugeblock_suite::ledger::{self, Ledger};
 use gaugeblock_suite::{Rule, Suite, files};
+use schemars::JsonSchema;
+use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 
 use super::matrix::matrix;
@@ -19,7 +21,7 @@ use super::user_files;
 use crate::arguments::Format;
 use crate::documents::read_suite;
 use crate::error::CliError;
-use crate::streams::write_out;
+use crate::streams::{write_json, write_out};
 
 const EXAMPLES: &str = "Examples:
   gaugeblock suite check
@@ -56,12 +58,36 @@ pub(crate) enum Maintenance {
   gaugeblock suite check
   gaugeblock --suite conformance/suite suite check
   gaugeblock suite check --document linuxcnc-2.8=m-code.txt
+  gaugeblock suite check --format json
 
 Exit status: 0 no errors; 1 errors; 2 wrong call or input.")]
 pub(crate) struct CheckArguments {
     /// Compare the sentence ledger of document ID with this file; may be repeated
     #[arg(long, value_name = "ID=FILE")]
     document: Vec<String>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Output of `suite check --format json`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "SuiteCheck")]
+pub(crate) struct SuiteCheckDocument {
+    /// `suite-check`.
+    gaugeblock: &'static str,
+    /// Version of this form.
+    version: u32,
+    /// The exit status of the call.
+    exit_status: u8,
+    /// Number of rules.
+    rules: usize,
+    /// Number of cases.
+    cases: usize,
+    /// Number of documents with a sentence ledger.
+    documents: usize,
+    /// The errors, each in a sentence.
+    errors: Vec<String>,
 }
 
 #[derive(Debug, Args)]
@@ -133,7 +159,7 @@ fn limit_to_documents(ledgers: &mut Vec<Ledger>, documents: &[String]) -> Result
 pub(crate) fn maintain(command: &Maintenance, folder: Option<&Path>) -> Result<u8, CliError> {
     let suite = read_suite(folder)?;
     match command {
-        Maintenance::Check(arguments) => check(&suite, folder, &arguments.document),
+        Maintenance::Check(arguments) => check(&suite, folder, arguments),
         Maintenance::Bless(arguments) => {
             let folder = folder.ok_or_else(|| {
                 CliError::usage(
@@ -170,18 +196,31 @@ fn faults(_suite: &Suite, _arguments: &FaultArguments) -> Result<u8, CliError> {
     ))
 }
 
-fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u8, CliError> {
+fn check(suite: &Suite, folder: Option<&Path>, arguments: &CheckArguments) -> Result<u8, CliError> {
     let mut faults = suite_check::faults(suite);
     let (ledgers, wrong) = ledgers(suite, folder)?;
     faults.extend(wrong);
-    for named in documents {
+    for named in &arguments.document {
         faults.extend(check_document(&ledgers, named)?);
+    }
+    let cases: usize = suite.rules.iter().map(|rule| rule.case_names().count()).sum();
+    let exit_status = u8::from(!faults.is_empty());
+    if arguments.format == Format::Json {
+        write_json(&SuiteCheckDocument {
+            gaugeblock: "suite-check",
+            version: 1,
+            exit_status,
+            rules: suite.rules.len(),
+            cases,
+            documents: ledgers.len(),
+            errors: faults,
+        })?;
+        return Ok(exit_status);
     }
     let mut text = String::new();
     for fault in &faults {
         let _infallible = writeln!(text, "{fault}");
     }
-    let cases: usize = suite.rules.iter().map(|rule| rule.case_names().count()).sum();
     let _infallible = writeln!(
         text,
         "{} rules, {cases} cases, {} documents: {}",
@@ -194,7 +233,7 @@ fn check(suite: &Suite, folder: Option<&Path>, documents: &[String]) -> Result<u
         }
     );
     write_out(&text);
-    Ok(u8::from(!faults.is_empty()))
+    Ok(exit_status)
 }
 
 /// The sentence ledgers, and the errors of those that cannot be read or name pages that the suite does not have.

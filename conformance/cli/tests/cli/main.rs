@@ -14,6 +14,7 @@ mod command_line;
 mod deployment;
 mod explain;
 mod extensions;
+mod formats;
 mod fuzz;
 mod grbl;
 mod known_issues;
