@@ -102,7 +102,7 @@ impl ExpectationMismatch {
 impl std::fmt::Display for ExpectationMismatch {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::New { rule, case, found } => write!(f, "not listed: {rule} / {case}: {found}"),
+            Self::New { rule, case, found } => write!(f, "new: {rule} / {case}: {found}"),
             Self::Changed { rule, case, listed, found } => {
                 write!(f, "changed: {rule} / {case}: listed {listed}; now {found}")
             }

@@ -95,7 +95,7 @@ fn one_entry_less_or_one_too_many_is_named() {
     let arguments = [call.as_slice(), &rules].concat();
     if let Some(output) = gaugeblock("strict expectations", &arguments) {
         let text = ends_with(&output, 1);
-        assert!(text.contains(&format!("not listed: {} / {}", taken.rule, taken.case)), "{text}");
+        assert!(text.contains(&format!("new: {} / {}", taken.rule, taken.case)), "{text}");
         assert!(text.contains(&format!("stale: {}", rule.id)), "{text}");
     }
 }
