@@ -1,7 +1,7 @@
 //! Outputs: files and folders at paths that the caller names.
 
 use std::fs::{DirBuilder, File, Metadata, OpenOptions, Permissions};
-use std::io::{Error, ErrorKind, Result, Write as _};
+use std::io::{BufWriter, Error, ErrorKind, Result, Write};
 use std::os::fd::{AsFd as _, OwnedFd};
 use std::os::unix::fs::{
     DirBuilderExt as _, MetadataExt as _, OpenOptionsExt as _, PermissionsExt as _,
@@ -29,7 +29,23 @@ const FOLDER_PERMISSIONS: u32 = 0o7777;
 /// # Errors
 /// It cannot be written. A regular file is unchanged then.
 pub fn write_output(path: &Path, content: impl AsRef<[u8]>) -> Result<()> {
-    write(path, content.as_ref(), None)
+    write(path, &mut |file| file.write_all(content.as_ref()), None)
+}
+
+/// The same for an output that is too long to be kept in memory: a function writes it, part by part.
+///
+/// # Errors
+/// It cannot be written, or the function fails. A regular file is unchanged then.
+pub fn write_long_output(
+    path: &Path,
+    mut content: impl FnMut(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let buffered = &mut |file: &mut File| {
+        let mut buffer = BufWriter::new(file);
+        content(&mut buffer)?;
+        buffer.flush()
+    };
+    write(path, buffered, None)
 }
 
 /// Writes outputs that belong together, each a regular file or one that is not there yet. Each new file is written
@@ -45,6 +61,7 @@ pub fn write_outputs(outputs: &[(&Path, &[u8])]) -> Result<()> {
 
 /// Writes a new file for a path at which there is a regular file, or a link to one, or nothing.
 fn partial(path: &Path, content: &[u8]) -> Result<PartialFile> {
+    let content = &mut |file: &mut File| file.write_all(content);
     match path.metadata() {
         Ok(found) if found.is_file() => {
             let target = path.canonicalize()?;
@@ -85,11 +102,15 @@ pub fn copy_output(from: &Path, to: &Path) -> Result<()> {
     if !found.is_file() {
         return Ok(());
     }
-    write(to, &std::fs::read(from)?, Some(&found))
+    let content = std::fs::read(from)?;
+    write(to, &mut |file| file.write_all(&content), Some(&found))
 }
 
+/// Writes the content of a file.
+type Content<'a> = &'a mut dyn FnMut(&mut File) -> Result<()>;
+
 /// Writes an output; `like` has the permissions of a new file.
-fn write(path: &Path, content: &[u8], like: Option<&Metadata>) -> Result<()> {
+fn write(path: &Path, content: Content<'_>, like: Option<&Metadata>) -> Result<()> {
     let found = match path.metadata() {
         Ok(found) => found,
         Err(error) if error.kind() == ErrorKind::NotFound => {
@@ -98,7 +119,7 @@ fn write(path: &Path, content: &[u8], like: Option<&Metadata>) -> Result<()> {
         Err(error) => return Err(error),
     };
     if let Some(stream) = own_stream(&found)? {
-        return File::from(stream).write_all(content);
+        return content(&mut File::from(stream));
     }
     if found.is_file() {
         // The path of an open file below /proc may lead to a name that is another file's by now.
@@ -110,7 +131,7 @@ fn write(path: &Path, content: &[u8], like: Option<&Metadata>) -> Result<()> {
             return replace(&target, content, Some(&found));
         }
     }
-    OpenOptions::new().write(true).truncate(found.is_file()).open(path)?.write_all(content)
+    content(&mut OpenOptions::new().write(true).truncate(found.is_file()).open(path)?)
 }
 
 /// The path at the end of a chain of links that lead to nothing yet.
@@ -156,7 +177,7 @@ fn is_same(one: &Metadata, other: &Metadata) -> bool {
 }
 
 /// Puts a new file at a path at which there is a regular file or nothing.
-fn replace(path: &Path, content: &[u8], like: Option<&Metadata>) -> Result<()> {
+fn replace(path: &Path, content: Content<'_>, like: Option<&Metadata>) -> Result<()> {
     PartialFile::new(path, content, like)?.finish()
 }
 
@@ -169,7 +190,7 @@ struct PartialFile {
 
 impl PartialFile {
     /// Writes what is to be at a path at which there is a regular file or nothing.
-    fn new(target: &Path, content: &[u8], like: Option<&Metadata>) -> Result<Self> {
+    fn new(target: &Path, content: Content<'_>, like: Option<&Metadata>) -> Result<Self> {
         let create = |name: &Path| {
             // Where the permissions are those of another file, the content is private until they are set.
             let mode = if like.is_some() { 0o600 } else { 0o666 };
@@ -177,7 +198,7 @@ impl PartialFile {
         };
         let (partial, mut file) = under_new_name(parent(target), create)?;
         let made = Self { target: target.to_owned(), partial };
-        file.write_all(content)?;
+        content(&mut file)?;
         if let Some(like) = like {
             take_after(&file, like)?;
         }

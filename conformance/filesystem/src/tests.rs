@@ -1,6 +1,7 @@
 //! Each kind of file at the path of an output, before it is written and after.
 
 use std::fs::{self, Permissions};
+use std::io::{Error, Write};
 use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _, PermissionsExt as _, symlink};
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -307,4 +308,32 @@ fn a_private_folder_says_that_its_process_lives() {
     let other = fs::File::open(folder.path()).unwrap();
     let exclusive = rustix::fs::FlockOperation::NonBlockingLockExclusive;
     assert!(rustix::fs::flock(&other, exclusive).is_err());
+}
+
+#[test]
+fn long_output_is_whole_or_unchanged() {
+    let scratch = Scratch::new("long");
+    let path = scratch.path("out");
+    write_long_output(&path, |file| (0..9).try_for_each(|number| write!(file, "{number}")))
+        .unwrap();
+    assert_eq!(fs::read(&path).unwrap(), b"012345678");
+    let fails = |file: &mut dyn Write| {
+        file.write_all(b"half")?;
+        Err(Error::other("no more"))
+    };
+    assert_eq!(write_long_output(&path, fails).unwrap_err().to_string(), "no more");
+    assert_eq!(fs::read(&path).unwrap(), b"012345678");
+    assert_eq!(scratch.names(), ["out"]);
+}
+
+#[test]
+fn scratch_file_reads_what_it_wrote() {
+    let mut file = ScratchFile::new("scratch-test").unwrap();
+    assert_eq!(file.append(b"one").unwrap(), 0);
+    assert_eq!(file.append(b"two").unwrap(), 3);
+    file.replace(0, b"ONE").unwrap();
+    let mut bytes = [0; 6];
+    file.read(0, &mut bytes).unwrap();
+    assert_eq!(&bytes, b"ONEtwo");
+    assert!(file.read(1, &mut bytes).is_err());
 }
