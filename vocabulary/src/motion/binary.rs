@@ -13,11 +13,35 @@ use alloc::vec::Vec;
 const MAGIC: &[u8; 8] = b"GBSAMPLE";
 const VERSION: u16 = 0;
 
-/// FNV-1a: the offset basis, then for each byte an exclusive or and a product with the prime.
+/// The check of the compact form over the bytes so far: FNV-1a, the offset basis, then for each byte an exclusive or
+/// and a product with the prime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SamplesCheck(u64);
+
+impl Default for SamplesCheck {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl SamplesCheck {
+    /// Adds bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
+        self.0 = bytes
+            .iter()
+            .fold(self.0, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3));
+    }
+
+    /// The last bytes of the form.
+    pub fn to_bytes(self) -> [u8; 8] {
+        self.0.to_le_bytes()
+    }
+}
+
 fn check(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
-        (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    let mut check = SamplesCheck::default();
+    check.add(bytes);
+    check.0
 }
 
 impl Samples {
@@ -26,6 +50,20 @@ impl Samples {
     /// # Panics
     /// Never: there are less than 65,536 different columns, and no name is longer than 255 bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = self.header_bytes(self.len());
+        for value in self.rows().flatten() {
+            bytes.extend(value.to_le_bytes());
+        }
+        let check = check(&bytes);
+        bytes.extend(check.to_le_bytes());
+        bytes
+    }
+
+    /// The bytes before the first of so many rows. The values of the rows follow, and [`SamplesCheck`] over all of it.
+    ///
+    /// # Panics
+    /// Never: there are less than 65,536 different columns, and no name is longer than 255 bytes.
+    pub fn header_bytes(&self, rows: usize) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(VERSION.to_le_bytes());
         let columns = u16::try_from(self.columns().len()).expect("columns differ");
@@ -37,12 +75,7 @@ impl Samples {
             bytes.push(u8::try_from(name.len()).expect("names of columns are short"));
             bytes.extend(name.as_bytes());
         }
-        bytes.extend((self.len() as u64).to_le_bytes());
-        for value in self.rows().flatten() {
-            bytes.extend(value.to_le_bytes());
-        }
-        let check = check(&bytes);
-        bytes.extend(check.to_le_bytes());
+        bytes.extend((rows as u64).to_le_bytes());
         bytes
     }
 

@@ -23,18 +23,18 @@ const HEAD: &str = "# gaugeblock samples 0 ";
 impl Samples {
     /// The table.
     pub fn to_csv(&self) -> String {
-        let mut text = format!("{HEAD}period={} resolution={}\n", self.period(), self.resolution());
-        let names: Vec<_> = self.columns().iter().map(ToString::to_string).collect();
-        text.push_str(&names.join(","));
-        text.push('\n');
+        let mut text = self.csv_header();
         for row in self.rows() {
-            for (place, value) in row.iter().enumerate() {
-                let comma = if place == 0 { "" } else { "," };
-                write!(text, "{comma}{value}").expect("a text takes what is written to it");
-            }
-            text.push('\n');
+            push_csv_row(row, &mut text);
         }
         text
+    }
+
+    /// The first two lines of the table.
+    pub fn csv_header(&self) -> String {
+        let names: Vec<_> = self.columns().iter().map(ToString::to_string).collect();
+        let (period, resolution, names) = (self.period(), self.resolution(), names.join(","));
+        format!("{HEAD}period={period} resolution={resolution}\n{names}\n")
     }
 
     /// Reads the table; what `to_csv` wrote comes back equal.
@@ -72,6 +72,15 @@ impl Samples {
         }
         Ok(samples)
     }
+}
+
+/// Appends the line of a sample to a table.
+pub fn push_csv_row(row: &[f64], text: &mut String) {
+    for (place, value) in row.iter().enumerate() {
+        let comma = if place == 0 { "" } else { "," };
+        let _infallible = write!(text, "{comma}{value}");
+    }
+    text.push('\n');
 }
 
 fn line_name(number: usize) -> String {

@@ -15,6 +15,9 @@ mod path;
 mod samples;
 mod script;
 
+pub use binary::SamplesCheck;
+#[cfg(feature = "text")]
+pub use csv::push_csv_row;
 pub use limits::MotionLimits;
 pub use path::{Controls, Feed, OutputChange, PathElement, PathMode, ProgrammedPath, Shape};
 pub use samples::{Column, Samples, SamplesError};

@@ -141,7 +141,17 @@ impl Samples {
     /// # Errors
     /// Too few or too many values, one that is not finite, or a count that is not a whole number from zero.
     pub fn push(&mut self, row: &[f64]) -> Result<(), SamplesError> {
-        let wrong = |message: String| Err(SamplesError::at(format!("row {}", self.len()), message));
+        self.check_row(self.len(), row)?;
+        self.values.extend_from_slice(row);
+        Ok(())
+    }
+
+    /// Checks a sample with a number: a value for each column, in their order.
+    ///
+    /// # Errors
+    /// As [`Self::push`].
+    pub fn check_row(&self, number: usize, row: &[f64]) -> Result<(), SamplesError> {
+        let wrong = |message: String| Err(SamplesError::at(format!("row {number}"), message));
         if row.len() != self.columns.len() {
             return wrong(format!("{} values for {} columns", row.len(), self.columns.len()));
         }
@@ -153,8 +163,13 @@ impl Samples {
                 return wrong(format!("{column} is {value}, not a count"));
             }
         }
-        self.values.extend_from_slice(row);
         Ok(())
+    }
+
+    /// Period, resolution and columns, without a sample.
+    #[must_use]
+    pub fn without_rows(&self) -> Self {
+        Self { columns: self.columns.clone(), values: Vec::new(), ..*self }
     }
 
     /// Seconds between two samples.
