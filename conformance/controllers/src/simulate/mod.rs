@@ -21,7 +21,7 @@ use effects::{follows_spindle, is_element, pins, spindle, switching};
 
 /// How many segments the planner's queue holds.
 const QUEUE: u32 = 2000;
-/// Longest motion, servo cycles: memory holds their samples. With a period of a millisecond it is 2 hours 46 minutes.
+/// Longest motion, servo cycles: a scratch file holds their samples. With a period of a millisecond it is 2 hours 46 minutes.
 pub const SERVO_CYCLES_MAX: usize = 10_000_000;
 
 /// Longest rest, in servo cycles, in addition to dwells.
@@ -36,6 +36,17 @@ pub struct RunConditions {
     pub every: Option<u32>,
     /// What the operator and the machine's inputs do. Without speeds of a spindle it turns as programmed.
     pub script: MotionScript,
+}
+
+/// What a planner makes of one servo cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct PlannedCycle<'a> {
+    /// The sample: a value for each column.
+    pub row: &'a [f64],
+    /// Speed along the path of all axes, millimetres or degrees per second.
+    pub speed: f64,
+    /// The requested feed; see [`Planned::requested`].
+    pub requested: f64,
 }
 
 /// What a planner makes of a program.
@@ -98,7 +109,44 @@ pub fn plan_with(
     limits: &MotionLimits,
     circumstances: &RunConditions,
 ) -> Result<Planned, Stopped> {
-    let mut drive = Simulation::new(outcome, limits, circumstances)?;
+    let samples = sample_header(outcome, limits)?;
+    let mut planned = Planned { samples, speed: Vec::new(), requested: Vec::new() };
+    let keep = &mut |cycle: PlannedCycle<'_>| {
+        planned.samples.push(cycle.row).map_err(|error| error.to_string())?;
+        planned.speed.push(cycle.speed);
+        planned.requested.push(cycle.requested);
+        Ok(())
+    };
+    plan_cycles(outcome, limits, circumstances, keep)?;
+    Ok(planned)
+}
+
+/// A table without samples, with the columns that planning a program reports.
+///
+/// # Errors
+/// A machine of which no table of samples can be made.
+pub fn sample_header(outcome: &Outcome, limits: &MotionLimits) -> Result<Samples, Stopped> {
+    let columns = limits.axes.keys().copied().map(Column::Position);
+    let columns = columns.chain([Column::Line, Column::Queued]);
+    let columns = columns.chain(pins(outcome).into_iter().map(Column::Output));
+    let turning = follows_spindle(outcome);
+    let columns = columns.chain(turning.then_some(Column::SpindleSpeed(0))).collect();
+    Samples::new(limits.period, 0.0, columns).map_err(|error| Stopped::new(error.to_string()))
+}
+
+/// The same as [`plan_with`] for a motion that is too long to be kept: reports each servo cycle as it is planned. The
+/// rows have the columns of [`sample_header`].
+///
+/// # Errors
+/// As [`plan_with`], or an error of `report`.
+pub fn plan_cycles(
+    outcome: &Outcome,
+    limits: &MotionLimits,
+    circumstances: &RunConditions,
+    report: &mut dyn FnMut(PlannedCycle<'_>) -> Result<(), String>,
+) -> Result<(), Stopped> {
+    let mut drive = Simulation::new(outcome, limits, circumstances, report)?;
+    drive.record()?;
     for (place, step) in outcome.steps.iter().enumerate() {
         drive.step = place;
         for event in &step.events {
@@ -113,8 +161,7 @@ pub fn plan_with(
             }
         }
     }
-    drive.rest().map_err(|stopped| drive.at_block(stopped, outcome, None))?;
-    Ok(Planned { samples: drive.samples, speed: drive.speed, requested: drive.requested })
+    drive.rest().map_err(|stopped| drive.at_block(stopped, outcome, None))
 }
 
 struct Simulation<'a> {
@@ -149,9 +196,11 @@ struct Simulation<'a> {
     controls: Vec<Controls>,
     /// How many elements of the path the planner has been given, moves and rests.
     given: u32,
-    samples: Samples,
-    speed: Vec<f64>,
-    requested: Vec<f64>,
+    /// How many cycles have been reported.
+    cycles: usize,
+    /// The sample of a cycle.
+    row: Vec<f64>,
+    report: &'a mut dyn FnMut(PlannedCycle<'_>) -> Result<(), String>,
 }
 
 /// Requests of an operator and of the inputs of a machine.
@@ -197,6 +246,7 @@ impl<'a> Simulation<'a> {
         outcome: &Outcome,
         limits: &'a MotionLimits,
         circumstances: &'a RunConditions,
+        report: &'a mut dyn FnMut(PlannedCycle<'_>) -> Result<(), String>,
     ) -> Result<Self, Stopped> {
         // What is not listed does not move, which is checked; a number there must be.
         let mut dynamics = Dynamics {
@@ -223,16 +273,10 @@ impl<'a> Simulation<'a> {
         let planner =
             Planner::new(dynamics, start).map_err(|error| Stopped::new(error.to_string()))?;
         let outputs = pins(outcome).into_iter().map(|pin| (pin, 0.0)).collect::<BTreeMap<_, _>>();
-        let columns = limits.axes.keys().copied().map(Column::Position);
-        let columns = columns.chain([Column::Line, Column::Queued]);
-        let columns = columns.chain(outputs.keys().copied().map(Column::Output));
         let turning = follows_spindle(outcome);
-        let columns = columns.chain(turning.then_some(Column::SpindleSpeed(0))).collect();
-        let samples = Samples::new(limits.period, 0.0, columns)
-            .map_err(|error| Stopped::new(error.to_string()))?;
         let mut resolver = Resolver::new(start);
         resolver.set(&outcome.start);
-        let mut drive = Self {
+        Ok(Self {
             limits,
             every: circumstances.every,
             events: &circumstances.script.events,
@@ -254,12 +298,10 @@ impl<'a> Simulation<'a> {
             step: 0,
             controls: Vec::new(),
             given: 0,
-            samples,
-            speed: Vec::new(),
-            requested: Vec::new(),
-        };
-        drive.record()?;
-        Ok(drive)
+            cycles: 0,
+            row: Vec::new(),
+            report,
+        })
     }
 
     /// Why it stopped, with the block: of a motion that takes too long the one in motion, else the one that was given.
@@ -400,7 +442,7 @@ impl<'a> Simulation<'a> {
     }
 
     fn cycle(&mut self) -> Result<Phase, Stopped> {
-        if self.speed.len() >= SERVO_CYCLES_MAX {
+        if self.cycles >= SERVO_CYCLES_MAX {
             let why = format!("the motion takes more than {SERVO_CYCLES_MAX} servo cycles");
             return Err(Stopped { too_long: true, ..Stopped::endless(why) });
         }
@@ -429,7 +471,7 @@ impl<'a> Simulation<'a> {
 
     /// The operator's requests for the next cycle, as far as the segment in execution admits them.
     fn operate(&mut self) {
-        let cycle = self.speed.len();
+        let cycle = self.cycles;
         while let Some((event, later)) = self.events.split_first()
             && usize::try_from(event.cycle).is_ok_and(|at| at <= cycle)
         {
@@ -455,19 +497,18 @@ impl<'a> Simulation<'a> {
         let number = usize::try_from(self.output.segment).unwrap_or(0);
         let line = self.lines.get(number).copied().unwrap_or(0);
         let position: &Axes = &self.output.position;
-        let mut row: Vec<f64> =
-            self.limits.axes.keys().map(|axis| position[axis.place()]).collect();
-        row.push(f64::from(line));
-        row.push(f64::from(self.given));
-        row.extend(self.outputs.values());
-        row.extend(self.turning.then_some(self.turns));
-        self.samples.push(&row).map_err(|error| Stopped::new(error.to_string()))?;
-        self.speed.push(self.output.speed);
+        self.row.clear();
+        self.row.extend(self.limits.axes.keys().map(|axis| position[axis.place()]));
+        self.row.extend([f64::from(line), f64::from(self.given)]);
+        self.row.extend(self.outputs.values());
+        self.row.extend(self.turning.then_some(self.turns));
         let overridden = match self.input.hold {
             Hold::Run => self.input.feed_override * self.input.adaptive_feed.abs().min(1.0),
             Hold::Hold | Hold::Abort => 0.0,
         };
-        self.requested.push(self.feeds.get(number).map_or(f64::NAN, |feed| feed * overridden));
-        Ok(())
+        let requested = self.feeds.get(number).map_or(f64::NAN, |feed| feed * overridden);
+        self.cycles += 1;
+        let cycle = PlannedCycle { row: &self.row, speed: self.output.speed, requested };
+        (self.report)(cycle).map_err(Stopped::new)
     }
 }
