@@ -32,6 +32,7 @@ pub(in crate::motion) use self::stopping::{
 use super::curve::{Counted, Curve};
 use super::envelope::Envelope;
 use super::route::{CornerTolerance, Leg, Route, Task};
+use super::vector::AxisVector;
 use crate::math;
 
 /// Which bound a stretch has.
@@ -151,8 +152,7 @@ fn stretch(
         reach::bracket(&[(&leg.curve as &dyn Smooth, feed(leg))], envelope).achieved
     };
     let achieved = legs.iter().map(stopping).sum();
-    let (gates, fastest): (Vec<Gate>, Vec<f64>) =
-        gates(route, (first, last), &Fastest::of(legs, envelope, feed)).into_iter().unzip();
+    let (gates, fastest) = gates(route, (first, last), &Fastest::of(legs, envelope, feed));
     let highest = legs.iter().map(feed).fold(0.0, f64::max);
     let spatial = legs.iter().all(|leg| leg.curve.counted() == Counted::First);
     let mut bound = StretchBound { elements, kind: Kind::Length, least: 0.0, achieved };
@@ -224,20 +224,29 @@ impl Fastest {
     }
 }
 
-/// What a lawful motion passes between two rests, each with how fast the point can be on the way to it.
-fn gates(route: &Route<'_>, (first, last): (usize, usize), fastest: &Fastest) -> Vec<(Gate, f64)> {
-    let mut gates = vec![(Gate { at: route.corners[first].at, tolerance: 0.0 }, 0.0)];
+/// What a lawful motion passes between two rests, and how fast the point can be on the way to each of it.
+fn gates(
+    route: &Route<'_>,
+    (first, last): (usize, usize),
+    fastest: &Fastest,
+) -> (Vec<Gate>, Vec<f64>) {
+    let (mut gates, mut speeds) = (Vec::new(), Vec::new());
+    let mut add = |at: AxisVector, tolerance: f64, speed: f64| {
+        gates.push(Gate { at, tolerance });
+        speeds.push(speed);
+    };
+    add(route.corners[first].at, 0.0, 0.0);
     for number in first..=last {
         let leg = &route.legs[number];
         let (alone, about) = fastest.legs[number - first];
         if leg.element.mode == PathMode::BetweenMidpoints {
-            gates.push((Gate { at: leg.curve.at(0.5), tolerance: 0.0 }, about));
+            add(leg.curve.at(0.5), 0.0, about);
         } else {
             let apart = fastest.apart / leg.curve.length();
             let mut from = 0.0;
             for part in parts(&leg.curve, apart) {
                 let fast = if from >= apart && part <= 1.0 - apart { alone } else { about };
-                gates.push((Gate { at: leg.curve.at(part), tolerance: leg.tolerance }, fast));
+                add(leg.curve.at(part), leg.tolerance, fast);
                 from = part;
             }
         }
@@ -247,9 +256,9 @@ fn gates(route: &Route<'_>, (first, last): (usize, usize), fastest: &Fastest) ->
             CornerTolerance::Within(tolerance) => tolerance,
             CornerTolerance::BetweenMidpoints => continue,
         };
-        gates.push((Gate { at: route.corners[number + 1].at, tolerance }, about));
+        add(route.corners[number + 1].at, tolerance, about);
     }
-    gates
+    (gates, speeds)
 }
 
 /// Where on a leg gates stand: some of each radian of an arc, and so far from its ends that the point is on this leg

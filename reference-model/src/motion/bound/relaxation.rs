@@ -51,23 +51,25 @@ pub(super) fn shortest(gates: &[Gate], fastest: &[f64], counted: std::ops::Range
     let only = |vector: AxisVector| -> AxisVector {
         std::array::from_fn(|axis| if counted.contains(&axis) { vector[axis] } else { 0.0 })
     };
-    let points: Vec<AxisVector> = gates.iter().map(|gate| only(gate.at)).collect();
+    let point = |place: usize| only(gates[place].at);
     let mut best = 0.0_f64;
     let mut reach = 0;
     while reach < gates.len() {
         let slowness = |place: usize| {
             let from = place.saturating_sub(reach);
-            let to = (place + 1 + reach).min(points.len() - 1);
-            let toward = direction(&minus(&points[to], &points[from])).unwrap_or([0.0; 9]);
+            let to = (place + 1 + reach).min(gates.len() - 1);
+            let toward = direction(&minus(&point(to), &point(from))).unwrap_or([0.0; 9]);
             toward.map(|part| part / fastest[place + 1])
         };
-        let vectors: Vec<AxisVector> = (0..points.len() - 1).map(slowness).collect();
         let mut seconds = 0.0;
-        for (place, vector) in vectors.iter().enumerate() {
-            seconds += dot(vector, &minus(&points[place + 1], &points[place]));
-            if place > 0 {
-                seconds -= gates[place].tolerance * distance(&vectors[place - 1], vector);
+        let mut before: Option<AxisVector> = None;
+        for (place, gate) in gates[..gates.len() - 1].iter().enumerate() {
+            let vector = slowness(place);
+            seconds += dot(&vector, &minus(&point(place + 1), &point(place)));
+            if let Some(before) = before {
+                seconds -= gate.tolerance * distance(&before, &vector);
             }
+            before = Some(vector);
         }
         best = best.max(seconds);
         reach = 2 * reach + 1;
