@@ -19,6 +19,7 @@ mod polyline;
 mod sketch;
 mod summary;
 mod synthesize;
+mod thinned;
 
 pub use assertions::{FEED_INTERVALS, check_assertions, scenario_and_path};
 pub use document::{JudgedMotionRule, MotionDocument, MotionVerdict, MotionViolation};
@@ -27,3 +28,4 @@ pub use polyline::polyline;
 pub use sketch::Sketch;
 pub use summary::Summary;
 pub use synthesize::synthesize;
+pub use thinned::Thinned;

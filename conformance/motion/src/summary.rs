@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use gaugeblock_reference::Choices;
 use gaugeblock_reference::motion::bound::{Kind, least_time};
-use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge};
+use gaugeblock_reference::motion::laws::{Judgement, Verdict, judge_recording};
+use gaugeblock_reference::motion::recording::{Recording, RecordingError};
 use gaugeblock_vocabulary::motion::{
-    MotionAction, MotionLimits, MotionScript, PathElement, ProgrammedPath, Samples, Shape,
+    MotionAction, MotionLimits, MotionScript, PathElement, ProgrammedPath, Shape,
 };
 
 /// The share of the least time, less some periods, that lawful samples take at least.
@@ -33,13 +35,17 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Holds samples to a path under limits.
+    /// Checks samples against a path under limits.
+    ///
+    /// # Errors
+    /// The store of the recording cannot be read or written.
     pub fn of(
-        samples: &Samples,
+        recording: &Recording,
         path: &ProgrammedPath,
         limits: &MotionLimits,
         script: &MotionScript,
-    ) -> Self {
+    ) -> Result<Self, RecordingError> {
+        let judgement = judge_recording(Choices::default(), recording, path, limits, script)?;
         let bound = least_time(path, limits, fastest(script));
         let mut kinds = Vec::new();
         for stretch in bound.iter().flat_map(|bound| &bound.stretches) {
@@ -48,14 +54,14 @@ impl Summary {
                 kinds.push(kind);
             }
         }
-        Self {
-            time: moving_time(samples) + dwells_at_ends(path),
-            uncertainty: UNCERTAIN_PERIODS * samples.period(),
+        Ok(Self {
+            time: moving_time(recording) + dwells_at_ends(path),
+            uncertainty: UNCERTAIN_PERIODS * recording.period(),
             least: bound.map(|bound| bound.least),
             kinds,
             aborted: script.events.iter().any(|event| event.action == MotionAction::Abort),
-            judgement: judge(samples, path, limits, script),
-        }
+            judgement,
+        })
     }
 
     /// Whether anything moves: laws of samples hold where nothing does, and that is worth nothing.
@@ -178,12 +184,8 @@ fn dwells_at_ends(path: &ProgrammedPath) -> f64 {
 }
 
 /// Seconds from where the position first changes to where it last does.
-fn moving_time(samples: &Samples) -> f64 {
-    let positions = samples.positions(gaugeblock_vocabulary::Position::default());
-    let mut moving = positions.windows(2).enumerate().filter(|(_, two)| two[0] != two[1]);
-    let first = moving.next().map(|(at, _)| at);
-    let last = moving.next_back().map(|(at, _)| at).or(first);
-    let cycles = first.zip(last).map_or(0, |(first, last)| last + 1 - first);
+fn moving_time(recording: &Recording) -> f64 {
+    let cycles = recording.moving().map_or(0, |(first, last)| last + 1 - first);
     let cycles = u32::try_from(cycles).unwrap_or(u32::MAX);
-    f64::from(cycles) * samples.period()
+    f64::from(cycles) * recording.period()
 }

@@ -33,6 +33,7 @@ pub(crate) mod rs274;
 pub(crate) mod rules;
 pub(crate) mod run;
 pub(crate) mod schema;
+mod scratch;
 pub(crate) mod serve;
 pub(crate) mod shrink;
 pub(crate) mod stored_report;

@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use gaugeblock_motion::Summary;
+use gaugeblock_reference::motion::recording::Recording;
 use gaugeblock_suite::Suite;
 use gaugeblock_vocabulary::Position;
 use gaugeblock_vocabulary::motion::Samples;
 
 use super::pictures::Drawing;
-use super::{plan, user_files};
+use super::{plan, scratch, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::program::run_setup::RunSetup;
@@ -76,14 +77,17 @@ pub(crate) fn check_samples(arguments: &Arguments, suite: &Suite) -> Result<u8, 
     }
     let script = plan::script(arguments.script.as_deref())?;
     let path = plan::path(&scenario, &arguments.program, Position::default())?;
-    let summary = Summary::of(&samples, &path, &limits, &script);
+    let recording = Recording::of(&samples, path.start);
+    drop(samples);
+    let summary = Summary::of(&recording, &path, &limits, &script);
+    let summary = summary.map_err(|error| scratch::failed(&error))?;
     if let Some(file) = &arguments.svg {
         let title = [
             format!("{}: {}", arguments.samples.display(), arguments.program.display()),
             summary.headline(),
         ];
-        let (samples, path, limits, script) = (&samples, &path, &limits, &script);
-        Drawing { title, samples, path, limits, script, feeds: None }.write(file)?;
+        let (recording, path, limits, script) = (&recording, &path, &limits, &script);
+        Drawing { title, recording, path, limits, script, feeds: None }.write(file)?;
     }
     plan::write_summary(&summary, &arguments.program, arguments.format)
 }

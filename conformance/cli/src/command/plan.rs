@@ -1,26 +1,34 @@
 //! `gaugeblock plan`.
 
+use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args;
 use gaugeblock_adapter::{Adapter, NoSamples};
-use gaugeblock_controllers::simulate::{RunConditions, plan_with};
+use gaugeblock_controllers::simulate::{
+    PlannedCycle, RunConditions, Stopped, plan_cycles, sample_header,
+};
 use gaugeblock_controllers::{Production, Reference};
 use gaugeblock_linuxcnc::LinuxCnc;
-use gaugeblock_motion::Summary;
+use gaugeblock_motion::{Summary, Thinned};
 use gaugeblock_reference::motion::laws::Verdict;
+use gaugeblock_reference::motion::recording::{Recording, RecordingError};
 use gaugeblock_suite::Suite;
-use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
+use gaugeblock_vocabulary::motion::{
+    MotionLimits, MotionScript, ProgrammedPath, SamplesCheck, push_csv_row,
+};
 use gaugeblock_vocabulary::scenario::Program;
 use gaugeblock_vocabulary::{End, Outcome, Position, Scenario};
 
 use super::controller::linuxcnc;
 use super::pictures::Drawing;
-use super::{run, user_files};
+use super::{run, scratch, user_files};
 use crate::arguments::Format;
 use crate::error::CliError;
 use crate::program::own_name;
 use crate::program::run_setup::RunSetup;
+use crate::progress::Progress;
 use crate::streams::{write_error_in_colours, write_json, write_out};
 
 const EXAMPLES: &str = "Examples:
@@ -111,13 +119,18 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
         script: script(arguments.script.as_deref())?,
     };
     let path = path(&scenario, &arguments.file, circumstances.start)?;
+    let progress = Progress::endless("seconds of motion");
     let moved = match &linuxcnc {
-        None => plan_samples(&scenario, &limits, &circumstances, &arguments.file)?,
+        None => plan_samples(&scenario, &limits, &circumstances, arguments, &progress)?,
         Some(linuxcnc) => record_samples(linuxcnc, &scenario, &limits, arguments)?,
     };
-    let summary = Summary::of(&moved.samples, &path, &limits, &circumstances.script);
+    let recording = &moved.recording;
+    progress.set(seconds(recording.len(), recording.period()), "checking the motion rules");
+    let summary = Summary::of(recording, &path, &limits, &circumstances.script);
+    let summary = summary.map_err(|error| scratch::failed(&error))?;
+    progress.finish();
     if let Some(file) = &arguments.samples {
-        write_samples(file, &moved.samples)?;
+        write_samples(file, recording)?;
     }
     if let Some(file) = &arguments.svg {
         let machine = arguments.machine.display();
@@ -126,11 +139,8 @@ pub(crate) fn plan_program(arguments: &Arguments, suite: &Suite) -> Result<u8, C
             other => format!(", {other}"),
         };
         let title = [format!("{} on {machine}{by}", arguments.file.display()), summary.headline()];
-        let feeds =
-            moved.feeds.as_ref().map(|(speed, requested)| (speed.as_slice(), requested.as_slice()));
-        let script = &circumstances.script;
-        let (samples, path, limits) = (&moved.samples, &path, &limits);
-        Drawing { title, samples, path, limits, script, feeds }.write(file)?;
+        let (feeds, script) = (moved.feeds, &circumstances.script);
+        Drawing { title, recording, path: &path, limits: &limits, script, feeds }.write(file)?;
     }
     write_summary(&summary, &arguments.file, arguments.format)
 }
@@ -184,18 +194,29 @@ fn in_own_name(text: &str, file: &Path) -> String {
 
 /// Samples, with the planner's speed along the path and the requested feed, if known.
 struct PlannedMotion {
-    samples: Samples,
-    feeds: Option<(Vec<f64>, Vec<f64>)>,
+    recording: Recording,
+    feeds: Option<(Thinned, Thinned)>,
 }
+
+/// Whole seconds of so many samples.
+fn seconds(samples: usize, period: f64) -> u64 {
+    let seconds = Duration::try_from_secs_f64(period).unwrap_or_default();
+    seconds.saturating_mul(u32::try_from(samples).unwrap_or(u32::MAX)).as_secs()
+}
+
+/// How many samples are planned between two reports of progress.
+const SAMPLES_PER_REPORT: usize = 50_000;
 
 fn plan_samples(
     scenario: &Scenario,
     limits: &MotionLimits,
     circumstances: &RunConditions,
-    file: &Path,
+    arguments: &Arguments,
+    progress: &Progress,
 ) -> Result<PlannedMotion, CliError> {
+    let file = &arguments.file;
     let outcome = check_program_end(&Production::default(), scenario, file)?;
-    let planned = plan_with(&outcome, limits, circumstances).map_err(|stopped| {
+    let stopped = |stopped: Stopped| {
         let place = match &stopped.block {
             Some(block) => format!("{}:{}", own_name::location_name(block, file), block.line),
             None => file.display().to_string(),
@@ -211,8 +232,33 @@ fn plan_samples(
             None => "the part before this block can be planned".to_owned(),
         };
         CliError::failure(format!("{place}: {}", stopped.why), hint)
-    })?;
-    Ok(PlannedMotion { samples: planned.samples, feeds: Some((planned.speed, planned.requested)) })
+    };
+    let header = sample_header(&outcome, limits).map_err(stopped)?;
+    let mut recording = scratch::recording(&header, circumstances.start);
+    let mut feeds = arguments.svg.is_some().then(<(Thinned, Thinned)>::default);
+    let mut lost = None;
+    let report = &mut |cycle: PlannedCycle<'_>| {
+        if let Some((speed, requested)) = &mut feeds {
+            speed.push(cycle.speed);
+            requested.push(cycle.requested);
+        }
+        if recording.len().is_multiple_of(SAMPLES_PER_REPORT) {
+            progress.set(seconds(recording.len(), limits.period), "planning");
+        }
+        recording.push(cycle.row).map_err(|error| {
+            let why = error.to_string();
+            if let RecordingError::Store(_) = error {
+                lost = Some(scratch::failed(&error));
+            }
+            why
+        })
+    };
+    let planned = plan_cycles(&outcome, limits, circumstances, report);
+    match (planned, lost) {
+        (Ok(()), _) => Ok(PlannedMotion { recording, feeds }),
+        (Err(_), Some(lost)) => Err(lost),
+        (Err(why), None) => Err(stopped(why)),
+    }
 }
 
 /// What LinuxCNC commands in each servo cycle, at its own pace and from its own origin.
@@ -240,7 +286,8 @@ fn record_samples(
         }
     };
     let samples = linuxcnc.record(scenario, limits).map_err(refused)?;
-    Ok(PlannedMotion { samples, feeds: None })
+    let recording = Recording::of(&samples, Position::default());
+    Ok(PlannedMotion { recording, feeds: None })
 }
 
 /// What a machine's axes can do.
@@ -297,12 +344,43 @@ pub(crate) fn path(
     Ok(gaugeblock_reference::motion::path::programmed(&outcome, start))
 }
 
-fn write_samples(file: &Path, samples: &Samples) -> Result<(), CliError> {
+fn write_samples(file: &Path, recording: &Recording) -> Result<(), CliError> {
     if file.extension().is_some_and(|extension| extension == "bin") {
-        user_files::write_whole(file, samples.to_bytes())
+        user_files::write_long(file, |output| {
+            let header = recording.header().header_bytes(recording.len());
+            let mut check = SamplesCheck::default();
+            check.add(&header);
+            output.write_all(&header)?;
+            for_each_row(recording, |row| {
+                let bytes: Vec<u8> = row.iter().flat_map(|value| value.to_le_bytes()).collect();
+                check.add(&bytes);
+                output.write_all(&bytes)
+            })?;
+            output.write_all(&check.to_bytes())
+        })
     } else {
-        user_files::write_whole(file, samples.to_csv())
+        user_files::write_long(file, |output| {
+            output.write_all(recording.header().csv_header().as_bytes())?;
+            let mut line = String::new();
+            for_each_row(recording, |row| {
+                line.clear();
+                push_csv_row(row, &mut line);
+                output.write_all(line.as_bytes())
+            })
+        })
     }
+}
+
+fn for_each_row(
+    recording: &Recording,
+    mut each: impl FnMut(&[f64]) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut row = Vec::new();
+    for sample in 0..recording.len() {
+        recording.read_row(sample, &mut row).map_err(io::Error::other)?;
+        each(&row)?;
+    }
+    Ok(())
 }
 
 /// A motion rule that cannot be checked does not fail, since a machine need not have every limit; a run in which none

@@ -1,10 +1,10 @@
 //! Reading programs and writing results: every trouble names its place.
 
-use std::io::{ErrorKind, Read};
+use std::io::{ErrorKind, Read, Write};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 
-use gaugeblock_filesystem::{check_folder, write_output, write_outputs};
+use gaugeblock_filesystem::{check_folder, write_long_output, write_output, write_outputs};
 use gaugeblock_vocabulary::TextError;
 
 use crate::error::CliError;
@@ -176,6 +176,14 @@ pub(crate) fn check_outputs_spare_inputs(
 /// Writes an output, as [`write_output`] does: a regular file whole or not at all, anything else in place.
 pub(crate) fn write_whole(path: &Path, content: impl AsRef<[u8]>) -> Result<(), CliError> {
     write_output(path, content).map_err(|error| unwritable(path, &error))
+}
+
+/// Writes a long output part by part, as [`write_long_output`] does: a regular file whole or not at all.
+pub(crate) fn write_long(
+    path: &Path,
+    content: impl FnMut(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), CliError> {
+    write_long_output(path, content).map_err(|error| unwritable(path, &error))
 }
 
 /// Writes regular files that belong together, as [`write_outputs`] does: all of them or none.

@@ -21,6 +21,7 @@ mod known_issues;
 mod language;
 mod libraries;
 mod linuxcnc;
+mod long_motion;
 mod measure;
 mod motion;
 mod not_a_report;

@@ -4,6 +4,8 @@
 //! bound, whatever the period: the difference is a mean of the derivative. What is added to a limit is what numbers
 //! lose: 1e-9 of it, last places of the positions, and what a recorded position may be off.
 
+use std::collections::VecDeque;
+
 use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::Column;
 use gaugeblock_vocabulary::scenario::AxisLimits;
@@ -56,9 +58,9 @@ fn differences(record: &Record<'_>, order: &Order) -> Verdict {
     let mut findings = Findings::of(order.law);
     for axis in Axis::ALL.iter().copied() {
         let place = axis.place();
-        let first = record.points[0][place].to_bits();
-        let stands = record.points.iter().all(|point| point[place].to_bits() == first);
-        let recorded = record.samples.has(Column::Position(axis));
+        let first = record.point(0)[place].to_bits();
+        let stands = !record.moves(place);
+        let recorded = record.recording.has(Column::Position(axis));
         let asked = record.path.elements.iter().filter_map(|element| element.end());
         if !recorded && asked.into_iter().any(|end| end.get(axis).to_bits() != first) {
             return Verdict::NotJudged(format!("{axis} moves and is not recorded"));
@@ -87,14 +89,21 @@ fn one_axis(
     let rate = order.weights[1..].iter().fold(1.0, |rate, _| rate / record.period);
     let written: f64 = order.weights.iter().map(|weight| weight.abs()).sum();
     let unit = if matches!(axis, Axis::A | Axis::B | Axis::C) { "degrees" } else { "mm" };
-    let hidden = written * record.samples.resolution() * rate;
+    let hidden = written * record.recording.resolution() * rate;
     findings.hides(hidden, limit, &|| format!("{unit}{} of {axis}", order.unit));
-    for (cycle, window) in record.points.windows(order.weights.len()).enumerate() {
-        let values = window.iter().rev().map(|point| point[place]);
-        let measured: f64 = values.zip(order.weights).map(|(value, weight)| value * weight).sum();
+    // The values of the last samples, the latest first.
+    let mut window: VecDeque<f64> = VecDeque::with_capacity(order.weights.len());
+    for (sample, point) in record.recording.points().enumerate() {
+        window.truncate(order.weights.len() - 1);
+        window.push_front(point[place]);
+        if window.len() < order.weights.len() {
+            continue;
+        }
+        let values = window.iter().zip(order.weights);
+        let measured: f64 = values.map(|(value, weight)| value * weight).sum();
         let measured = measured.abs() * rate;
-        let size = window.iter().map(|point| last_place(point[place])).fold(0.0, f64::max);
-        let off = (order.places * size + written * record.samples.resolution()) * rate;
+        let size = window.iter().map(|value| last_place(*value)).fold(0.0, f64::max);
+        let off = (order.places * size + written * record.recording.resolution()) * rate;
         let allowed = limit * (1.0 + RELATIVE) + off;
         let words = || {
             format!(
@@ -104,7 +113,7 @@ fn one_axis(
                 limit = figure(limit)
             )
         };
-        let at = cycle + order.weights.len() / 2;
+        let at = sample + 1 + order.weights.len() / 2 - order.weights.len();
         findings.at_most(at, Some(axis), (measured, allowed), (limit, &words));
     }
 }

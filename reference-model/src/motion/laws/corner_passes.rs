@@ -28,7 +28,7 @@ pub(super) struct CornerPass {
 impl CornerPass {
     /// The samples between which the corner is passed, each with the one after it.
     pub(super) fn pairs(&self, record: &Record<'_>) -> impl Iterator<Item = usize> + use<> {
-        let samples = record.points.len();
+        let samples = record.len();
         (self.first.saturating_sub(1)..=self.last).filter(move |sample| sample + 1 < samples)
     }
 
@@ -46,7 +46,7 @@ impl CornerPass {
     /// Whether an abort ends the record before a sample matches only points after the corner. The requests at the
     /// corner may not have been executed then.
     pub(super) fn is_aborted(self, record: &Record<'_>) -> bool {
-        record.requests.aborted.is_some() && self.last + 1 == record.points.len()
+        record.requests.aborted.is_some() && self.last + 1 == record.len()
     }
 
     /// First and last sample of each stay at the corner.
@@ -84,7 +84,7 @@ impl CornerPass {
         if let Some((_, last)) = self.at {
             return last;
         }
-        let away = |sample: &usize| distance(&record.points[*sample], corner);
+        let away = |sample: &usize| distance(&record.point(*sample), corner);
         let near = self.first.saturating_sub(1)..=self.after(record);
         near.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(self.first)
     }
@@ -108,17 +108,17 @@ impl CornerPass {
             let later = self.stays(record, corner).last().map_or(nearest, |stay| stay.1);
             return (first, later);
         }
-        let place = |sample: usize| &record.points[sample];
-        let away = |sample: usize| distance(place(sample), corner);
+        let place = |sample: usize| record.point(sample);
+        let away = |sample: usize| distance(&place(sample), corner);
         let least = away(nearest);
-        let inner = record.points.len().saturating_sub(2);
+        let inner = record.len().saturating_sub(2);
         for sample in self.first.saturating_sub(1).max(1)..=self.after(record).min(inner) {
-            let way = [sample - 1, sample].map(|from| distance(place(from), place(from + 1)));
+            let way = [sample - 1, sample].map(|from| distance(&place(from), &place(from + 1)));
             let nearer = away(sample) < away(sample - 1) && away(sample) <= away(sample + 1);
             let again = nearer && away(sample) <= missed.max(least + way[0].max(way[1]));
             let between = [sample - 1, sample].iter().any(|from| {
                 let ends = [*from, from + 1].map(away);
-                let near = from_segment(place(*from), place(from + 1), corner);
+                let near = from_segment(&place(*from), &place(from + 1), corner);
                 away(sample) <= ends[0].min(ends[1]) && near <= least + record.bulge
             });
             if again || between {
@@ -130,7 +130,7 @@ impl CornerPass {
 
     /// The first sample that matches only points after the corner; the last sample if there is none.
     pub(super) fn after(&self, record: &Record<'_>) -> usize {
-        (self.last + 1).min(record.points.len() - 1)
+        (self.last + 1).min(record.len() - 1)
     }
 }
 
@@ -144,15 +144,15 @@ pub(super) fn corner_passes(
     route: &Route<'_>,
     matching: &Matching,
 ) -> Vec<Option<CornerPass>> {
-    let end = record.points.len();
+    let end = record.len();
     let mut corner_passes = Vec::with_capacity(route.corners.len());
     let mut first = 0;
     for (number, corner) in route.corners.iter().enumerate() {
         let is_at = |sample: usize| record.is_at(sample, &corner.at);
-        let legs = |sample: usize| matching.legs[sample];
+        let legs = |sample: usize| matching.legs(sample);
         let can_be_behind = |sample: usize| {
             legs(sample).1 >= number && number < route.legs.len()
-                || is_at(sample) && matching.ended[sample] >= number
+                || is_at(sample) && matching.ended(sample) >= number
         };
         let can_be_before =
             |sample: usize| legs(sample).0 < number || is_at(sample) && legs(sample).0 <= number;
@@ -177,7 +177,7 @@ pub(super) fn corner_passes(
         // A motion that may have been after the corner may have begun the next leg.
         let begun = |back: &usize| (first..*back).any(|s| can_be_behind(s) && !is_at(s));
         let again = back.filter(|back| !begun(back)).map(|back| (back + 1, at_since(back + 1)));
-        let returns = (first..after).rev().find(|sample| record.backwards[*sample]);
+        let returns = (first..after).rev().find(|sample| record.backwards.at(*sample));
         let returns = returns.filter(|back| again.is_none() && back + 1 < after);
         let perhaps = returns.map(|back| (back + 1, at_since(back + 1)));
         let last = after.saturating_sub(1);
@@ -190,8 +190,9 @@ pub(super) fn corner_passes(
 /// The time that passes at least from a sample to rest at a point, or from such rest to it: from rest an axis is
 /// a·t²/2 away after t.
 pub(super) fn to_rest(record: &Record<'_>, sample: usize, corner: &AxisVector) -> f64 {
+    let point = record.point(sample);
     let away = |axis: usize| {
-        let off = ((record.points[sample][axis] - corner[axis]).abs() - record.slack).max(0.0);
+        let off = ((point[axis] - corner[axis]).abs() - record.slack).max(0.0);
         if off > 0.0 {
             math::square_root(2.0 * off / record.envelope.acceleration[axis])
         } else {

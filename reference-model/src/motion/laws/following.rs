@@ -29,14 +29,14 @@ fn missed(
     Ok(findings)
 }
 
-/// The distance of each sample from the legs that it matches; `None` if it is unknown.
-pub(super) fn deviations(record: &Record<'_>) -> Vec<f64> {
-    let Ok((route, matching)) = &record.matched else { return Vec::new() };
-    let off = |(point, (first, last)): (&AxisVector, &(usize, usize))| {
-        let legs = route.legs.get(*first..=*last).unwrap_or_default();
-        legs.iter().map(|leg| leg.curve.away(point)).reduce(f64::min).unwrap_or(0.0)
-    };
-    record.points.iter().zip(&matching.legs).map(off).collect()
+/// Calls a function with the distance of each sample from the legs that it matches; never if that is unknown.
+pub(super) fn for_each_deviation(record: &Record<'_>, mut each: impl FnMut(f64)) {
+    let Ok((route, matching)) = &record.matched else { return };
+    for (sample, point) in record.recording.points().enumerate() {
+        let (first, last) = matching.legs(sample);
+        let legs = route.legs.get(first..=last).unwrap_or_default();
+        each(legs.iter().map(|leg| leg.curve.away(&point)).reduce(f64::min).unwrap_or(0.0));
+    }
 }
 
 /// Rule trajectory.deviation. Every commanded point is within P of the programmed path (G64 P, section 2.3.1.3: the
@@ -85,7 +85,7 @@ pub(super) fn vertex(record: &Record<'_>) -> Verdict {
 /// nowhere changes nothing. Where a controller records which element or line it executes, it names none that comes
 /// before one that it named already, but while it runs backwards.
 pub(super) fn order(record: &Record<'_>) -> Verdict {
-    let last = record.points.len() - 1;
+    let last = record.len() - 1;
     let unfinished = |miss: &Miss| record.requests.aborted.is_some() && miss.sample == last;
     let words = |route: &Route<'_>, miss: &Miss| match miss.what {
         // What an abort leaves out is not lost.
@@ -97,14 +97,15 @@ pub(super) fn order(record: &Record<'_>) -> Verdict {
         Ok(findings) => findings,
         Err(verdict) => return verdict,
     };
-    let runs_back = record.requests.adaptive.iter().any(|factor| *factor < 0.0);
-    if let Some(elements) = record.samples.column(Column::Element)
+    let runs_back = record.requests.changes().iter().any(|request| request.adaptive < 0.0);
+    if let Some(elements) = record.recording.column(Column::Element)
         && !runs_back
     {
-        for (sample, pair) in elements.windows(2).enumerate() {
-            if pair[1] < pair[0] {
-                let words = format!("element {} is named after element {}", pair[1], pair[0]);
-                findings.breaks(sample + 1, None, (pair[1], pair[0]), words);
+        for sample in 1..record.len() {
+            let (before, now) = (elements.get(sample - 1), elements.get(sample));
+            if now < before {
+                let words = format!("element {now} is named after element {before}");
+                findings.breaks(sample, None, (now, before), words);
             }
         }
     }
@@ -149,18 +150,20 @@ pub(super) fn midpoints(record: &Record<'_>) -> Verdict {
             findings.breaks(miss.sample, None, (miss.distance, miss.allowed), words);
         }
     }
-    for (sample, (first, last)) in matching.legs.iter().enumerate() {
+    for sample in 0..record.len() {
+        let (first, last) = matching.legs(sample);
         let plain = |leg: &Leg<'_>| {
             leg.element.mode == PathMode::BetweenMidpoints && leg.curve.is_straight()
         };
-        if !route.legs[*first..=*last].iter().all(plain) {
+        if !route.legs[first..=last].iter().all(plain) {
             continue;
         }
-        let away = matching.corners[sample]
+        let away = matching
+            .corners(sample)
             .iter()
-            .map(|corner| from_corner(route, *corner, &record.points[sample]))
+            .map(|corner| from_corner(route, *corner, &record.point(sample)))
             .fold(f64::INFINITY, f64::min);
-        let block = &route.legs[*first].element.block;
+        let block = &route.legs[first].element.block;
         let words = || format!("{away} mm outside of the triangle at {block}", away = figure(away));
         findings.at_most(sample, None, (away, record.slack), (0.0, &words));
     }

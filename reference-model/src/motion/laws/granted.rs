@@ -7,7 +7,6 @@ use crate::math::power;
 use crate::motion::bound::{Stop, stopping, stopping_on_blend};
 use crate::motion::envelope::Envelope;
 use crate::motion::route::Route;
-use crate::motion::vector::minus;
 
 impl Record<'_> {
     /// The time for which a motion that stops may be near a point before it reaches it, or after it leaves it. With a
@@ -25,7 +24,7 @@ impl Record<'_> {
         sample: usize,
         speed: f64,
     ) -> Stop {
-        let place = matching.places[sample];
+        let place = matching.place(sample);
         let from = (place.leg, place.part);
         if !self.envelope.limits_jerk() || speed <= 0.0 {
             let stop = stopping(route, &self.envelope, from, speed);
@@ -50,8 +49,8 @@ impl Record<'_> {
         if sample == 0 {
             return Stop::default();
         }
-        let step = minus(&self.points[sample], &self.points[sample - 1]);
-        let (place, velocity) = (matching.places[sample], step.map(|step| step / self.period));
+        let (place, step) = (matching.place(sample), self.step(sample));
+        let velocity = step.map(|step| step / self.period);
         stopping_on_blend(route, envelope, (place.leg, place.part), &velocity)
     }
 }

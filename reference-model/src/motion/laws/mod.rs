@@ -13,11 +13,12 @@
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
 //! | `granted`, `easing` | how far a motion may go on that is requested to stop, also with limits of jerk |
-//! | `record`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners
+//! | `record`, `backwards`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners
 //! are passed |
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
+mod backwards;
 mod corner_passes;
 mod easing;
 mod feed;
@@ -32,6 +33,7 @@ mod verdict;
 
 use gaugeblock_vocabulary::motion::{MotionLimits, MotionScript, ProgrammedPath, Samples};
 
+use super::recording::{Recording, RecordingError};
 use crate::Choices;
 pub(in crate::motion) use matching::follows;
 use record::Record;
@@ -57,11 +59,37 @@ pub fn judge_under(
     limits: &MotionLimits,
     script: &MotionScript,
 ) -> Judgement {
-    if samples.is_empty() {
+    record_verdicts(choices, &Recording::of(samples, path.start), path, limits, script)
+}
+
+/// Holds a recording to all laws under some readings. Memory depends on the path, and not on the number of samples, if
+/// the recording has a store.
+///
+/// # Errors
+/// The store of the recording cannot be read or written.
+pub fn judge_recording(
+    choices: Choices,
+    recording: &Recording,
+    path: &ProgrammedPath,
+    limits: &MotionLimits,
+    script: &MotionScript,
+) -> Result<Judgement, RecordingError> {
+    let judgement = record_verdicts(choices, recording, path, limits, script);
+    recording.check().map(|()| judgement)
+}
+
+fn record_verdicts(
+    choices: Choices,
+    recording: &Recording,
+    path: &ProgrammedPath,
+    limits: &MotionLimits,
+    script: &MotionScript,
+) -> Judgement {
+    if recording.is_empty() {
         let why = || Verdict::NotJudged("there is no sample".to_owned());
         return Judgement(Law::ALL.iter().map(|law| (*law, why())).collect());
     }
-    let record = Record::new(choices, samples, path, limits, script);
+    let record = Record::new(choices, recording, path, limits, script);
     let verdict = |law: &Law| match law {
         Law::Velocity => axes::velocity(&record),
         Law::Acceleration => axes::acceleration(&record),
@@ -83,18 +111,23 @@ pub fn judge_under(
     Judgement(Law::ALL.iter().map(|law| (*law, verdict(law))).collect())
 }
 
-/// How far each sample is off the programmed path (millimetres, and degrees of rotary axes): off the nearest point of
-/// the legs for which it can stand. Nothing where samples cannot be matched to a path.
-pub fn deviations(
-    samples: &Samples,
+/// Calls a function with how far each sample is off the programmed path (millimetres, and degrees of rotary axes): off
+/// the nearest point of the legs for which it can stand. Calls nothing where samples cannot be matched to a path.
+///
+/// # Errors
+/// The store of the recording cannot be read or written.
+pub fn for_each_deviation(
+    recording: &Recording,
     path: &ProgrammedPath,
     limits: &MotionLimits,
     script: &MotionScript,
-) -> Vec<f64> {
-    if samples.is_empty() {
-        return Vec::new();
+    each: impl FnMut(f64),
+) -> Result<(), RecordingError> {
+    if !recording.is_empty() {
+        let record = Record::new(Choices::default(), recording, path, limits, script);
+        following::for_each_deviation(&record, each);
     }
-    following::deviations(&Record::new(Choices::default(), samples, path, limits, script))
+    recording.check()
 }
 
 #[cfg(test)]

@@ -22,16 +22,16 @@ impl Record<'_> {
     /// is a feed hold. No section says that the feed override acts on rapid moves, which have an override of their own
     /// (section 13.3.4.17).
     pub(super) fn holds(&self, sample: usize) -> bool {
-        let requests = &self.requests;
-        let Ok((route, matching)) = &self.matched else { return requests.hold[sample] };
-        let controls = route.legs[matching.places[sample].leg].element.controls;
-        let (first, last) = matching.legs[sample];
+        let request = self.requests.at(sample);
+        let Ok((route, matching)) = &self.matched else { return request.hold };
+        let controls = route.legs[matching.place(sample).leg].element.controls;
+        let (first, last) = matching.legs(sample);
         let mut legs = route.legs[first..=last].iter();
         let traverses = legs.any(|leg| leg.element.feed == Feed::Rapid);
-        requests.hold[sample]
-            || controls.feed_stop && requests.feed_stop[sample]
-            || controls.feed_override && !traverses && requests.feed_override[sample] <= 0.0
-            || controls.adaptive_feed && requests.adaptive[sample] == 0.0
+        request.hold
+            || controls.feed_stop && request.feed_stop
+            || controls.feed_override && !traverses && request.feed_override <= 0.0
+            || controls.adaptive_feed && request.adaptive == 0.0
     }
 }
 
@@ -45,20 +45,20 @@ pub(super) fn hold(record: &Record<'_>) -> Verdict {
     };
     let mut findings = Findings::of(Law::Hold);
     let (mut asked, mut sample) = (false, 0);
-    while sample < record.points.len() {
+    while sample < record.len() {
         if !record.holds(sample) {
             sample += 1;
             continue;
         }
         let from = sample;
-        while sample < record.points.len() && record.holds(sample) {
+        while sample < record.len() && record.holds(sample) {
             sample += 1;
         }
         asked = true;
         if let Some(why) = record.stopping_unknown() {
             return Verdict::NotJudged(why);
         }
-        if from > 0 && record.requests.adaptive[from - 1] < 0.0 {
+        if from > 0 && record.requests.at(from - 1).adaptive < 0.0 {
             return Verdict::NotJudged("a hold while the path is run backwards".to_owned());
         }
         stops(record, (route, matching), (from, sample), &mut findings);
@@ -77,11 +77,11 @@ pub(super) fn abort(record: &Record<'_>) -> Verdict {
         return Verdict::NotJudged(why);
     }
     let mut findings = Findings::of(Law::Abort);
-    let back = from > 0 && record.requests.adaptive[from - 1] < 0.0;
+    let back = from > 0 && record.requests.at(from - 1).adaptive < 0.0;
     if !back {
-        stops(record, (route, matching), (from, record.points.len()), &mut findings);
+        stops(record, (route, matching), (from, record.len()), &mut findings);
     }
-    let last = record.points.len() - 1;
+    let last = record.len() - 1;
     if !record.rests(last) {
         let speed = record.speed(last);
         let words = format!(
@@ -102,16 +102,16 @@ fn stops(
     (from, until): (usize, usize),
     findings: &mut Findings,
 ) {
-    let latest = (from + CYCLES).min(record.points.len() - 1);
+    let latest = (from + CYCLES).min(record.len() - 1);
     let speed = (from..=latest).map(|sample| record.speed(sample)).fold(0.0, f64::max);
-    let place = matching.places[from];
+    let place = matching.place(from);
     let least = record.granted_stop((route, matching), from, speed).distance;
     let least = least.max(carried(record, route, (place.leg, place.part), (from, latest)));
     let two_cycles = 2.0 * speed * record.period;
     let allowed = least * (1.0 + 1e-6) + two_cycles + record.bulge + record.slack;
     let (mut way, mut rested) = (0.0, false);
     for sample in from + 1..until {
-        let step = distance(&record.points[sample - 1], &record.points[sample]);
+        let step = distance(&record.point(sample - 1), &record.point(sample));
         way += step;
         let words = || {
             format!(
@@ -144,7 +144,7 @@ fn carried(
 ) -> f64 {
     let samples = first.max(1)..=last;
     let axis = |place: usize| {
-        let step = |sample: usize| record.points[sample][place] - record.points[sample - 1][place];
+        let step = |sample: usize| record.point(sample)[place] - record.point(sample - 1)[place];
         let steps = samples.clone().map(step);
         let step = steps.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
         if step == 0.0 {
@@ -183,7 +183,7 @@ fn carried(
 /// at the first of them: from there the speed has to suffice. On the way through a blend each axis has to stop by
 /// itself at least. On the last line that is queued a limit of jerk counts, too.
 pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
-    let Some(queued) = record.samples.column(Column::Queued) else {
+    let Some(queued) = record.recording.column(Column::Queued) else {
         return Verdict::NotJudged("what was queued is not recorded".to_owned());
     };
     let (route, matching) = match &record.matched {
@@ -201,15 +201,15 @@ pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
     }
     let mut findings = Findings::of(Law::StoppingDistance);
     for (sample, queued) in queued.iter().enumerate().skip(1) {
-        let (place, behind) = (matching.places[sample - 1], matching.places[sample]);
+        let (place, behind) = (matching.place(sample - 1), matching.place(sample));
         // A motion that runs back stops on elements that it has passed. So does one that may run back, if the path
         // returns along itself.
-        let earlier = matching.legs[sample].0 < place.leg;
-        if behind < place || record.backwards[sample] && earlier {
+        let earlier = matching.legs(sample).0 < place.leg;
+        if behind < place || record.backwards.at(sample) && earlier {
             continue;
         }
         let legs =
-            route.legs.partition_point(|leg| crate::motion::vector::count(leg.place) < *queued);
+            route.legs.partition_point(|leg| crate::motion::vector::count(leg.place) < queued);
         let leg = &route.legs[place.leg];
         let here = ends[place.leg] + place.part * leg.curve.length();
         let left = (ends[legs] - here).max(0.0);
@@ -247,8 +247,8 @@ pub(super) fn stopping_distance(record: &Record<'_>) -> Verdict {
                 let curve = &route.legs[place.0].curve;
                 let onwards = direction(&curve.derivatives(place.1).0).unwrap_or_default();
                 let (at, velocity) = if place == from {
-                    let step = minus(&record.points[sample], &record.points[sample - 1]);
-                    (record.points[sample - 1], step.map(|step| step / record.period))
+                    let step = record.step(sample);
+                    (record.point(sample - 1), step.map(|step| step / record.period))
                 } else {
                     (curve.at(place.1), onwards.map(|share| share * speed))
                 };

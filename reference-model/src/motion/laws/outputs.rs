@@ -10,6 +10,7 @@ use super::matching::Matching;
 use super::record::Record;
 use super::verdict::{Findings, Law, Verdict};
 use crate::ids::choice::trajectory::MotionStart;
+use crate::motion::recording::{Number, Paged};
 use crate::motion::route::{Corner, CornerTolerance, Route, Task};
 use crate::motion::vector::{count, distance};
 
@@ -65,18 +66,18 @@ pub(super) fn outputs(record: &Record<'_>) -> Verdict {
             ask(record, (route, matching), number, (pass, spans[number]), task, &mut expected);
         }
     }
-    let unrecorded = expected.keys().find(|pin| !record.samples.has(Column::Output(**pin)));
+    let unrecorded = expected.keys().find(|pin| !record.recording.has(Column::Output(**pin)));
     if let Some(pin) = unrecorded {
         return Verdict::NotJudged(format!("{pin} is commanded to switch and is not recorded"));
     }
     let mut findings = Findings::of(Law::Outputs);
     let mut recorded = false;
-    for column in record.samples.columns() {
+    for column in record.recording.columns() {
         if let Column::Output(pin) = column {
             recorded = true;
-            let values = record.samples.column(*column).unwrap_or_default();
+            let Some(values) = record.recording.column(*column) else { continue };
             let requested = expected.remove(pin).unwrap_or_default();
-            compare(*pin, &values, &requested, &mut findings);
+            compare(*pin, values, &requested, &mut findings);
         }
     }
     if recorded { findings.verdict() } else { Verdict::NotApplicable }
@@ -89,7 +90,7 @@ fn spans(
     route: &Route<'_>,
     corner_passes: &[Option<CornerPass>],
 ) -> Vec<(usize, usize)> {
-    let end = record.points.len() - 1;
+    let end = record.len() - 1;
     let mut spans = vec![(0, end); corner_passes.len()];
     let near = |number: usize, span: (usize, usize)| {
         let corner = &route.corners[number];
@@ -158,7 +159,7 @@ fn start(
     (pass, span): (CornerPass, (usize, usize)),
 ) -> (usize, usize) {
     let corner = &route.corners[number];
-    let end = record.points.len() - 1;
+    let end = record.len() - 1;
     let near = [(0, end), (span.0, end), (0, span.1)]
         .map(|span| pass.near_within(record, corner, span))
         .into_iter()
@@ -169,17 +170,17 @@ fn start(
         return near;
     };
     let on_path = |sample: &usize| {
-        let point = &record.points[*sample];
+        let point = &record.point(*sample);
         // A blend is over within the first quarter of an arc.
         let quarters = (leg.curve.angle().abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let part = leg.curve.nearest(point, 0.0, 1.0 / quarters);
         distance(&leg.curve.at(part), point) <= record.slack && part > 0.0
     };
-    let in_time = |sample: &usize| matching.legs[*sample].0 <= number;
+    let in_time = |sample: &usize| matching.legs(*sample).0 <= number;
     let blend_ends = |near: usize| {
         // A sample at the corner itself is on the path.
         let on_path = |sample: &usize| record.is_at(*sample, &corner.at) || on_path(sample);
-        (near..record.points.len()).take_while(in_time).find(on_path).unwrap_or(near)
+        (near..record.len()).take_while(in_time).find(on_path).unwrap_or(near)
     };
     let first = if pass.at.is_some() { near.0 } else { blend_ends(near.0) };
     (first, blend_ends(near.1))
@@ -195,7 +196,7 @@ fn at_once(record: &Record<'_>, corner: &Corner, pass: CornerPass) -> Vec<(usize
     if pass.at.is_some() {
         let sparse = usize::from(record.period > record.limits.period * (1.0 + 1e-9));
         let after = |last: usize| {
-            let turns = record.backwards.get(last + 1).is_some_and(|backwards| *backwards);
+            let turns = record.backwards.at(last + 1);
             sparse.max(usize::from(turns))
         };
         let stays = pass.stays(record, &corner.at);
@@ -208,11 +209,14 @@ fn at_once(record: &Record<'_>, corner: &Corner, pass: CornerPass) -> Vec<(usize
 }
 
 /// Compares the changes of a pin with the requested ones, one after the other.
-fn compare(pin: Pin, values: &[f64], requested: &[Expected], findings: &mut Findings) {
+fn compare(pin: Pin, values: &Paged<Number>, requested: &[Expected], findings: &mut Findings) {
     let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-    let changes = values.windows(2).enumerate().filter(|(_, pair)| !same(pair[0], pair[1]));
-    let mut changes = changes.map(|(sample, pair)| (sample + 1, pair[1])).peekable();
-    let mut now = values.first().copied().unwrap_or(0.0);
+    let change = |sample: usize| {
+        let value = values.get(sample);
+        (!same(values.get(sample - 1), value)).then_some((sample, value))
+    };
+    let mut changes = (1..values.len()).filter_map(change).peekable();
+    let mut now = values.iter().next().unwrap_or(0.0);
     for (place, wanted) in requested.iter().enumerate() {
         let brief = requested.get(place + 1).is_some_and(|next| next.first() <= wanted.last());
         let next = changes.peek().copied();

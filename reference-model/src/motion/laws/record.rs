@@ -1,16 +1,16 @@
 //! What is judged: samples, path, limits and script, and what all laws need of them.
 
-use gaugeblock_vocabulary::motion::{
-    MotionAction, MotionLimits, MotionScript, ProgrammedPath, Samples,
-};
+use gaugeblock_vocabulary::motion::{MotionAction, MotionLimits, MotionScript, ProgrammedPath};
 
+use super::backwards::Backwards;
 use super::easing::Easing;
 use super::matching::{self, Matching, Measure};
 use crate::Choices;
 use crate::ids::choice::trajectory::ToleranceAtChange;
 use crate::motion::envelope::Envelope;
+use crate::motion::recording::Recording;
 use crate::motion::route::Route;
-use crate::motion::vector::{AxisVector, distance, last_place};
+use crate::motion::vector::{AxisVector, distance, last_place, minus};
 
 /// How far a position may be off for its size: what positions lose on the way through a controller's arithmetic.
 const RELATIVE: f64 = 1e-9;
@@ -19,34 +19,39 @@ const RELATIVE: f64 = 1e-9;
 pub(super) struct Record<'a> {
     /// Which reading of the documents holds.
     pub(super) choices: Choices,
-    pub(super) samples: &'a Samples,
+    pub(super) recording: &'a Recording,
     pub(super) path: &'a ProgrammedPath,
     pub(super) limits: &'a MotionLimits,
     pub(super) envelope: Envelope,
-    /// Positions, sample by sample.
-    pub(super) points: Vec<AxisVector>,
     /// Seconds between samples.
     pub(super) period: f64,
-    /// The requests, sample by sample.
     pub(super) requests: Requests,
     /// How far a position may be off because of how it is computed and written.
     pub(super) slack: f64,
     /// How far a motion can be from the chord between two samples: a·h²/8.
     pub(super) bulge: f64,
-    /// Whether the path may be followed backwards at a sample.
-    pub(super) backwards: Vec<bool>,
+    /// Where the path may be followed backwards.
+    pub(super) backwards: Backwards,
     /// Legs and corners, and the samples matched to them; or why they are not known.
     pub(super) matched: Result<(Route<'a>, Matching), String>,
 }
 
-/// The requests of the operator and the inputs, sample by sample.
-#[derive(Clone, Debug, Default)]
+/// The requests of the operator and the inputs that are in force from a sample on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Request {
+    pub(super) from: usize,
+    pub(super) feed_override: f64,
+    pub(super) rapid_override: f64,
+    pub(super) adaptive: f64,
+    pub(super) feed_stop: bool,
+    pub(super) hold: bool,
+}
+
+/// The requests of the operator and the inputs.
+#[derive(Clone, Debug)]
 pub(super) struct Requests {
-    pub(super) feed_override: Vec<f64>,
-    pub(super) rapid_override: Vec<f64>,
-    pub(super) adaptive: Vec<f64>,
-    pub(super) feed_stop: Vec<bool>,
-    pub(super) hold: Vec<bool>,
+    /// One from the first sample on, and one for each sample at which something changes.
+    changes: Vec<Request>,
     /// The sample from which on the run is aborted.
     pub(super) aborted: Option<usize>,
     /// Changes of spindle speeds: sample, spindle, turns per second.
@@ -55,32 +60,62 @@ pub(super) struct Requests {
 
 impl Requests {
     fn of(script: &MotionScript, cycles_per_sample: f64, samples: usize) -> Self {
-        let mut requests = Self::default();
+        let mut now = Request {
+            from: 0,
+            feed_override: 1.0,
+            rapid_override: 1.0,
+            adaptive: 1.0,
+            feed_stop: false,
+            hold: false,
+        };
+        let mut requests = Self { changes: vec![now], aborted: None, spindles: Vec::new() };
         let mut events = script.events.iter().peekable();
-        let (mut feed, mut rapid, mut adaptive, mut stop, mut hold) = (1.0, 1.0, 1.0, false, false);
         let mut cycle = 0.0;
         for sample in 0..samples {
+            if events.peek().is_none() {
+                break;
+            }
+            let mut is_changed = false;
             while let Some(event) = events.next_if(|event| f64::from(event.cycle) <= cycle) {
+                is_changed = true;
                 match event.action {
-                    MotionAction::FeedOverride(factor) => feed = factor,
-                    MotionAction::RapidOverride(factor) => rapid = factor,
-                    MotionAction::AdaptiveFeed(factor) => adaptive = factor,
-                    MotionAction::FeedStop(on) => stop = on,
-                    MotionAction::Hold(on) => hold = on,
+                    MotionAction::FeedOverride(factor) => now.feed_override = factor,
+                    MotionAction::RapidOverride(factor) => now.rapid_override = factor,
+                    MotionAction::AdaptiveFeed(factor) => now.adaptive = factor,
+                    MotionAction::FeedStop(on) => now.feed_stop = on,
+                    MotionAction::Hold(on) => now.hold = on,
                     MotionAction::Abort => requests.aborted = requests.aborted.or(Some(sample)),
                     MotionAction::SpindleSpeed { spindle, turns } => {
                         requests.spindles.push((sample, spindle, turns));
                     }
                 }
             }
-            requests.feed_override.push(feed);
-            requests.rapid_override.push(rapid);
-            requests.adaptive.push(adaptive);
-            requests.feed_stop.push(stop);
-            requests.hold.push(hold);
+            if is_changed {
+                now.from = sample;
+                let _replaced = requests.changes.pop_if(|earlier| earlier.from == sample);
+                requests.changes.push(now);
+            }
             cycle += cycles_per_sample;
         }
         requests
+    }
+
+    /// All of them: one from the first sample on, and one for each sample at which something changes.
+    pub(super) fn changes(&self) -> &[Request] {
+        &self.changes
+    }
+
+    /// Those in force at a sample.
+    pub(super) fn at(&self, sample: usize) -> &Request {
+        let later = self.changes.partition_point(|change| change.from <= sample);
+        &self.changes[later.saturating_sub(1)]
+    }
+
+    /// Whether some of those in force between two samples, both included, are such.
+    pub(super) fn any(&self, samples: (usize, usize), is_such: impl Fn(&Request) -> bool) -> bool {
+        let (first, last) = samples;
+        let later = self.changes.iter().filter(|change| first < change.from && change.from <= last);
+        first <= last && std::iter::once(self.at(first)).chain(later).any(is_such)
     }
 }
 
@@ -88,37 +123,32 @@ impl<'a> Record<'a> {
     /// Prepares a record that has a sample.
     pub(super) fn new(
         choices: Choices,
-        samples: &'a Samples,
+        recording: &'a Recording,
         path: &'a ProgrammedPath,
         limits: &'a MotionLimits,
         script: &MotionScript,
     ) -> Self {
-        let positions = samples.positions(path.start);
-        let points: Vec<AxisVector> =
-            positions.iter().map(|position| position.to_array()).collect();
-        let (period, envelope) = (samples.period(), Envelope::of(limits));
-        let size = points.iter().flatten().fold(1.0_f64, |size, value| size.max(value.abs()));
-        let slack = 3.0 * samples.resolution() + RELATIVE * size + 2.0 * last_place(size);
-        let bulge = bulge(&points, &envelope, period);
-        let requests = Requests::of(script, period / limits.period, points.len());
-        let backwards = backwards(&points, &requests, &envelope, period);
+        let (period, envelope) = (recording.period(), Envelope::of(limits));
+        let size = recording.size();
+        let slack = 3.0 * recording.resolution() + RELATIVE * size + 2.0 * last_place(size);
+        let bulge = bulge(recording, &envelope);
+        let requests = Requests::of(script, period / limits.period, recording.len());
+        let backwards = backwards(recording, &requests, &envelope);
         let matched = Route::under(choices.get::<ToleranceAtChange>(), path).and_then(|route| {
             if route.legs.is_empty() {
                 return Err("the path leads nowhere".to_owned());
             }
             let finished = requests.aborted.is_none();
-            let measure =
-                Measure { points: &points, slack, bulge, backwards: &backwards, finished };
+            let measure = Measure { recording, slack, bulge, backwards: &backwards, finished };
             let matching = matching::matched(&route, measure);
             Ok((route, matching))
         });
         Self {
             choices,
-            samples,
+            recording,
             path,
             limits,
             envelope,
-            points,
             period,
             requests,
             slack,
@@ -128,27 +158,39 @@ impl<'a> Record<'a> {
         }
     }
 
+    /// How many samples there are.
+    pub(super) fn len(&self) -> usize {
+        self.recording.len()
+    }
+
+    /// The position at a sample.
+    pub(super) fn point(&self, sample: usize) -> AxisVector {
+        self.recording.point(sample)
+    }
+
+    /// The change of the position from the sample before to this one.
+    pub(super) fn step(&self, sample: usize) -> AxisVector {
+        minus(&self.point(sample), &self.point(sample - 1))
+    }
+
     /// The speed from the sample before to this one, in all nine coordinates.
     pub(super) fn speed(&self, sample: usize) -> f64 {
-        if sample == 0 {
-            return 0.0;
-        }
-        distance(&self.points[sample - 1], &self.points[sample]) / self.period
+        speed(self.recording, sample)
     }
 
     /// Whether an axis moves.
     pub(super) fn moves(&self, axis: usize) -> bool {
-        self.points.iter().any(|point| point[axis].to_bits() != self.points[0][axis].to_bits())
+        self.recording.moved()[axis]
     }
 
     /// Whether the motion rests from the sample before to this one.
     pub(super) fn rests(&self, sample: usize) -> bool {
-        sample > 0 && distance(&self.points[sample - 1], &self.points[sample]) <= self.slack
+        sample > 0 && distance(&self.point(sample - 1), &self.point(sample)) <= self.slack
     }
 
     /// Whether a sample is at a point.
     pub(super) fn is_at(&self, sample: usize, point: &AxisVector) -> bool {
-        distance(&self.points[sample], point) <= self.slack
+        distance(&self.point(sample), point) <= self.slack
     }
 
     /// Why the distance in which a motion can stop is not known, if it is not.
@@ -158,20 +200,27 @@ impl<'a> Record<'a> {
     }
 }
 
+fn speed(recording: &Recording, sample: usize) -> f64 {
+    if sample == 0 {
+        return 0.0;
+    }
+    distance(&recording.point(sample - 1), &recording.point(sample)) / recording.period()
+}
+
 /// How far a motion under these limits can be from the chord between two samples. Where an axis moves that has no
 /// limit: as far as the chord is long.
-fn bulge(points: &[AxisVector], envelope: &Envelope, period: f64) -> f64 {
-    let moves =
-        |axis: usize| points.iter().any(|point| point[axis].to_bits() != points[0][axis].to_bits());
-    if envelope.unstated(moves).is_some() {
-        let chords = points.windows(2).map(|pair| distance(&pair[0], &pair[1]));
-        return chords.fold(0.0, f64::max);
+fn bulge(recording: &Recording, envelope: &Envelope) -> f64 {
+    let moved = recording.moved();
+    if envelope.unstated(|axis| moved[axis]).is_some() {
+        let chord = |sample| distance(&recording.point(sample - 1), &recording.point(sample));
+        return (1..recording.len()).map(chord).fold(0.0, f64::max);
     }
     let square: f64 = (0..9)
-        .filter(|axis| moves(*axis))
+        .filter(|axis| moved[*axis])
         .map(|axis| envelope.acceleration[axis])
         .map(|a| a * a)
         .sum();
+    let period = recording.period();
     crate::math::square_root(square) * period * period / 8.0
 }
 
@@ -181,33 +230,27 @@ const TURNING: f64 = 1.311_028_777;
 
 /// Where the path may be followed backwards: while the adaptive feed requests it, and as long afterwards as it takes
 /// to stop.
-fn backwards(
-    points: &[AxisVector],
-    requests: &Requests,
-    envelope: &Envelope,
-    period: f64,
-) -> Vec<bool> {
-    let moves =
-        |axis: usize| points.iter().any(|point| point[axis].to_bits() != points[0][axis].to_bits());
-    let moved: [bool; 9] = std::array::from_fn(moves);
+fn backwards(recording: &Recording, requests: &Requests, envelope: &Envelope) -> Backwards {
+    let mut allowed = Backwards::default();
+    if !requests.changes().iter().any(|request| request.adaptive < 0.0) {
+        return allowed;
+    }
+    let moved = recording.moved();
     let mut left: f64 = 0.0;
-    let mut allowed = Vec::with_capacity(points.len());
-    for (sample, adaptive) in requests.adaptive.iter().enumerate() {
-        if *adaptive < 0.0 {
-            let speed = if sample == 0 {
-                0.0
-            } else {
-                distance(&points[sample - 1], &points[sample]) / period
-            };
+    for sample in 0..recording.len() {
+        if requests.at(sample).adaptive < 0.0 {
+            let speed = speed(recording, sample);
             let easing = Easing::of(envelope, speed, |axis| moved[axis]);
             let braking = TURNING * easing.speed / easing.envelope.least();
-            left = ((braking + easing.seconds) / period).ceil() + 2.0;
+            left = ((braking + easing.seconds) / recording.period()).ceil() + 2.0;
             if !left.is_finite() {
                 left = 0.0;
             }
-            allowed.push(true);
+            allowed.add(sample);
         } else {
-            allowed.push(left > 0.0);
+            if left > 0.0 {
+                allowed.add(sample);
+            }
             left -= 1.0;
         }
     }

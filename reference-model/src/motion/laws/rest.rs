@@ -4,7 +4,7 @@ use gaugeblock_vocabulary::Axis;
 use gaugeblock_vocabulary::motion::{Column, Feed};
 
 use super::corner_passes::{CornerPass, Rests, corner_passes, to_rest};
-use super::record::Record;
+use super::record::{Record, Request};
 use super::verdict::{Findings, Law, Verdict, figure};
 use crate::motion::route::{CornerTolerance, Leg, Task};
 use crate::motion::vector::{AxisVector, count, distance};
@@ -52,10 +52,7 @@ pub(super) fn stop(record: &Record<'_>) -> Verdict {
 }
 
 fn unstated(record: &Record<'_>) -> Option<String> {
-    let moves = |axis: usize| {
-        record.points.iter().any(|point| point[axis].to_bits() != record.points[0][axis].to_bits())
-    };
-    let axis = record.envelope.unstated(moves)?;
+    let axis = record.envelope.unstated(|axis| record.moves(axis))?;
     Some(format!("{axis} moves and no limit of it is stated"))
 }
 
@@ -63,17 +60,17 @@ fn unstated(record: &Record<'_>) -> Option<String> {
 /// motion rests, so that its neighbour is no farther away than an axis comes from rest in a period. After an abort it
 /// ends anywhere, at rest.
 pub(super) fn ends(record: &Record<'_>) -> Verdict {
-    let last = record.points.len() - 1;
+    let last = record.len() - 1;
     let mut findings = Findings::of(Law::Ends);
     let start = record.path.start.to_array();
-    let away = distance(&record.points[0], &start);
+    let away = distance(&record.point(0), &start);
     let words =
         || format!("the first sample is {away} mm from where the path starts", away = figure(away));
     findings.at_most(0, None, (away, record.slack), (0.0, &words));
     if record.requests.aborted.is_none() {
         let end = record.path.elements.iter().rev().find_map(|element| element.end());
         let end = end.map_or(start, |end| end.to_array());
-        let away = distance(&record.points[last], &end);
+        let away = distance(&record.point(last), &end);
         let words = || {
             format!("the last sample is {away} mm from where the path ends", away = figure(away))
         };
@@ -93,7 +90,7 @@ pub(super) fn ends(record: &Record<'_>) -> Verdict {
         }
         for axis in Axis::ALL.iter().copied() {
             let place = axis.place();
-            let step = (record.points[other][place] - record.points[one][place]).abs();
+            let step = (record.point(other)[place] - record.point(one)[place]).abs();
             let limit = record.envelope.acceleration[place] * record.period * record.period / 2.0;
             if step == 0.0 {
                 continue;
@@ -126,7 +123,7 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
     };
     let mut findings = Findings::of(Law::Dwell);
     let (mut asked, mut earliest) = (false, 0);
-    let last = record.points.len() - 1;
+    let last = record.len() - 1;
     for (number, pass) in corner_passes(record, route, matching).into_iter().enumerate() {
         let tasks = &route.corners[number].tasks;
         let seconds: f64 = tasks
@@ -192,16 +189,16 @@ pub(super) fn dwell(record: &Record<'_>) -> Verdict {
 /// Whether a planner was still without the leg that comes next when it rested.
 fn starves(record: &Record<'_>, next: Option<&Leg<'_>>, at: Option<(usize, usize)>) -> bool {
     let (Some(next), Some((first, _))) = (next, at) else { return false };
-    let queued = record.samples.column(Column::Queued);
-    queued.is_some_and(|queued| queued[first] <= count(next.place))
+    let queued = record.recording.column(Column::Queued);
+    queued.is_some_and(|queued| queued.get(first) <= count(next.place))
 }
 
 /// Whether a feed of zero keeps the motion from beginning the leg that comes next, at the last sample of a rest.
 fn kept(record: &Record<'_>, next: Option<&Leg<'_>>, end: usize) -> bool {
     let feeds =
         |leg: &&Leg<'_>| leg.element.controls.feed_override && leg.element.feed != Feed::Rapid;
-    let none = |sample: usize| record.requests.feed_override[sample] <= 0.0;
-    next.filter(feeds).is_some() && (end.saturating_sub(2)..=end).any(none)
+    let none = |request: &Request| request.feed_override <= 0.0;
+    next.filter(feeds).is_some() && record.requests.any((end.saturating_sub(2), end), none)
 }
 
 /// A rest at a corner.
@@ -234,7 +231,7 @@ fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest
         let all = count(last - first) * record.period;
         let least = (all - lingers).max(0.0);
         let spare = |sample: Option<usize>| {
-            let sample = sample.filter(|sample| *sample < record.points.len());
+            let sample = sample.filter(|sample| *sample < record.len());
             let away = sample.map_or(0.0, |sample| to_rest(record, sample, corner));
             (record.period - away).max(0.0)
         };
@@ -252,7 +249,7 @@ fn rests(record: &Record<'_>, pass: CornerPass, corner: &AxisVector) -> Vec<Rest
 
 /// Whether a reversal of the motion is requested while a corner is passed.
 fn runs_back(record: &Record<'_>, pass: CornerPass) -> bool {
-    record.requests.adaptive[pass.first..=pass.after(record)].iter().any(|factor| *factor < 0.0)
+    record.requests.any((pass.first, pass.after(record)), |request| request.adaptive < 0.0)
 }
 
 /// Whether the motion is held while a corner is passed.

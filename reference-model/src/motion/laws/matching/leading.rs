@@ -1,6 +1,7 @@
 //! Removes matching points from which the later samples cannot be reached.
 
-use super::{Matcher, Reach, passes};
+use super::rows::Reach;
+use super::{Matcher, passes};
 
 impl Matcher<'_> {
     /// Removes the points of each sample from which no point of the next sample can be reached. Example: a sample near
@@ -13,31 +14,38 @@ impl Matcher<'_> {
         if self.measure.finished {
             self.finish(last);
         }
+        let mut next = self.rows.get(last);
         for sample in (0..last).rev() {
-            let back = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
+            let row = self.rows.get(sample);
+            let back = self.measure.backwards.at(sample + 1);
             if back || self.lost.contains(&(sample + 1)) {
+                next = row;
                 continue;
             }
-            let row = self.leading(sample);
-            if !row.is_empty() {
-                self.rows[sample] = row;
+            let leading = self.leading(sample, &row, &next);
+            if leading.is_empty() {
+                next = row;
+                continue;
             }
+            self.rows.shorten(sample, &leading);
+            next = leading;
         }
     }
 
     /// Matches the last sample with the end of the path alone, if it matches the end.
     fn finish(&mut self, last: usize) {
         let end = self.pieces.len() - 1;
-        let row = &mut self.rows[last];
-        if row.last().is_some_and(|reach| reach.piece == end && reach.high >= 1.0 - 1e-9) {
-            row.drain(..row.len() - 1);
+        let row = self.rows.get(last);
+        let at_end = row.last().filter(|reach| reach.piece == end && reach.high >= 1.0 - 1e-9);
+        if let Some(reach) = at_end {
+            self.rows.shorten(last, &[*reach]);
         }
     }
 
     /// Those points of a sample from which a point of the next one can be reached.
-    fn leading(&self, sample: usize) -> Vec<Reach> {
-        let (row, next) = (&self.rows[sample], &self.rows[sample + 1]);
-        let chord = (&self.measure.points[sample], &self.measure.points[sample + 1]);
+    fn leading(&self, sample: usize, row: &[Reach], next: &[Reach]) -> Vec<Reach> {
+        let (from, to) = self.chord(sample + 1);
+        let chord = (&from, &to);
         let mut later = next.iter().rev().peekable();
         let mut here = row.iter().rev().peekable();
         let (mut leading, mut onwards) = (Vec::with_capacity(row.len()), false);

@@ -8,17 +8,22 @@
 //! two curves, which also gives their Fréchet distance). If the set becomes empty, part of the path was missed, and
 //! matching continues from the nearest point. A last pass removes points from which no later sample can be reached.
 //!
-//! The work is linear in samples times pieces within tolerance of a sample.
+//! The work is linear in samples times pieces within tolerance of a sample. What is known of each sample is in pages.
 
 mod leading;
 mod places;
+mod rows;
 
 use std::collections::BTreeSet;
 
+use super::backwards::Backwards;
 use crate::motion::curve::Curve;
+use crate::motion::recording::{Paged, Recording};
 use crate::motion::route::{CornerTolerance, Route};
 use crate::motion::vector::{AxisVector, distance, from_segment};
 use gaugeblock_vocabulary::motion::PathMode;
+pub(super) use rows::Place;
+use rows::{MatchForm, Reach, Rows};
 
 /// Pieces after and before the last match in which a point is searched for a sample that matches none.
 const AHEAD: usize = 256;
@@ -36,13 +41,6 @@ pub(super) struct Piece {
     tolerance: f64,
     /// The greatest distance of the piece's end from the chord between the samples before and after it.
     gate: f64,
-}
-
-/// A point of the path: a leg and its parameter.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub(super) struct Place {
-    pub(super) leg: usize,
-    pub(super) part: f64,
 }
 
 /// A part of the path that the samples do not follow.
@@ -69,95 +67,95 @@ pub(super) struct Miss {
     pub(super) allowed: f64,
 }
 
-/// The points of a piece that match a sample.
-#[derive(Clone, Copy, Debug)]
-struct Reach {
-    piece: usize,
-    low: f64,
-    high: f64,
-}
-
 /// Samples matched to a route.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Matching {
-    /// The best matching point of each sample.
-    pub(super) places: Vec<Place>,
+    matches: Paged<MatchForm>,
+    rows: Rows,
+    pieces: Vec<Piece>,
     /// What was missed, in order.
     pub(super) missed: Vec<Miss>,
-    /// First and last leg with a point that matches each sample.
-    pub(super) legs: Vec<(usize, usize)>,
-    /// The number of legs that may have ended at each sample: those before its last leg, and that leg if its end
-    /// matches.
-    pub(super) ended: Vec<usize>,
-    /// For each sample, the corners that it can be passing: it is between the middles of the legs before and after the
-    /// corner. In order.
-    pub(super) corners: Vec<Vec<usize>>,
+}
+
+impl Matching {
+    /// The best matching point of a sample.
+    pub(super) fn place(&self, sample: usize) -> Place {
+        self.matches.get(sample).place
+    }
+
+    /// First and last leg with a point that matches a sample.
+    pub(super) fn legs(&self, sample: usize) -> (usize, usize) {
+        self.matches.get(sample).legs
+    }
+
+    /// The number of legs that may have ended at a sample: those before its last leg, and that leg if its end matches.
+    pub(super) fn ended(&self, sample: usize) -> usize {
+        let found = self.matches.get(sample);
+        found.legs.1 + usize::from(found.ends)
+    }
+
+    /// The corners that a sample can be passing: it is between the middles of the legs before and after the corner. In
+    /// order.
+    pub(super) fn corners(&self, sample: usize) -> Vec<usize> {
+        let row = self.rows.get(sample);
+        let mut corners: Vec<usize> =
+            row.iter().flat_map(|reach| corners(&self.pieces[reach.piece], reach)).collect();
+        corners.dedup();
+        corners
+    }
+}
+
+/// The corners between the middles of whose legs some points of a piece are: one, but both of its leg where the piece
+/// leads over the middle.
+fn corners(piece: &Piece, reach: &Reach) -> std::ops::RangeInclusive<usize> {
+    let first = piece.leg + usize::from(reach.low >= 0.5 && piece.from >= 0.5);
+    let last = piece.leg + usize::from(piece.to > 0.5);
+    first..=last
 }
 
 /// The samples, and the bounds of their errors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measure<'a> {
-    /// The samples' positions.
-    pub(super) points: &'a [AxisVector],
+    pub(super) recording: &'a Recording,
     /// The greatest error of a position by the rounding of written numbers.
     pub(super) slack: f64,
     /// The greatest distance of the motion from the chord between two samples.
     pub(super) bulge: f64,
-    /// Whether the path may be followed backwards at a sample.
-    pub(super) backwards: &'a [bool],
+    /// Where the path may be followed backwards.
+    pub(super) backwards: &'a Backwards,
     /// Whether the samples must reach the end of the path.
     pub(super) finished: bool,
 }
 
 struct Matcher<'a> {
     measure: Measure<'a>,
-    curves: Vec<Curve>,
+    curves: Vec<&'a Curve>,
     pieces: Vec<Piece>,
     /// The least distance of each piece's end to the chords so far.
     closest: Vec<f64>,
-    rows: Vec<Vec<Reach>>,
+    rows: Rows,
     /// The samples that match no point which can be reached from those of the previous sample.
     lost: BTreeSet<usize>,
     missed: Vec<Miss>,
 }
 
+impl<'a> Matcher<'a> {
+    fn new(measure: Measure<'a>, curves: Vec<&'a Curve>, pieces: Vec<Piece>) -> Self {
+        let closest = vec![f64::INFINITY; pieces.len()];
+        let rows = Rows::new(measure.recording.storage());
+        Self { measure, curves, pieces, closest, rows, lost: BTreeSet::new(), missed: Vec::new() }
+    }
+}
+
 /// Matches samples to a route that has a leg.
 pub(super) fn matched(route: &Route<'_>, measure: Measure<'_>) -> Matching {
-    let pieces = pieces(route);
-    let mut matcher = Matcher {
-        curves: route.legs.iter().map(|leg| leg.curve).collect(),
-        closest: vec![f64::INFINITY; pieces.len()],
-        pieces,
-        measure,
-        rows: Vec::new(),
-        lost: BTreeSet::new(),
-        missed: Vec::new(),
-    };
+    let curves = route.legs.iter().map(|leg| &leg.curve).collect();
+    let mut matcher = Matcher::new(measure, curves, pieces(route));
     matcher.forward();
     matcher.lead();
-    let places = matcher.places();
-    let legs = matcher.rows.iter().map(|row| {
-        let leg = |reach: Option<&Reach>| reach.map_or(0, |reach| matcher.pieces[reach.piece].leg);
-        (leg(row.first()), leg(row.last()))
-    });
-    let ended = matcher.rows.iter().map(|row| {
-        row.last().map_or(0, |reach| {
-            matcher.pieces[reach.piece].leg + usize::from(reach.high >= 1.0 - 1e-9)
-        })
-    });
-    let corners = matcher.rows.iter().map(|row| {
-        let mut corners: Vec<usize> =
-            row.iter().flat_map(|reach| matcher.corners(*reach)).collect();
-        corners.dedup();
-        corners
-    });
-    Matching {
-        places,
-        legs: legs.collect(),
-        ended: ended.collect(),
-        corners: corners.collect(),
-        missed: matcher.missed.clone(),
-    }
+    let matches = matcher.matches();
+    let Matcher { rows, pieces, missed, .. } = matcher;
+    Matching { matches, rows, pieces, missed }
 }
 
 /// Whether points lead along curves in order, within a tolerance, and pass each of their ends.
@@ -178,11 +176,15 @@ pub(in crate::motion) fn follows(points: &[AxisVector], curves: &[Curve], tolera
         curves.iter().enumerate().flat_map(|(leg, curve)| quarters(leg, curve)).collect();
     // An arc is farther from the chord between two points than its ends are.
     let bulge = tolerance;
-    let measure = Measure { points, slack: 0.0, bulge, backwards: &[], finished: false };
-    let closest = vec![f64::INFINITY; pieces.len()];
-    let curves = curves.to_vec();
-    let (rows, lost, missed) = (Vec::new(), BTreeSet::new(), Vec::new());
-    let mut matcher = Matcher { measure, curves, pieces, closest, rows, lost, missed };
+    let (recording, backwards) = (Recording::of_points(points), Backwards::default());
+    let measure = Measure {
+        recording: &recording,
+        slack: 0.0,
+        bulge,
+        backwards: &backwards,
+        finished: false,
+    };
+    let mut matcher = Matcher::new(measure, curves.iter().collect(), pieces);
     let starts = matcher.free(0, &points[0]).is_some_and(|reach| reach.low <= 0.0);
     matcher.forward();
     starts && matcher.missed.is_empty()
@@ -226,19 +228,29 @@ fn gate(route: &Route<'_>, corner: usize) -> f64 {
 
 impl Matcher<'_> {
     fn forward(&mut self) {
-        let Some(first) = self.measure.points.first() else { return };
-        let start = self.free(0, first).filter(|reach| reach.low <= self.pieces[0].from);
+        if self.measure.recording.is_empty() {
+            return;
+        }
+        let first = self.measure.recording.point(0);
+        let start = self.free(0, &first).filter(|reach| reach.low <= self.pieces[0].from);
         let start = start.unwrap_or(Reach { piece: 0, low: 0.0, high: 0.0 });
-        self.rows.push(vec![start]);
-        for sample in 1..self.measure.points.len() {
-            let mut row = self.step(sample);
+        let mut before = vec![start];
+        self.rows.push(&before);
+        for sample in 1..self.measure.recording.len() {
+            let mut row = self.step(sample, &before);
             if row.is_empty() {
-                row = vec![self.recover(sample)];
+                row = vec![self.recover(sample, &before)];
                 self.lost.insert(sample);
             }
-            self.rows.push(row);
+            self.rows.push(&row);
+            before = row;
         }
-        self.end();
+        self.end(before.last());
+    }
+
+    /// The chord from the sample before to this one.
+    fn chord(&self, sample: usize) -> (AxisVector, AxisVector) {
+        (self.measure.recording.point(sample - 1), self.measure.recording.point(sample))
     }
 
     /// The points of a piece that are within tolerance of a point.
@@ -250,9 +262,8 @@ impl Matcher<'_> {
     }
 
     /// The points that match a sample, from those of the previous sample.
-    fn step(&mut self, sample: usize) -> Vec<Reach> {
-        let before = &self.rows[sample - 1];
-        let (point, from) = (&self.measure.points[sample], &self.measure.points[sample - 1]);
+    fn step(&mut self, sample: usize, before: &[Reach]) -> Vec<Reach> {
+        let (from, point) = self.chord(sample);
         let mut row: Vec<Reach> = Vec::new();
         let mut known = before.iter().peekable();
         let first = before.first().map_or(0, |reach| reach.piece);
@@ -265,7 +276,7 @@ impl Matcher<'_> {
                 break;
             }
             if let Some(low) = start {
-                let free = self.free(piece, point).filter(|reach| reach.high >= low);
+                let free = self.free(piece, &point).filter(|reach| reach.high >= low);
                 row.extend(free.map(|reach| Reach { low: reach.low.max(low), ..reach }));
             }
             enters = start.is_some()
@@ -273,12 +284,12 @@ impl Matcher<'_> {
                     &self.pieces[piece],
                     &self.curves,
                     &mut self.closest[piece],
-                    (from, point),
+                    (&from, &point),
                     &self.measure,
                 );
         }
-        if self.measure.backwards.get(sample).copied().unwrap_or(false) {
-            let back = self.step_back(sample);
+        if self.measure.backwards.at(sample) {
+            let back = self.step_back(sample, before);
             row.extend(back);
             row.sort_by(|a, b| {
                 (a.piece, a.low).partial_cmp(&(b.piece, b.low)).unwrap_or(std::cmp::Ordering::Equal)
@@ -295,9 +306,8 @@ impl Matcher<'_> {
     }
 
     /// The same where the path is followed backwards.
-    fn step_back(&self, sample: usize) -> Vec<Reach> {
-        let before = &self.rows[sample - 1];
-        let (point, from) = (&self.measure.points[sample], &self.measure.points[sample - 1]);
+    fn step_back(&self, sample: usize, before: &[Reach]) -> Vec<Reach> {
+        let (from, point) = self.chord(sample);
         let mut row = Vec::new();
         let mut known = before.iter().rev().peekable();
         let last = before.last().map_or(0, |reach| reach.piece);
@@ -310,7 +320,7 @@ impl Matcher<'_> {
                 break;
             }
             if let Some(high) = start {
-                let free = self.free(piece, point).filter(|reach| reach.low <= high);
+                let free = self.free(piece, &point).filter(|reach| reach.low <= high);
                 row.extend(free.map(|reach| Reach { high: reach.high.min(high), ..reach }));
             }
             let mut closest = f64::INFINITY;
@@ -320,26 +330,16 @@ impl Matcher<'_> {
                     &self.pieces[piece - 1],
                     &self.curves,
                     &mut closest,
-                    (from, point),
+                    (&from, &point),
                     &self.measure,
                 );
         }
         row
     }
 
-    /// The corners between the middles of whose legs some points of a piece are: one, but both of its leg where the
-    /// piece leads over the middle.
-    fn corners(&self, reach: Reach) -> std::ops::RangeInclusive<usize> {
-        let piece = &self.pieces[reach.piece];
-        let first = piece.leg + usize::from(reach.low >= 0.5 && piece.from >= 0.5);
-        let last = piece.leg + usize::from(piece.to > 0.5);
-        first..=last
-    }
-
     /// A sample that stands for no point: says what was missed, and goes on from the nearest point.
-    fn recover(&mut self, sample: usize) -> Reach {
-        let (point, from) = (self.measure.points[sample], self.measure.points[sample - 1]);
-        let before = &self.rows[sample - 1];
+    fn recover(&mut self, sample: usize, before: &[Reach]) -> Reach {
+        let (from, point) = self.chord(sample);
         let (first, last) = (before[0], before[before.len() - 1]);
         let mut best = (f64::INFINITY, last);
         let ahead = (last.piece + AHEAD).min(self.pieces.len() - 1);
@@ -357,7 +357,7 @@ impl Matcher<'_> {
         }
         let (excess, reach) = best;
         let at = self.pieces[reach.piece];
-        let may_go_back = self.measure.backwards.get(sample).copied().unwrap_or(false);
+        let may_go_back = self.measure.backwards.at(sample);
         let back = !may_go_back && (reach.piece, reach.high) < (first.piece, first.low);
         if excess > 0.0 {
             let allowed = at.tolerance;
@@ -385,9 +385,9 @@ impl Matcher<'_> {
     /// Says that the end of a piece was passed too far away, unless a chord was near it before.
     fn skip(&mut self, sample: usize, piece: usize, first: usize) {
         let at = self.pieces[piece];
-        let chord = (&self.measure.points[sample - 1], &self.measure.points[sample]);
+        let (from, to) = self.chord(sample);
         let end = self.curves[at.leg].at(at.to);
-        self.closest[piece] = self.closest[piece].min(from_segment(chord.0, chord.1, &end));
+        self.closest[piece] = self.closest[piece].min(from_segment(&from, &to, &end));
         let allowed = at.gate;
         let distance = (self.closest[piece] - self.measure.bulge).max(0.0);
         if distance <= allowed + self.measure.slack {
@@ -405,10 +405,10 @@ impl Matcher<'_> {
 
     /// Whatever lies between the last sample and the end of the path was left out, but for a leg whose end is within
     /// its tolerance: that the path ends exactly is another law's.
-    fn end(&mut self) {
-        let sample = self.measure.points.len() - 1;
-        let Some(last) = self.rows[sample].last().copied() else { return };
-        let point = self.measure.points[sample];
+    fn end(&mut self, last: Option<&Reach>) {
+        let sample = self.measure.recording.len() - 1;
+        let Some(last) = last else { return };
+        let point = self.measure.recording.point(sample);
         for piece in last.piece..self.pieces.len() {
             let at = self.pieces[piece];
             let away = distance(&self.curves[at.leg].end(), &point);
@@ -424,7 +424,7 @@ impl Matcher<'_> {
 /// Whether a chord passes the end of a piece within tolerance.
 fn passes(
     piece: &Piece,
-    curves: &[Curve],
+    curves: &[&Curve],
     closest: &mut f64,
     chord: (&AxisVector, &AxisVector),
     measure: &Measure<'_>,

@@ -1,6 +1,8 @@
 //! Selects one matching point for each sample.
 
-use super::{Matcher, Place, Reach};
+use super::rows::{Match, MatchForm, Reach};
+use super::{Matcher, Place};
+use crate::motion::recording::Paged;
 use crate::motion::vector::distance;
 
 /// The difference below which distances, or sums of their squares, count as equal.
@@ -16,22 +18,29 @@ struct Step {
 }
 
 impl Matcher<'_> {
-    /// The sequence of points, in the order of the path, with the least sum of squared distances from the samples. The
-    /// nearest point of a single sample would be misleading if the tolerance is large: a sample near the end of a blend
-    /// can be nearer to the beginning of the path.
-    pub(super) fn places(&self) -> Vec<Place> {
-        let mut steps: Vec<Vec<Step>> = Vec::with_capacity(self.rows.len());
+    /// What each sample is matched with. The points are the sequence, in the order of the path, with the least sum of
+    /// squared distances from the samples. The nearest point of a single sample would be misleading if the tolerance is
+    /// large: a sample near the end of a blend can be nearer to the beginning of the path.
+    pub(super) fn matches(&self) -> Paged<MatchForm> {
+        let storage = self.measure.recording.storage();
+        // For each reach the reach of the sample before, as an index in that sample's row.
+        let mut origins = self.rows.counts(storage);
+        let (mut earlier, mut before): (Vec<Reach>, Vec<Step>) = (Vec::new(), Vec::new());
         for sample in 0..self.rows.len() {
-            let next = self.steps(sample, steps.last().map_or(&[], Vec::as_slice));
-            steps.push(next);
+            let row = self.rows.get(sample);
+            before = self.steps(sample, &row, (&earlier, &before));
+            for (place, step) in before.iter().enumerate() {
+                origins.set(self.rows.place(sample, place), step.before);
+            }
+            earlier = row;
         }
-        let last = steps.last().map_or(&[][..], Vec::as_slice);
-        let mut chosen = Cheapest::default().with(last, 0).place;
+        let mut chosen = Cheapest::default().with(&before, 0).place;
         let mut next: Option<(usize, Place)> = None;
-        let mut places = Vec::with_capacity(self.rows.len());
+        let mut matches = Paged::filled(MatchForm, storage, self.rows.len());
         for sample in (0..self.rows.len()).rev() {
-            let Some(reach) = self.rows[sample].get(chosen).copied() else { break };
-            let free = self.measure.backwards.get(sample + 1).copied().unwrap_or(false);
+            let row = self.rows.get(sample);
+            let Some(reach) = row.get(chosen).copied() else { break };
+            let free = self.measure.backwards.at(sample + 1);
             let limit = next.filter(|(piece, _)| *piece == reach.piece && !free);
             let limit = limit.map_or(1.0, |(_, place)| place.part);
             let place = Place {
@@ -39,18 +48,24 @@ impl Matcher<'_> {
                 part: self.away(sample, reach, limit).1,
             };
             next = Some((reach.piece, place));
-            places.push(place);
-            chosen = steps[sample][chosen].before;
+            let leg = |reach: &Reach| self.pieces[reach.piece].leg;
+            let legs = (row.first().map_or(0, leg), row.last().map_or(0, leg));
+            let ends = row.last().is_some_and(|reach| reach.high >= 1.0 - 1e-9);
+            matches.set(sample, Match { place, legs, ends });
+            chosen = origins.get(self.rows.place(sample, chosen));
         }
-        places.reverse();
-        places
+        matches
     }
 
     /// Those to a sample's points, from those to the points of the sample before.
-    fn steps(&self, sample: usize, before: &[Step]) -> Vec<Step> {
-        let earlier = sample.checked_sub(1).map_or(&[][..], |before| self.rows[before].as_slice());
+    fn steps(
+        &self,
+        sample: usize,
+        row: &[Reach],
+        (earlier, before): (&[Reach], &[Step]),
+    ) -> Vec<Step> {
         let all = Cheapest::default().with(before, 0);
-        let free = self.measure.backwards.get(sample).copied().unwrap_or(false);
+        let free = self.measure.backwards.at(sample);
         let mut so_far = Cheapest::default();
         let step = |reach: &Reach| {
             let reached = earlier.partition_point(|earlier| earlier.piece <= reach.piece);
@@ -60,16 +75,16 @@ impl Matcher<'_> {
             let cost = if before.is_empty() { 0.0 } else { from.cost };
             Step { cost: cost + away * away, before: from.place }
         };
-        self.rows[sample].iter().map(step).collect()
+        row.iter().map(step).collect()
     }
 
     /// The distance of a sample from the matching points of a piece, up to a parameter, and the parameter of the
     /// nearest point.
     fn away(&self, sample: usize, reach: Reach, limit: f64) -> (f64, f64) {
-        let (point, curve) =
-            (&self.measure.points[sample], &self.curves[self.pieces[reach.piece].leg]);
-        let part = curve.nearest(point, reach.low, reach.high.min(limit).max(reach.low));
-        (distance(&curve.at(part), point), part)
+        let point = self.measure.recording.point(sample);
+        let curve = self.curves[self.pieces[reach.piece].leg];
+        let part = curve.nearest(&point, reach.low, reach.high.min(limit).max(reach.low));
+        (distance(&curve.at(part), &point), part)
     }
 }
 
