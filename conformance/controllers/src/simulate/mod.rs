@@ -21,7 +21,8 @@ use effects::{follows_spindle, is_element, pins, spindle, switching};
 
 /// How many segments the planner's queue holds.
 const QUEUE: u32 = 2000;
-/// Longest motion, servo cycles: a scratch file holds their samples. With a period of a millisecond it is 2 hours 46 minutes.
+/// Longest motion, servo cycles: a scratch file holds their samples. With a period of a millisecond it is 2 hours 46
+/// minutes.
 pub const SERVO_CYCLES_MAX: usize = 10_000_000;
 
 /// Longest rest, in servo cycles, in addition to dwells.

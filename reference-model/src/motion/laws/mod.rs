@@ -13,8 +13,8 @@
 //! | `outputs` | when outputs switch |
 //! | `operator` | hold, abort, and what is left to stop on |
 //! | `granted`, `easing` | how far a motion may go on that is requested to stop, also with limits of jerk |
-//! | `record`, `backwards`, `matching`, `corner_passes` | what is judged; which point of the path a sample stands for; when corners
-//! are passed |
+//! | `record`, `backwards` | what is judged; where the motion runs back |
+//! | `matching`, `corner_passes` | which point of the path a sample is; when corners are passed |
 //! | `choices` | which reading holds where the documents leave something open |
 
 mod axes;
