@@ -1,6 +1,7 @@
 //! The production planner, driven through the effects of a program.
 
 mod effects;
+mod stopped;
 
 use std::collections::BTreeMap;
 
@@ -13,9 +14,10 @@ use gaugeblock_vocabulary::motion::{
     Column, Controls, MotionAction, MotionEvent, MotionLimits, MotionScript, Samples,
 };
 use gaugeblock_vocabulary::{
-    Axis, BlockLocation, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Step,
-    Switch,
+    Axis, Effect, Event, Outcome, OutputTiming, Pin, Position, Settings, Step, Switch,
 };
+
+pub use stopped::Stopped;
 
 use effects::{follows_spindle, is_element, pins, spindle, switching};
 
@@ -60,31 +62,6 @@ pub struct Planned {
     /// The requested feed, by sample, in either direction: the programmed feed with overrides, and 0 in a hold. NaN in
     /// rapid moves, and where the feed follows from a time or a spindle.
     pub requested: Vec<f64>,
-}
-
-/// Why a program is not planned to its end, and at which block.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Stopped {
-    /// Where.
-    pub block: Option<BlockLocation>,
-    /// The reason.
-    pub why: String,
-    /// Whether planning never ends.
-    pub endless: bool,
-    /// Whether the motion takes more than [`SERVO_CYCLES_MAX`]; it is endless, then.
-    pub too_long: bool,
-    /// The axis that moves and has no limits.
-    pub unlimited: Option<Axis>,
-}
-
-impl Stopped {
-    fn new(why: impl Into<String>) -> Self {
-        Self { block: None, why: why.into(), endless: false, too_long: false, unlimited: None }
-    }
-
-    fn endless(why: impl Into<String>) -> Self {
-        Self { endless: true, ..Self::new(why) }
-    }
 }
 
 /// Plans a program from the machine's origin without an operator. With `feed_interval` the planner gets one segment in
