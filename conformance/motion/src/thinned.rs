@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 /// Most numbers that are kept; a multiple of four.
 const NUMBERS_MAX: usize = 100_000;
 
-/// Numbers over time, of which at most [`NUMBERS_MAX`] are kept, evenly in time. Of fewer numbers all are kept.
+/// Numbers over time. At most [`NUMBERS_MAX`] are kept, evenly in time.
 #[derive(Clone, Debug)]
 pub struct Thinned {
     /// How many numbers one of those kept is for.

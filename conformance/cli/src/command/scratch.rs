@@ -40,7 +40,7 @@ impl PageStore for ScratchPages {
     }
 }
 
-/// An empty recording of which few samples are in memory.
+/// An empty recording that keeps few samples in memory.
 pub(crate) fn recording(header: &Samples, start: Position) -> Recording {
     Recording::new(header, start, Some(Box::new(ScratchPages::default())))
 }

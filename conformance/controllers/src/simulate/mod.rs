@@ -102,7 +102,7 @@ pub fn plan_with(
 /// A table without samples, with the columns that planning a program reports.
 ///
 /// # Errors
-/// A machine of which no table of samples can be made.
+/// The machine has columns that a table of samples cannot have.
 pub fn sample_header(outcome: &Outcome, limits: &MotionLimits) -> Result<Samples, Stopped> {
     let columns = limits.axes.keys().copied().map(Column::Position);
     let columns = columns.chain([Column::Line, Column::Queued]);

@@ -112,7 +112,7 @@ fn record_verdicts(
 }
 
 /// Calls a function with how far each sample is off the programmed path (millimetres, and degrees of rotary axes): off
-/// the nearest point of the legs for which it can stand. Calls nothing where samples cannot be matched to a path.
+/// the nearest point of the legs that it can belong to. Calls nothing where samples cannot be matched to a path.
 ///
 /// # Errors
 /// The store of the recording cannot be read or written.

@@ -1,4 +1,4 @@
-//! Long sequences of small items, of which only a few pages are in memory.
+//! Long sequences of small items. Only a few pages of each are in memory.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -12,7 +12,7 @@ const PAGE_ITEMS: usize = 1024;
 /// Most pages of a sequence that are in memory, if it has a store.
 pub(super) const PAGES_IN_MEMORY: usize = 16;
 
-/// Keeps the pages for which memory has no room, such as a temporary file. The caller supplies it.
+/// Keeps the pages that memory has no room for, such as a temporary file. The caller supplies it.
 pub trait PageStore {
     /// Appends a page, and returns its place.
     ///

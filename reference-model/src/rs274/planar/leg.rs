@@ -80,7 +80,7 @@ impl Leg {
 
     /// An arc leads from P - k R u0 to Q - k R u1 about its own centre; none if the tool does not fit into it.
     ///
-    /// `slack` is added to the radius that is left, and to the length that is none; active length unit.
+    /// `slack`, active length unit, is added to the radius that is left. An arc at most as long is a whole turn.
     pub(crate) fn arc(arc: ProgrammedArc, cutter: Cutter, slack: f64) -> Option<Self> {
         let sense = if arc.turns < 0 { -1.0 } else { 1.0 };
         let inside = sense * cutter.side;

@@ -288,7 +288,7 @@ impl ModelRun<'_> {
     }
 
     /// The bound of the budget that is used up. It is looked at between blocks, so that a short run is a prefix of a
-    /// longer one. A dwell behind a compensated move that waits takes its time once the move is put out.
+    /// longer one. A dwell after a compensated move that waits takes its time once the move is put out.
     fn exhausted(&self) -> Option<Bound> {
         let budget = &self.scenario.budget;
         if self.record.steps() >= budget.steps as usize {

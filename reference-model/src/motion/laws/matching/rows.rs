@@ -85,7 +85,7 @@ impl Rows {
         (span.from..span.from + span.len).map(|place| self.reaches.get(place)).collect()
     }
 
-    /// Replaces a row by one that is no longer.
+    /// Replaces a row by one with at most as many items.
     pub(super) fn shorten(&mut self, sample: usize, row: &[Reach]) {
         let span = self.spans.get(sample);
         for (place, reach) in (span.from..).zip(row) {
