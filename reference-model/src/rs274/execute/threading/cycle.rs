@@ -272,6 +272,9 @@ pub(crate) fn traverse(end: Position, state: &mut State, record: &mut Record) {
 /// Rule threading.thread-diameter. In diameter mode I, J and K are diameters.
 fn find(words: &Words, state: &mut State) -> Result<Thread, StepError> {
     let degression = check_words(words, state)?;
+    if state.modes.compensation != Compensation::Off {
+        return Err(StepError::Unspecified("a thread under cutter compensation".to_owned()));
+    }
     let spindle = if state.choices.is(choice::threading::CycleSpindle::Turning) {
         turning_spindle(words, state)?
     } else {
@@ -357,9 +360,6 @@ fn open(thread: &Thread, state: &mut State) -> Result<(), StepError> {
     if other_degression || no_thread {
         let what = "a thread of another degression than 1 and 2, or one without a depth or a taper";
         return Err(StepError::Unspecified(what.to_owned()));
-    }
-    if state.modes.compensation != Compensation::Off {
-        return Err(StepError::Unspecified("a thread under cutter compensation".to_owned()));
     }
     if thread.slide.abs() > 0.0 {
         state.coverage.accepted(rule::threading::THREAD_SLIDE);

@@ -40,6 +40,11 @@ pub(crate) trait ThreadingRules {
                 message,
             ));
         }
+        if state.modes.compensation != Compensation::Off {
+            return Err(StepError::Unspecified(
+                "a synchronised move under cutter compensation".to_owned(),
+            ));
+        }
         let place = turning_spindle(words, state)?;
         let Some(pitch) = word(words, 'k') else {
             let message = "a synchronised move without K, its way per revolution";
@@ -48,11 +53,6 @@ pub(crate) trait ThreadingRules {
         if pitch <= 0.0 || word(words, 'i').is_some_and(|factor| factor <= 0.0) {
             let what = "a way per revolution, or a factor of the way back, that is not positive";
             return Err(StepError::Unspecified(what.to_owned()));
-        }
-        if state.modes.compensation != Compensation::Off {
-            return Err(StepError::Unspecified(
-                "a synchronised move under cutter compensation".to_owned(),
-            ));
         }
         let end = end_point(words, state)?;
         within_velocities(place, pitch, end, state)?;
