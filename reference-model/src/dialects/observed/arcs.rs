@@ -26,6 +26,16 @@ impl ArcRules for Observed {
         ends && (start == end || !state.has_quirk(quirk::grbl::RADIUS_HELIX))
     }
 
+    /// Quirk linuxcnc.great-arc. The machine leaves an arc out if the square of its radius is no finite number.
+    fn leaves_arc_out(&self, radius: f64, state: &mut State) -> bool {
+        let leaves_out =
+            (radius * radius).is_infinite() && state.has_quirk(quirk::linuxcnc::GREAT_ARC);
+        if leaves_out {
+            state.memory.led_to = Some(machine_point_in_mm(&state.modes, state.position));
+        }
+        leaves_out
+    }
+
     /// Quirk rs274.arc-radius-tolerance. The radii may be about five times as far apart as documented.
     fn radius_tolerances(&self, state: &State) -> (f64, f64) {
         if !state.has_quirk(quirk::rs274::ARC_RADIUS_TOLERANCE) {

@@ -14,6 +14,8 @@ quirks! {
     FAULT_READ_AHEAD = "linuxcnc.fault-read-ahead",
     /// Under G95 a change of the length unit does not convert F.
     FEED_PER_REVOLUTION_UNIT = "linuxcnc.feed-per-revolution-unit",
+    /// The machine leaves an arc out if the square of its radius is beyond the largest number.
+    GREAT_ARC = "linuxcnc.great-arc",
     /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",
     /// M66 with the number of no input is accepted up to 63 and reads zero.

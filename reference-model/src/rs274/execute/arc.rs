@@ -83,9 +83,12 @@ fn cut(
     }
     record_rate(helix_length(axes, (start, end), centre, turns), state);
     state.modes.motion = motion;
+    let is_left_out = state.dialect().leaves_arc_out(distance(centre, axes.in_plane(start)), state);
     state.position = end;
-    let (first_centre, second_centre) = centre;
-    record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
+    if !is_left_out {
+        let (first_centre, second_centre) = centre;
+        record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
+    }
     Ok(())
 }
 
@@ -236,6 +239,11 @@ pub(crate) trait ArcRules {
         _state: &State,
     ) -> bool {
         axes.in_plane(start) == axes.in_plane(end)
+    }
+
+    /// Rule arcs.radius. Whether the machine leaves an arc of this radius out.
+    fn leaves_arc_out(&self, _radius: f64, _state: &mut State) -> bool {
+        false
     }
 
     /// The tolerances for the difference between the radius at the start and the radius at the end, active length unit.
