@@ -301,6 +301,7 @@ impl Interpreter {
     pub fn begin(&mut self) {
         self.parameters.value = 0.0;
         self.modal.end_run();
+        self.modal.begin();
         self.restart();
         self.previous_subs.clear();
     }
@@ -309,7 +310,7 @@ impl Interpreter {
     pub fn restart(&mut self) {
         self.forget_program();
         self.parameters.named.begin();
-        self.modal.begin();
+        self.modal.begin_again();
         if let Some(main) = self.files.first_mut()
             && main != Program::MAIN
         {

@@ -143,10 +143,15 @@ impl Modal {
 
     /// The program begins, whichever: no call is open. Modes stay as they are (11.4.24).
     pub(crate) fn begin(&mut self) {
+        self.begin_again();
+        self.forget_compensated_path();
+    }
+
+    /// The program is repeated without an end: a line still has to lead away from the compensated path.
+    pub(crate) fn begin_again(&mut self) {
         self.leave_saved_calls();
         self.stop_asked = false;
         self.abandon();
-        self.forget_compensated_path();
         self.controller_mode = ControllerMode::Auto;
     }
 
