@@ -311,9 +311,7 @@ impl Interpreter {
         self.forget_program();
         self.parameters.named.begin();
         self.modal.begin_again();
-        if let Some(main) = self.files.first_mut()
-            && main != Program::MAIN
-        {
+        if let Some(main) = self.files.first_mut().filter(|main| ***main != *Program::MAIN) {
             *main = Program::MAIN.into();
         }
     }
