@@ -147,7 +147,7 @@ impl Modal {
         self.forget_compensated_path();
     }
 
-    /// The program is repeated without an end: a line still has to lead away from the compensated path.
+    /// Repeats the program after M99. The compensated path keeps its end: the next move must still be a line.
     pub(crate) fn begin_again(&mut self) {
         self.leave_saved_calls();
         self.stop_asked = false;

@@ -26,14 +26,13 @@ impl ArcRules for Observed {
         ends && (start == end || !state.has_quirk(quirk::grbl::RADIUS_HELIX))
     }
 
-    /// Quirk linuxcnc.great-arc. The machine leaves an arc out if the square of its radius is no finite number.
-    fn leaves_arc_out(&self, radius: f64, state: &mut State) -> bool {
-        let leaves_out =
-            (radius * radius).is_infinite() && state.has_quirk(quirk::linuxcnc::GREAT_ARC);
-        if leaves_out {
+    /// Quirk linuxcnc.great-arc. The machine skips an arc if the square of its radius exceeds the largest number.
+    fn skips_arc(&self, radius: f64, state: &mut State) -> bool {
+        let skips = (radius * radius).is_infinite() && state.has_quirk(quirk::linuxcnc::GREAT_ARC);
+        if skips {
             state.memory.led_to = Some(machine_point_in_mm(&state.modes, state.position));
         }
-        leaves_out
+        skips
     }
 
     /// Quirk rs274.arc-radius-tolerance. The radii may be about five times as far apart as documented.
@@ -90,7 +89,7 @@ impl ArcRules for Observed {
             && state.has_quirk(quirk::rs274::ARC_NO_RADIUS)
         {
             state.coverage.accepted(rule);
-            // Quirk linuxcnc.point-read-back. The machine leaves such an arc out.
+            // Quirk linuxcnc.point-read-back. The machine skips such an arc.
             state.memory.led_to = Some(machine_point_in_mm(&state.modes, state.position));
             return Ok((f64::NAN, f64::NAN));
         }

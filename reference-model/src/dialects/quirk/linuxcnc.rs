@@ -14,7 +14,7 @@ quirks! {
     FAULT_READ_AHEAD = "linuxcnc.fault-read-ahead",
     /// Under G95 a change of the length unit does not convert F.
     FEED_PER_REVOLUTION_UNIT = "linuxcnc.feed-per-revolution-unit",
-    /// The machine leaves an arc out if the square of its radius is beyond the largest number.
+    /// The machine skips an arc if the square of its radius exceeds the largest number.
     GREAT_ARC = "linuxcnc.great-arc",
     /// Before the first G64 a path is blended within a thousandth of an inch, and not as fast as possible.
     INITIAL_TOLERANCE = "linuxcnc.initial-tolerance",

@@ -83,9 +83,9 @@ fn cut(
     }
     record_rate(helix_length(axes, (start, end), centre, turns), state);
     state.modes.motion = motion;
-    let is_left_out = state.dialect().leaves_arc_out(distance(centre, axes.in_plane(start)), state);
+    let is_skipped = state.dialect().skips_arc(distance(centre, axes.in_plane(start)), state);
     state.position = end;
-    if !is_left_out {
+    if !is_skipped {
         let (first_centre, second_centre) = centre;
         record.effect(state, Effect::ArcFeed { end, first_centre, second_centre, turns });
     }
@@ -241,8 +241,8 @@ pub(crate) trait ArcRules {
         axes.in_plane(start) == axes.in_plane(end)
     }
 
-    /// Rule arcs.radius. Whether the machine leaves an arc of this radius out.
-    fn leaves_arc_out(&self, _radius: f64, _state: &mut State) -> bool {
+    /// Rule arcs.radius. Whether the machine skips an arc of this radius.
+    fn skips_arc(&self, _radius: f64, _state: &mut State) -> bool {
         false
     }
 
