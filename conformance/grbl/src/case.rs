@@ -126,7 +126,7 @@ impl Case<'_> {
 
     /// Queries the modes, the offsets if they may have changed, and the position of a machine that moves.
     fn query(&mut self, known: &mut Known, offsets: bool) -> Result<(), HarnessError> {
-        let modes = self.session.modes()?;
+        let modes = self.session.modes()?.of(self.identity.dialect);
         known.settings.overlay(&modes.settings);
         known.state.overlay(&modes.state);
         known.is_ended = modes.is_ended;

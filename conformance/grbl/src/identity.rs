@@ -71,7 +71,7 @@ impl Identity {
         identity.query_build(session).map_err(broken)?;
         identity.query_settings(session).map_err(broken)?;
         session.unit = identity.unit;
-        identity.modes = session.modes().map_err(broken)?;
+        identity.modes = session.modes().map_err(broken)?.of(dialect);
         let stored = session.stored().map_err(broken)?;
         let none = || HarnessError::NotRun("`$#` is refused by an idle controller".to_owned());
         identity.stored = stored.ok_or_else(|| broken(none()))?;

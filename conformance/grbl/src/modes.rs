@@ -5,6 +5,7 @@ use gaugeblock_vocabulary::{
     ReturnMode, Rs274State, Settings, SpindleMode, SpindleTurn, Switch,
 };
 
+use crate::dialect::Dialect;
 use crate::message::number;
 
 /// Millimetres of an inch.
@@ -64,6 +65,16 @@ impl Modes {
         modes.settings.feed_rate =
             feed.filter(|_| is_rate).map(|feed| converted(feed, unit, units));
         Some(modes)
+    }
+
+    /// What these modes are on a member of the family.
+    ///
+    /// Grbl has no tool change: its T is the number that a program selected last, and names no tool in the spindle.
+    pub(crate) fn of(mut self, dialect: Dialect) -> Self {
+        if dialect == Dialect::Grbl {
+            self.state.tool = None;
+        }
+        self
     }
 
     fn g_code(&mut self, tenths: u32) {

@@ -14,11 +14,10 @@ fn session_with_grbl_is_understood() {
     assert_eq!(grbl.capabilities().version, "1.1h.20190825");
     let first = outcome(&grbl, "g20 g91 f10 g1 x1\nm3 s1000 m8 t2\nm2\nnot sent\n");
     assert_eq!(first.end, End::ProgramEnd);
-    let (settings, state) = last(&first);
+    let (settings, _) = last(&first);
     assert_eq!(settings.units, Some(LengthUnit::Inch));
     assert_eq!(settings.feed_rate, Some(10.0));
     assert_eq!(settings.spindle, Some(Indexed::one(0, SpindleTurn::Stopped)));
-    assert_eq!(state.tool, Some(2));
     let second = outcome(&grbl, "g18\ng1 x1\ng17\n");
     let End::Fault(fault) = second.end else { panic!("{:?}", second.end) };
     assert_eq!(fault.kind, Some(FaultKind::ZeroFeed));
