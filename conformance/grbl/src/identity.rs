@@ -24,6 +24,12 @@ const HALF_DECIMAL_INCH: f64 = 0.00005;
 /// Largest error that a comparison takes into account, millimetres.
 const ERROR_MAX_MM: f64 = 0.1;
 
+/// Where whole numbers and their halves are exact in 24 bits.
+const EXACT_BELOW: f64 = 4_194_304.0;
+
+/// Words beyond this make offsets that 24 bits hold less exactly than they are printed, in the unit of reports.
+const FAR: f64 = 1000.0;
+
 /// What the family is called in messages.
 const FAMILY: &str = "Grbl 1.1 or grblHAL";
 
@@ -169,8 +175,8 @@ impl Identity {
         }
     }
 
-    /// What is observable when it runs this program: F and S only if it prints each of them exactly, and positions in
-    /// a coordinate system only if all are zero.
+    /// What is observable when it runs this program: F and S only if it prints each of them exactly, offsets only if no
+    /// word is far from zero, and positions in a coordinate system only if all are zero.
     pub(crate) fn observables(&self, plain: &Capabilities, program: &Program) -> Capabilities {
         let mut observables = plain.clone();
         let mut hide = |field: &str| {
@@ -196,6 +202,11 @@ impl Identity {
         if is_computed || !numbers('S').all(|s| is_printed(s, speed)) {
             hide("spindle_speed");
         }
+        let is_far =
+            |letter| numbers(letter).any(|to| factors.iter().any(|by| (to * by).abs() > FAR));
+        if ['X', 'Y', 'Z'].into_iter().any(is_far) {
+            OFFSETS.iter().for_each(|field| hide(field));
+        }
         let selects = is_computed || has(&[550, 560, 570, 580, 590, 591, 592, 593]);
         if selects && !self.stored.has_zero_systems() {
             hide("position");
@@ -204,8 +215,12 @@ impl Identity {
     }
 }
 
-/// Whether a number is printed exactly with so many decimals.
+/// Whether a number is printed exactly with so many decimals. The controller computes with 24 bits, and adds half of
+/// the last decimal before it prints.
 fn is_printed(value: f64, decimals: usize) -> bool {
+    if value.abs() >= EXACT_BELOW {
+        return false;
+    }
     let scaled = (0..decimals).fold(value, |scaled, _| scaled * 10.0);
     (scaled - scaled.round()).abs() < 1e-6
 }
@@ -221,6 +236,6 @@ mod tests {
     #[test]
     fn number_with_too_many_decimals_is_not_printed_exactly() {
         assert!(is_printed(100.0, 0) && is_printed(12.5, 1) && is_printed(0.001, 3));
-        assert!(!is_printed(12.3456, 0) && !is_printed(12.34, 1));
+        assert!(!is_printed(12.3456, 0) && !is_printed(12.34, 1) && !is_printed(9_162_499.0, 0));
     }
 }

@@ -1,7 +1,7 @@
 //! Which scenarios the controller can run.
 
 use gaugeblock_vocabulary::scenario::{Environment, Start};
-use gaugeblock_vocabulary::{Language, LengthUnit, Machine, Program, Scenario};
+use gaugeblock_vocabulary::{Axis, Language, LengthUnit, Machine, Program, Scenario};
 
 use crate::setup::{Motion, Setup};
 use crate::stored::Stored;
@@ -83,8 +83,11 @@ fn machine(machine: &Machine) -> Result<(), String> {
         fanuc_subs: machine.fanuc_subs,
         ..Machine::default()
     };
+    let has_axis = |axis: &Axis| machine.axes.contains(axis);
     let reason = if machine.length_unit == LengthUnit::Inch {
         "the machine's own length unit is the millimetre"
+    } else if ![Axis::X, Axis::Y, Axis::Z].iter().all(has_axis) {
+        "no machine without X, Y and Z"
     } else if !machine.limits.is_empty() {
         "no axis limits: they are settings of the machine"
     } else if !machine.tools.is_empty() {
@@ -186,6 +189,7 @@ mod tests {
         refused(&of(|s| s.machine.tools.push(Tool::default())), "tool table");
         refused(&of(|s| s.machine.parameters = Indexed::one(31, 1.0)), "stored parameters");
         refused(&of(|s| s.machine.spindles = 2), "spindles");
+        refused(&of(|s| s.machine.axes = vec![Axis::X, Axis::Z]), "without X, Y and Z");
         refused(&of(|s| s.program.start = Start::Mdi), "manual data input");
         refused(&of(|s| s.environment.tool_change_time = 1.0), "external signals");
         refused(&of(|s| s.environment.name = Some("stand-alone rs274".to_owned())), "external");

@@ -20,7 +20,7 @@ use gaugeblock_runner::journal::Journal;
 use gaugeblock_suite::{Choice, ChoiceKind, Edition, Suite, options_of};
 use gaugeblock_vocabulary::{Language, Options};
 
-use super::fuzz_cases::{outcomes, rarely_reached, seeds};
+use super::fuzz_cases::{outcomes, rarely_reached, seeds, void};
 use super::{controller, fuzz_report, options, user_files};
 use crate::arguments::{self, Format};
 use crate::error::CliError;
@@ -149,6 +149,7 @@ pub(crate) fn fuzz(arguments: &Arguments, suite: &Suite) -> Result<u8, CliError>
             .map_or_else(Vec::new, |all| Random::all(all, &options)),
         environment: edition.environment.clone(),
         language: edition.has.clone(),
+        void: void(suite, edition),
         ..Plan::new(iut.as_ref(), against.as_ref(), options)
     };
     plan.leave_out_unreadable();

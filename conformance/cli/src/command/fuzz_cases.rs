@@ -1,5 +1,7 @@
 //! What `gaugeblock fuzz` takes from the suite: cases to make programs of, and outcomes of rules to reach.
 
+use std::collections::BTreeSet;
+
 use gaugeblock_reference::RuleOutcome as Reached;
 use gaugeblock_runner::fuzz::Plan;
 use gaugeblock_runner::fuzz::comparability::NotComparable;
@@ -22,6 +24,12 @@ fn cases(suite: &Suite, edition: &Edition, options: &Options) -> impl Iterator<I
     cases
         .filter(move |(rule, case)| runs(rule, case))
         .map(|(_, case)| scenario_of(case, options, edition))
+}
+
+/// The rules that the documents of an edition do not have.
+pub(crate) fn void(suite: &Suite, edition: &Edition) -> BTreeSet<String> {
+    let rules = suite.rules.iter().filter(|rule| !rule.exists_in(edition));
+    rules.map(|rule| rule.id.clone()).collect()
 }
 
 /// The outcomes that the suite's rules may have under an edition.

@@ -135,7 +135,14 @@ impl Plan<'_> {
                 statistics.fragile += 1;
                 FuzzResult::Fragile
             }
-            Some(divergence) => differs(divergence, statistics),
+            Some(divergence) => match self.deciding_void_rule(scenario, &divergence) {
+                Some(rule) => {
+                    let why = format!("edition: its documents do not have {rule}");
+                    count(&mut statistics.unsupported, &why);
+                    FuzzResult::Unsupported
+                }
+                None => differs(divergence, statistics),
+            },
         }
     }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use gaugeblock_adapter::Adapter;
 use gaugeblock_adapter::protocol::DeclaredLanguage;
+use gaugeblock_compare::Divergence;
 use gaugeblock_fuzz::generate::readable::Readable;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig, unreadable};
@@ -11,6 +12,7 @@ use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Scenario};
 
+use super::signature::reached_at;
 use crate::language::check_program;
 
 /// Consecutive programs that share their options. New options for each would add 6 % to the time of a program.
@@ -44,6 +46,9 @@ pub struct Plan<'a> {
     pub environment: Option<String>,
     /// The language of the edition, if its documents have a part of RS-274 only.
     pub language: Option<DeclaredLanguage>,
+    /// Rules that the documents of the edition do not have, by id. A difference from a controller of others that one of
+    /// them decides is not judged.
+    pub void: BTreeSet<String>,
     /// Names of unreadable statements. If set, each written statement is also checked against the controllers.
     pub readable: Option<BTreeSet<&'static str>>,
 }
@@ -79,6 +84,7 @@ impl<'a> Plan<'a> {
             random: Vec::new(),
             environment: None,
             language: None,
+            void: BTreeSet::new(),
             readable: None,
         }
     }
@@ -101,6 +107,21 @@ impl Plan<'_> {
         let readable =
             self.readable.as_ref().map(|unreadable| Readable { supports: &supports, unreadable });
         generate::scenario_within(&mut entropy, &self.config, readable)
+    }
+
+    /// The rule by which the model decides a difference, if the documents of the edition do not have it.
+    ///
+    /// Production implements all rules, and is judged by them.
+    pub(super) fn deciding_void_rule(
+        &self,
+        scenario: &Scenario,
+        divergence: &Divergence,
+    ) -> Option<String> {
+        if self.void.is_empty() || self.iut.is_in_process() || divergence.field != "end" {
+            return None;
+        }
+        let mut reached = reached_at(scenario, divergence).into_iter().map(|(rule, _)| rule);
+        reached.find(|rule| self.void.contains(rule))
     }
 
     /// Whether a scenario is in the language of the edition, and both sides run it.

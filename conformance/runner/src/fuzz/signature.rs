@@ -77,11 +77,17 @@ fn kind_of(value: &str) -> String {
 
 /// The rules that the block at which two runs differ adds to what the model reaches; of a small program few are left.
 pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
-    let reached = |scenario: &Scenario| -> Vec<String> {
+    let reached = reached_at(scenario, divergence).into_iter();
+    reached.map(|(rule, outcome)| format!("{rule} ({outcome})")).collect()
+}
+
+/// The same, as ids and outcomes.
+pub(super) fn reached_at(scenario: &Scenario, divergence: &Divergence) -> Vec<(String, String)> {
+    let reached = |scenario: &Scenario| -> Vec<(String, String)> {
         let coverage = gaugeblock_reference::run(scenario).1;
-        coverage
-            .iter()
-            .map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase())
+        let reached = coverage.iter();
+        reached
+            .map(|(rule, outcome)| (rule.to_owned(), format!("{outcome:?}").to_lowercase()))
             .collect()
     };
     let all = reached(scenario);
@@ -95,7 +101,7 @@ pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
         reached(&Scenario { program, ..scenario.clone() })
     });
     let without = without.unwrap_or_default();
-    let added: Vec<String> = all.iter().filter(|rule| !without.contains(rule)).cloned().collect();
+    let added: Vec<_> = all.iter().filter(|rule| !without.contains(rule)).cloned().collect();
     if added.is_empty() { all } else { added }
 }
 

@@ -17,7 +17,7 @@ use gaugeblock_runner::fuzz::statistics::Statistics;
 use gaugeblock_runner::fuzz::{Extent, FuzzResult, Plan, Shard, run};
 use gaugeblock_runner::language::check_program;
 use gaugeblock_vocabulary::{
-    Effect, Event, Language, LengthUnit, Options, Outcome, Scenario, SpindleTurn,
+    Effect, Event, Language, LengthUnit, Options, Outcome, Program, Scenario, SpindleTurn,
 };
 
 /// Few enough for a debug build, and several chunks.
@@ -349,6 +349,41 @@ fn programs_are_drawn_from_the_language_that_a_controller_declares() {
         let has = |number| plan.scenario(number).program.main.to_lowercase().contains(code);
         assert!((0..200).any(has), "{code}");
     }
+}
+
+/// The model with a fault: it accepts a second block delete sign.
+#[derive(Debug)]
+struct SecondSign(Capabilities);
+
+impl Adapter for SecondSign {
+    fn capabilities(&self) -> &Capabilities {
+        &self.0
+    }
+
+    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        let main = scenario.program.main.replace("/ /", "/");
+        let program = Program { main, ..scenario.program.clone() };
+        Ok(gaugeblock_reference::run(&Scenario { program, ..scenario.clone() }).0)
+    }
+}
+
+#[test]
+fn a_rule_that_the_documents_do_not_have_charges_nobody() {
+    let accepts = SecondSign(Capabilities::everything("second sign", "1"));
+    let reference = Reference::default();
+    let scenario = Scenario::of("g0 x1\n/ / g0 x2\nm2\n");
+    let judged = |void: &[&str]| {
+        let void = void.iter().map(|rule| (*rule).to_owned()).collect();
+        let plan = Plan { void, ..plan(&accepts, &reference) };
+        plan.judge(&scenario, &mut Statistics::default())
+    };
+    assert!(matches!(judged(&[]), FuzzResult::Differs(_)));
+    assert!(matches!(judged(&["motion.by-turns"]), FuzzResult::Differs(_)));
+    assert_eq!(judged(&["text.block-delete-place"]), FuzzResult::Unsupported);
 }
 
 #[test]
