@@ -118,6 +118,9 @@ fn program(program: &Program, setup: &Setup) -> Result<(), String> {
     }
     for line in program.language.lines(&program.main) {
         check_sendable(line)?;
+        if line.trim_start().starts_with('%') {
+            return Err("no percent sign: the documents do not have it".to_owned());
+        }
         if program.block_delete && line.trim_start().starts_with('/') {
             return Err("no block delete switch".to_owned());
         }
@@ -197,6 +200,7 @@ mod tests {
         refused(&of(|s| s.program.main = "g28.1\n".to_owned()), "EEPROM");
         refused(&of(|s| s.program.main = "g[10] l2 p1\n".to_owned()), "computed");
         refused(&of(|s| s.program.main = "m0\n".to_owned()), "does not pause");
+        refused(&of(|s| s.program.main = "%\ng0 x1\n%\n".to_owned()), "percent sign");
         refused(
             &of(|s| {
                 let block = BlockLocation::new(Program::MAIN, 1);
