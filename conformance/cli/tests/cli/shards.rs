@@ -111,19 +111,17 @@ fn repeatedly_killed_run_gives_the_same_report() {
     assert_eq!(report(&here), report(&whole));
 }
 
+/// A call that certifies the model by one rule, with a report in this folder.
+fn certify_feed(folder: &Path) -> [&str; 7] {
+    let rule = "saved-state.feed";
+    ["certify", "--controller", "reference", "--only", rule, "--report", text(folder)]
+}
+
 #[test]
 fn a_run_that_was_broken_off_is_neither_lost_nor_mixed_up() {
     let here = folder("broken-off");
     let journal = here.join("journal.jsonl");
-    let call = [
-        "certify",
-        "--controller",
-        "reference",
-        "--only",
-        "saved-state.feed",
-        "--report",
-        text(&here),
-    ];
+    let call = certify_feed(&here);
     gaugeblock(&call);
     assert!(!journal.exists(), "all of it is in the report");
     std::fs::write(&journal, "{\"controller\":\"another\"}\n").expect("a journal");
@@ -138,15 +136,7 @@ fn a_run_that_was_broken_off_is_neither_lost_nor_mixed_up() {
 #[test]
 fn report_whose_counts_are_not_those_of_its_cases_is_not_merged() {
     let here = folder("edited");
-    let call = [
-        "certify",
-        "--controller",
-        "reference",
-        "--only",
-        "saved-state.feed",
-        "--report",
-        text(&here),
-    ];
+    let call = certify_feed(&here);
     gaugeblock(&call);
     let whole = report(&here);
     for (old, new, words) in [
