@@ -135,7 +135,7 @@ impl Plan<'_> {
                 statistics.fragile += 1;
                 FuzzResult::Fragile
             }
-            Some(divergence) => match self.deciding_void_rule(scenario, &divergence) {
+            Some(divergence) => match self.void_refusal(scenario, &divergence) {
                 Some(rule) => {
                     let why = format!("edition: its documents do not have {rule}");
                     count(&mut statistics.unsupported, &why);

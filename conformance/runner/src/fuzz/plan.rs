@@ -46,8 +46,8 @@ pub struct Plan<'a> {
     pub environment: Option<String>,
     /// The language of the edition, if its documents have a part of RS-274 only.
     pub language: Option<DeclaredLanguage>,
-    /// Rules that the documents of the edition do not have, by id. A difference from a controller of others that one of
-    /// them decides is not judged.
+    /// Rules that the documents of the edition do not have, by id. Where the model refuses a block by one of them, a
+    /// controller of others that does not is not judged.
     pub void: BTreeSet<String>,
     /// Names of unreadable statements. If set, each written statement is also checked against the controllers.
     pub readable: Option<BTreeSet<&'static str>>,
@@ -109,10 +109,11 @@ impl Plan<'_> {
         generate::scenario_within(&mut entropy, &self.config, readable)
     }
 
-    /// The rule by which the model decides a difference, if the documents of the edition do not have it.
+    /// The rule by which the model refuses a block that a controller accepts, or refuses otherwise, if the documents of
+    /// the edition do not have it.
     ///
     /// Production implements all rules, and is judged by them.
-    pub(super) fn deciding_void_rule(
+    pub(super) fn void_refusal(
         &self,
         scenario: &Scenario,
         divergence: &Divergence,
@@ -120,8 +121,9 @@ impl Plan<'_> {
         if self.void.is_empty() || self.iut.is_in_process() || divergence.field != "end" {
             return None;
         }
-        let mut reached = reached_at(scenario, divergence).into_iter().map(|(rule, _)| rule);
-        reached.find(|rule| self.void.contains(rule))
+        let reached = reached_at(scenario, divergence).into_iter();
+        let mut refused = reached.filter(|(_, outcome)| outcome == "refused").map(|(rule, _)| rule);
+        refused.find(|rule| self.void.contains(rule))
     }
 
     /// Whether a scenario is in the language of the edition, and both sides run it.
