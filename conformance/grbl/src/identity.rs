@@ -27,8 +27,8 @@ const ERROR_MAX_MM: f64 = 0.1;
 /// Where whole numbers and their halves are exact in 24 bits.
 const EXACT_BELOW: f64 = 4_194_304.0;
 
-/// Words beyond this make offsets that 24 bits hold less exactly than they are printed, in the unit of reports.
-const FAR: f64 = 1000.0;
+/// Words beyond this make offsets that 24 bits hold less exactly than they are printed, millimetres.
+const FAR_MM: f64 = 1000.0;
 
 /// What the family is called in messages.
 const FAMILY: &str = "Grbl 1.1 or grblHAL";
@@ -188,9 +188,9 @@ impl Identity {
         let is_computed = blocks.iter().any(|block| block.has_more);
         let Decimals { feed, speed } = self.modes.decimals;
         let numbers = |letter| blocks.iter().flat_map(move |block| block.numbers(letter));
-        let other_unit = match self.unit {
-            LengthUnit::Millimetre => has(&[200]).then_some(MM_PER_INCH),
-            LengthUnit::Inch => Some(1.0 / MM_PER_INCH),
+        let (other_unit, far) = match self.unit {
+            LengthUnit::Millimetre => (has(&[200]).then_some(MM_PER_INCH), FAR_MM),
+            LengthUnit::Inch => (Some(1.0 / MM_PER_INCH), FAR_MM / MM_PER_INCH),
         };
         let factors = [Some(1.0), other_unit];
         let factors: Vec<f64> = factors.into_iter().flatten().collect();
@@ -203,7 +203,7 @@ impl Identity {
             hide("spindle_speed");
         }
         let is_far =
-            |letter| numbers(letter).any(|to| factors.iter().any(|by| (to * by).abs() > FAR));
+            |letter| numbers(letter).any(|to| factors.iter().any(|by| (to * by).abs() > far));
         if ['X', 'Y', 'Z'].into_iter().any(is_far) {
             OFFSETS.iter().for_each(|field| hide(field));
         }

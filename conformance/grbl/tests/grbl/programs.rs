@@ -123,6 +123,19 @@ fn number_that_is_not_printed_exactly_is_not_compared() {
 }
 
 #[test]
+fn offsets_are_not_compared_in_programs_that_go_beyond_a_metre() {
+    let running = Running::at_terminal(Controller::new(Member::GrblHal));
+    let grbl = opened(&running, "");
+    let has = |program: &str| {
+        let observables = grbl.observables(&Scenario::of(program));
+        ["g5x_offset", "g92_offset", "tool_offset"].map(|field| observables.fields.contains(field))
+    };
+    for (near, far) in [("g92 x999\n", "g92 x1001\n"), ("g20\ng0 z-39\n", "g20\ng0 z-40\n")] {
+        assert_eq!((has(near), has(far)), ([true; 3], [false; 3]), "{far}");
+    }
+}
+
+#[test]
 fn offsets_are_reported_in_the_active_unit() {
     let running = Running::at_terminal(Controller::new(Member::GrblHal));
     let grbl = opened(&running, "");

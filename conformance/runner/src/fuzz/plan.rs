@@ -8,6 +8,7 @@ use gaugeblock_compare::Divergence;
 use gaugeblock_fuzz::generate::readable::Readable;
 use gaugeblock_fuzz::generate::splice::{self, Seeds};
 use gaugeblock_fuzz::generate::{self, Entropy, GeneratorConfig, unreadable};
+use gaugeblock_reference::RuleOutcome;
 use gaugeblock_suite::{Choice, ChoiceKind};
 use gaugeblock_vocabulary::scenario::Environment;
 use gaugeblock_vocabulary::{Language, Options, Scenario};
@@ -117,13 +118,14 @@ impl Plan<'_> {
         &self,
         scenario: &Scenario,
         divergence: &Divergence,
-    ) -> Option<String> {
+    ) -> Option<&'static str> {
         if self.void.is_empty() || self.iut.is_in_process() || divergence.field != "end" {
             return None;
         }
-        let reached = reached_at(scenario, divergence).into_iter();
-        let mut refused = reached.filter(|(_, outcome)| outcome == "refused").map(|(rule, _)| rule);
-        refused.find(|rule| self.void.contains(rule))
+        let mut reached = reached_at(scenario, divergence).into_iter();
+        reached
+            .find(|(rule, outcome)| *outcome == RuleOutcome::Refused && self.void.contains(*rule))
+            .map(|(rule, _)| rule)
     }
 
     /// Whether a scenario is in the language of the edition, and both sides run it.

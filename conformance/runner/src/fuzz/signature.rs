@@ -1,6 +1,7 @@
 //! What a divergence is by, so that thousands of programs with one cause are one group.
 
 use gaugeblock_compare::{Divergence, NEXT_BLOCK};
+use gaugeblock_reference::RuleOutcome;
 use gaugeblock_vocabulary::{Program, Scenario};
 use serde::{Deserialize, Serialize};
 
@@ -78,18 +79,16 @@ fn kind_of(value: &str) -> String {
 /// The rules that the block at which two runs differ adds to what the model reaches; of a small program few are left.
 pub fn rules(scenario: &Scenario, divergence: &Divergence) -> Vec<String> {
     let reached = reached_at(scenario, divergence).into_iter();
-    reached.map(|(rule, outcome)| format!("{rule} ({outcome})")).collect()
+    reached.map(|(rule, outcome)| format!("{rule} ({outcome:?})").to_lowercase()).collect()
 }
 
 /// The same, as ids and outcomes.
-pub(super) fn reached_at(scenario: &Scenario, divergence: &Divergence) -> Vec<(String, String)> {
-    let reached = |scenario: &Scenario| -> Vec<(String, String)> {
-        let coverage = gaugeblock_reference::run(scenario).1;
-        let reached = coverage.iter();
-        reached
-            .map(|(rule, outcome)| (rule.to_owned(), format!("{outcome:?}").to_lowercase()))
-            .collect()
-    };
+pub(super) fn reached_at(
+    scenario: &Scenario,
+    divergence: &Divergence,
+) -> Vec<(&'static str, RuleOutcome)> {
+    let reached =
+        |scenario: &Scenario| gaugeblock_reference::run(scenario).1.iter().collect::<Vec<_>>();
     let all = reached(scenario);
     let block = divergence.block.as_ref().filter(|block| block.file == Program::MAIN);
     let line = block.and_then(|block| usize::try_from(block.line).ok());
@@ -101,7 +100,7 @@ pub(super) fn reached_at(scenario: &Scenario, divergence: &Divergence) -> Vec<(S
         reached(&Scenario { program, ..scenario.clone() })
     });
     let without = without.unwrap_or_default();
-    let added: Vec<_> = all.iter().filter(|rule| !without.contains(rule)).cloned().collect();
+    let added: Vec<_> = all.iter().filter(|rule| !without.contains(rule)).copied().collect();
     if added.is_empty() { all } else { added }
 }
 

@@ -23,13 +23,22 @@ use gaugeblock_vocabulary::{
 /// Few enough for a debug build, and several chunks.
 const PROGRAMS: u64 = 300;
 
-/// The model with a fault: dwells take twice as long.
+/// The model, run in another way.
 #[derive(Debug)]
-struct SlowDwell(Capabilities);
+struct Model {
+    capabilities: Capabilities,
+    run: fn(&Scenario) -> Result<Outcome, HarnessError>,
+}
 
-impl Adapter for SlowDwell {
+impl Model {
+    fn new(name: &str, run: fn(&Scenario) -> Result<Outcome, HarnessError>) -> Self {
+        Self { capabilities: Capabilities::everything(name, "1"), run }
+    }
+}
+
+impl Adapter for Model {
     fn capabilities(&self) -> &Capabilities {
-        &self.0
+        &self.capabilities
     }
 
     fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
@@ -37,6 +46,13 @@ impl Adapter for SlowDwell {
     }
 
     fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+        (self.run)(scenario)
+    }
+}
+
+/// Dwells take twice as long.
+fn slow_dwell() -> Model {
+    Model::new("slow dwell", |scenario| {
         let mut outcome = gaugeblock_reference::run(scenario).0;
         for event in outcome.steps.iter_mut().flat_map(|step| &mut step.events) {
             if let Event::Do(Effect::Dwell { seconds }) = event {
@@ -44,7 +60,7 @@ impl Adapter for SlowDwell {
             }
         }
         Ok(outcome)
-    }
+    })
 }
 
 fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
@@ -81,7 +97,7 @@ const WHOLE: Shard = Shard { index: 1, of: 1 };
 
 #[test]
 fn a_planted_fault_is_found_and_shrunk() {
-    let faulty = SlowDwell(Capabilities::everything("slow dwell", "1"));
+    let faulty = slow_dwell();
     let reference = Reference::default();
     let plan = plan(&faulty, &reference);
     let (statistics, findings) = together(chunks(&plan, WHOLE, &BTreeSet::new()));
@@ -159,7 +175,7 @@ fn shards_cover_every_program_once() {
 
 #[test]
 fn an_interrupted_run_tells_the_same() {
-    let faulty = SlowDwell(Capabilities::everything("slow dwell", "1"));
+    let faulty = slow_dwell();
     let reference = Reference::default();
     let plan = plan(&faulty, &reference);
     let whole = chunks(&plan, WHOLE, &BTreeSet::new());
@@ -252,30 +268,14 @@ impl Adapter for WithoutDwell {
     }
 }
 
-/// The model, but what it does with programs that dwell cannot be read.
-#[derive(Debug)]
-struct Unreadable(Capabilities);
-
-impl Adapter for Unreadable {
-    fn capabilities(&self) -> &Capabilities {
-        &self.0
-    }
-
-    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+#[test]
+fn the_first_programs_that_are_not_judged_are_kept() {
+    let unreadable = Model::new("unreadable", |scenario| {
         if scenario.program.main.contains("g4") {
             return Err(HarnessError::NotRun("nobody knows".to_owned()));
         }
         Ok(gaugeblock_reference::run(scenario).0)
-    }
-}
-
-#[test]
-fn the_first_programs_that_are_not_judged_are_kept() {
-    let unreadable = Unreadable(Capabilities::everything("unreadable", "1"));
+    });
     let reference = Reference::default();
     let plan = plan(&unreadable, &reference);
     let chunks = chunks(&plan, WHOLE, &BTreeSet::new());
@@ -351,29 +351,13 @@ fn programs_are_drawn_from_the_language_that_a_controller_declares() {
     }
 }
 
-/// The model with a fault: it accepts a second block delete sign.
-#[derive(Debug)]
-struct SecondSign(Capabilities);
-
-impl Adapter for SecondSign {
-    fn capabilities(&self) -> &Capabilities {
-        &self.0
-    }
-
-    fn supports(&self, _scenario: &Scenario) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn run(&self, scenario: &Scenario) -> Result<Outcome, HarnessError> {
+#[test]
+fn a_rule_that_the_documents_do_not_have_charges_nobody() {
+    let accepts = Model::new("second sign", |scenario| {
         let main = scenario.program.main.replace("/ /", "/");
         let program = Program { main, ..scenario.program.clone() };
         Ok(gaugeblock_reference::run(&Scenario { program, ..scenario.clone() }).0)
-    }
-}
-
-#[test]
-fn a_rule_that_the_documents_do_not_have_charges_nobody() {
-    let accepts = SecondSign(Capabilities::everything("second sign", "1"));
+    });
     let reference = Reference::default();
     let scenario = Scenario::of("g0 x1\n/ / g0 x2\nm2\n");
     let judged = |void: &[&str]| {
