@@ -11,10 +11,12 @@ use crate::case::Case;
 use crate::dialect::Dialect;
 use crate::identity::{Identity, LanguageCheck};
 use crate::interrupt::Interrupt;
-use crate::port::Traffic;
+use crate::port::{Traffic, Transcript};
 use crate::session::{Limits, Session};
 use crate::setup::{Motion, Setup};
-use crate::supports::{supports, supports_kept_offsets, supports_negative_codes};
+use crate::supports::{
+    supports, supports_kept_offsets, supports_named_codes, supports_negative_codes,
+};
 use crate::words::Words;
 
 /// A controller of the family.
@@ -26,6 +28,7 @@ pub struct Grbl {
     capabilities: Capabilities,
     language_check: Option<LanguageCheck>,
     interrupt: Interrupt,
+    transcript: Option<Transcript>,
     link: Mutex<Link>,
 }
 
@@ -56,13 +59,25 @@ impl Grbl {
     /// Nothing answers, it does not belong to the family, or it is locked and may not be unlocked.
     pub fn open(setup: Setup, limits: Limits) -> Result<Self, ControllerError> {
         let interrupt = Interrupt::install();
-        let (mut session, welcome) =
-            Session::open(&setup, limits, interrupt.clone()).map_err(ControllerError::Broken)?;
+        let transcript = setup.transcript.as_deref().map(Transcript::create).transpose();
+        let transcript = transcript.map_err(ControllerError::Broken)?;
+        let (mut session, welcome) = going_on(transcript.as_ref())
+            .and_then(|transcript| Session::open(&setup, limits, interrupt.clone(), transcript))
+            .map_err(ControllerError::Broken)?;
         let identity = Identity::query(&mut session, &welcome, &setup)?;
         let capabilities = identity.capabilities(setup.motion);
         let link = Mutex::new(Link { session: Some(session), before: Traffic::default() });
         let language_check = None;
-        Ok(Self { setup, limits, identity, capabilities, language_check, interrupt, link })
+        Ok(Self {
+            setup,
+            limits,
+            identity,
+            capabilities,
+            language_check,
+            interrupt,
+            transcript,
+            link,
+        })
     }
 
     /// Leaves out programs that need a part of the language that the documents of the dialect do not list.
@@ -89,6 +104,7 @@ impl Grbl {
         if self.identity.dialect == Dialect::GrblHal {
             supports_kept_offsets(&scenario.program, &self.setup, &self.identity.stored)?;
             supports_negative_codes(&scenario.program, &self.setup)?;
+            supports_named_codes(&scenario.program)?;
         }
         Ok(())
     }
@@ -112,7 +128,9 @@ impl Grbl {
     }
 
     fn reopen(&self) -> Result<Session, HarnessError> {
-        let (mut session, _) = Session::open(&self.setup, self.limits, self.interrupt.clone())?;
+        let transcript = going_on(self.transcript.as_ref())?;
+        let interrupt = self.interrupt.clone();
+        let (mut session, _) = Session::open(&self.setup, self.limits, interrupt, transcript)?;
         session.unit = self.identity.unit;
         Ok(session)
     }
@@ -136,7 +154,7 @@ impl Grbl {
         }
         // The Ctrl-C that ended the run does not end this.
         let interrupted = self.interrupt.suspend();
-        let restored = self.restore(session);
+        let restored = self.restore(session, &scenario.program);
         self.interrupt.resume(interrupted);
         match restored {
             Ok(()) => run,
@@ -147,21 +165,22 @@ impl Grbl {
         }
     }
 
-    /// Writes back the offsets that differ from those at the start.
-    fn restore(&self, session: &mut Session) -> Result<(), HarnessError> {
+    /// Writes back the offsets that differ from those at the start, or may do so in digits that `$#` does not have.
+    fn restore(&self, session: &mut Session, program: &Program) -> Result<(), HarnessError> {
         session.fail();
         session.reset()?;
         session.make_ready(self.setup.unlock)?;
         let refused = || HarnessError::NotRun("`$#` is refused".to_owned());
         let axes = self.identity.axes();
         let before = &self.identity.stored;
-        for block in
-            before.blocks_from(&session.stored()?.ok_or_else(refused)?, &axes, self.identity.unit)
-        {
+        let unit = self.identity.unit;
+        let writes = blocks_of(program).any(|words| words.writes_coordinate_system());
+        let now = session.stored()?.ok_or_else(refused)?;
+        for block in before.blocks_from(&now, &axes, unit, writes) {
             session.accepted(&block)?;
         }
         let now = session.stored()?.ok_or_else(refused)?;
-        match before.blocks_from(&now, &axes, self.identity.unit).first() {
+        match before.blocks_from(&now, &axes, unit, false).first() {
             None => Ok(()),
             Some(block) => Err(HarnessError::NotRun(format!("{block} has no effect"))),
         }
@@ -257,12 +276,21 @@ impl Drop for Grbl {
 
 /// Whether a program can change offsets that a reset does not restore.
 fn changes_kept_offsets(program: &Program, dialect: Dialect) -> bool {
-    let mut words = program.language.lines(&program.main).map(Words::of);
-    words.any(|words| {
+    blocks_of(program).any(|words| {
         words.writes_coordinate_system()
             || words.changes_local_offset()
             || dialect == Dialect::GrblHal && words.changes_tool_offset()
     })
+}
+
+/// The transcript for another connection.
+fn going_on(transcript: Option<&Transcript>) -> Result<Option<Transcript>, HarnessError> {
+    transcript.map(Transcript::go_on).transpose()
+}
+
+/// The blocks of the main program.
+fn blocks_of(program: &Program) -> impl Iterator<Item = Words> {
+    program.language.lines(&program.main).map(Words::of)
 }
 
 fn sum(one: Traffic, other: Traffic) -> Traffic {

@@ -21,6 +21,9 @@ const OFFSETS: [&str; 3] = ["g5x_offset", "g92_offset", "tool_offset"];
 const HALF_DECIMAL_MM: f64 = 0.0005;
 const HALF_DECIMAL_INCH: f64 = 0.00005;
 
+/// Error of a number that is rounded to 24 bits four times, relative to it.
+const SINGLE_PRECISION: f64 = 2.4e-7;
+
 /// Largest error that a comparison takes into account, millimetres.
 const ERROR_MAX_MM: f64 = 0.1;
 
@@ -157,7 +160,7 @@ impl Identity {
             name: self.dialect.name().to_owned(),
             version: self.version.clone(),
             resolution: (printed + moved).min(ERROR_MAX_MM),
-            relative_resolution: 0.0,
+            relative_resolution: SINGLE_PRECISION,
             unconverted_lengths: BTreeMap::new(),
             fields_at_effects: settings.cloned().collect(),
             fields,

@@ -9,7 +9,7 @@ use gaugeblock_vocabulary::LengthUnit;
 use crate::interrupt::Interrupt;
 use crate::message::{Message, Status, Welcome};
 use crate::modes::Modes;
-use crate::port::{Port, Traffic, timed_out};
+use crate::port::{Port, Traffic, Transcript, timed_out};
 use crate::setup::{Motion, Setup};
 use crate::stored::Stored;
 
@@ -123,8 +123,9 @@ impl Session {
         setup: &Setup,
         limits: Limits,
         interrupt: Interrupt,
+        transcript: Option<Transcript>,
     ) -> Result<(Self, Welcome), HarnessError> {
-        let port = Port::open(&setup.address, limits.start, interrupt)?;
+        let port = Port::open(&setup.address, limits.start, interrupt, transcript)?;
         let unit = LengthUnit::Millimetre;
         let mut session = Self { port, limits, unit, work_offset: None, is_out_of_step: false };
         let welcome = session.start()?;

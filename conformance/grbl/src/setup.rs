@@ -33,11 +33,13 @@ pub struct Setup {
     pub unlock: bool,
     /// Whether programs run that write coordinate systems into the EEPROM, which are restored after each program.
     pub eeprom: bool,
+    /// The file that gets what goes over the link, if any.
+    pub transcript: Option<PathBuf>,
 }
 
 impl Setup {
     /// The options of a name, for messages and help.
-    pub const OPTIONS: &str = "motion=real, yes, unlock, eeprom=restore";
+    pub const OPTIONS: &str = "motion=real, yes, unlock, eeprom=restore, transcript=FILE";
 
     /// Reads what follows `grbl:` in the name of a controller: `DEVICE` or `HOST:PORT`, then `?` and options that are
     /// separated by `&`.
@@ -52,6 +54,7 @@ impl Setup {
             confirmed: false,
             unlock: false,
             eeprom: false,
+            transcript: None,
         };
         for option in options.split('&').filter(|option| !option.is_empty()) {
             match option {
@@ -60,6 +63,13 @@ impl Setup {
                 "yes" => setup.confirmed = true,
                 "unlock" => setup.unlock = true,
                 "eeprom=restore" => setup.eeprom = true,
+                _ if option.starts_with("transcript=") => {
+                    let name = &option["transcript=".len()..];
+                    if name.is_empty() {
+                        return Err("missing file: expected transcript=FILE".to_owned());
+                    }
+                    setup.transcript = Some(PathBuf::from(name));
+                }
                 _ => {
                     let known = Self::OPTIONS;
                     return Err(format!("invalid option `{option}`: expected one of {known}"));
@@ -104,14 +114,16 @@ mod tests {
         assert_eq!(setup.address, Address::Device("/dev/ttyUSB0".into()));
         assert_eq!(setup.motion, Motion::Checked);
         assert!(!setup.confirmed && !setup.unlock && !setup.eeprom);
+        assert_eq!(setup.transcript, None);
     }
 
     #[test]
     fn options_follow_a_question_mark() {
-        let setup = read("cnc.local:23?motion=real&yes&unlock&eeprom=restore");
+        let setup = read("cnc.local:23?motion=real&yes&unlock&eeprom=restore&transcript=a/b.txt");
         assert_eq!(setup.address, Address::Socket("cnc.local:23".to_owned()));
         assert_eq!(setup.motion, Motion::Real);
         assert!(setup.confirmed && setup.unlock && setup.eeprom);
+        assert_eq!(setup.transcript, Some("a/b.txt".into()));
     }
 
     #[test]

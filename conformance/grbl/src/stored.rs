@@ -73,14 +73,21 @@ impl Stored {
     }
 
     /// Blocks that give each coordinate system that differs in `now` the value that it has here, and cancel a G92
-    /// offset and a tool length offset that are zero here.
-    pub(crate) fn blocks_from(&self, now: &Self, axes: &[Axis], unit: LengthUnit) -> Vec<String> {
+    /// offset and a tool length offset that are zero here. With `zeros` all systems that are zero here are set to zero:
+    /// a change can be too small to be printed.
+    pub(crate) fn blocks_from(
+        &self,
+        now: &Self,
+        axes: &[Axis],
+        unit: LengthUnit,
+        zeros: bool,
+    ) -> Vec<String> {
         let unit = if unit == LengthUnit::Inch { "G20" } else { "G21" };
         let mut blocks = Vec::new();
         for (number, name) in (1..).zip(SYSTEMS) {
             let (Some(before), Some(now)) = (self.0.get(name), now.0.get(name)) else { continue };
             let differs = |(a, b): (&f64, &f64)| (a - b).abs() > PRINTED_DIFFERENCE_MIN;
-            if before.iter().zip(now).any(differs) {
+            if zeros && self.is_zero(name) || before.iter().zip(now).any(differs) {
                 let word =
                     |(axis, value): (&Axis, &f64)| format!("{}{value}", axis.word().to_uppercase());
                 let words: String = axes.iter().zip(before).map(word).collect();
@@ -149,8 +156,9 @@ mod tests {
     #[test]
     fn only_systems_that_differ_are_written_back() {
         let (before, now) = (stored("1.000,-2.500,0.000"), stored("9.000,0.000,0.000"));
-        assert_eq!(before.blocks_from(&now, &AXES, MM), ["G21G10L2P2X1Y-2.5Z0"]);
-        assert_eq!(now.blocks_from(&now, &AXES, MM), [""; 0]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G21G10L2P2X1Y-2.5Z0"]);
+        assert_eq!(now.blocks_from(&now, &AXES, MM, false), [""; 0]);
+        assert_eq!(now.blocks_from(&now, &AXES, MM, true), ["G21G10L2P1X0Y0Z0"]);
         assert!(!before.has_zero_systems());
         assert!(stored("0.000,0.000,0.000").has_zero_systems());
     }
@@ -159,10 +167,10 @@ mod tests {
     fn local_offset_is_cancelled_if_it_was_zero() {
         let now = stored("0.000,0.000,0.000");
         let mut before = now.clone();
-        assert_eq!(before.blocks_from(&now, &AXES, MM), [""; 0]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, false), [""; 0]);
         before.0.insert("G92".to_owned(), vec![0.0; 3]);
         assert!(before.has_zero_local_offset() && !now.has_zero_local_offset());
-        assert_eq!(before.blocks_from(&now, &AXES, MM), ["G92.1"]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G92.1"]);
     }
 
     #[test]
@@ -171,8 +179,8 @@ mod tests {
         let mut before = now.clone();
         before.0.insert("TLO".to_owned(), vec![0.0]);
         assert!(before.has_zero_tool_offset() && !now.has_zero_tool_offset());
-        assert_eq!(before.blocks_from(&now, &AXES, MM), ["G49"]);
-        assert_eq!(now.blocks_from(&before, &AXES, MM), [""; 0]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G49"]);
+        assert_eq!(now.blocks_from(&before, &AXES, MM, false), [""; 0]);
     }
 
     #[test]

@@ -74,6 +74,18 @@ pub(crate) fn supports_negative_codes(program: &Program, setup: &Setup) -> Resul
     Ok(())
 }
 
+/// Checks a program for a controller that has scaling and macros, which its documents name and do not describe.
+///
+/// # Errors
+/// The reason why not.
+pub(crate) fn supports_named_codes(program: &Program) -> Result<(), String> {
+    let mut blocks = program.language.lines(&program.main).map(Words::of);
+    if blocks.any(|block| block.has('G', &[500, 510, 650, 660, 670])) {
+        return Err("its documents name scaling and macros, and do not describe them".to_owned());
+    }
+    Ok(())
+}
+
 fn machine(machine: &Machine) -> Result<(), String> {
     let plain = Machine {
         // What a program needs of these follows from its codes.
@@ -253,6 +265,14 @@ mod tests {
         assert!(found("m-5\n", "").is_err());
         assert_eq!(found("m-5\n", "motion=real"), Ok(()));
         assert_eq!(found("g-1 x1\nm5\n", ""), Ok(()));
+    }
+
+    #[test]
+    fn codes_that_are_only_named_are_left_out() {
+        for (text, runs) in [("g50.00001\n", false), ("g0 x1 g51\n", false), ("g5\ng6.5\n", true)] {
+            let scenario = Scenario::of(text);
+            assert_eq!(supports_named_codes(&scenario.program).is_ok(), runs, "{text}");
+        }
     }
 
     #[test]

@@ -64,7 +64,7 @@ fn a_state_tells_which_parameters_the_block_changed() {
 
 #[test]
 fn the_call_level_is_that_after_the_block() {
-    let outcome = outcome("o1 sub\n#31 = 1\no1 endsub\ng0\no1 call\ng1\nm2\n");
+    let outcome = outcome("o1 sub\n#31 = 1\no1 endsub\ng0\no1 call\nf1 g1\nm2\n");
     let mut level = None;
     let mut levels = Vec::new();
     for step in &outcome.steps {

@@ -2,6 +2,7 @@
 
 mod serial;
 mod telnet;
+mod transcript;
 
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
@@ -18,6 +19,7 @@ use crate::interrupt::Interrupt;
 use crate::setup::Address;
 pub use serial::BITS_PER_SECOND;
 use telnet::Telnet;
+pub(crate) use transcript::Transcript;
 
 /// Bytes of a line that are read before it counts as unreadable.
 const LINE_BYTES_MAX: usize = 4096;
@@ -51,6 +53,7 @@ pub(crate) struct Port {
     recent: Vec<String>,
     traffic: Traffic,
     interrupt: Interrupt,
+    transcript: Option<Transcript>,
     is_closed: bool,
 }
 
@@ -63,6 +66,7 @@ impl Port {
         address: &Address,
         wait: Duration,
         interrupt: Interrupt,
+        transcript: Option<Transcript>,
     ) -> Result<Self, HarnessError> {
         let (stream, telnet) = match address {
             Address::Device(path) => (serial::open_device(path), None),
@@ -80,7 +84,8 @@ impl Port {
             stream.map_err(|error| HarnessError::NotRun(format!("{}: {error}", name())))?;
         let (read, recent) = (Vec::new(), Vec::new());
         let traffic = Traffic::default();
-        Ok(Self { stream, telnet, read, recent, traffic, interrupt, is_closed: false })
+        let is_closed = false;
+        Ok(Self { stream, telnet, read, recent, traffic, interrupt, transcript, is_closed })
     }
 
     /// Whether the connection has ended.
@@ -118,7 +123,7 @@ impl Port {
             }
         }
         self.traffic.sent += bytes.len() as u64;
-        Ok(())
+        self.transcript.as_mut().map_or(Ok(()), |transcript| transcript.sent(bytes))
     }
 
     /// The next line, without its end, or none if none arrives by the deadline.
@@ -127,7 +132,11 @@ impl Port {
     /// The link is closed, a line is too long, or the user interrupts.
     pub(crate) fn line(&mut self, deadline: Instant) -> Result<Option<String>, HarnessError> {
         loop {
-            if let Some(line) = self.take_line() {
+            if let Some(line) = self.take_line()? {
+                if self.recent.len() == RECENT_LINES {
+                    self.recent.remove(0);
+                }
+                self.recent.push(line.clone());
                 return Ok(Some(line));
             }
             if self.read.len() > LINE_BYTES_MAX {
@@ -148,29 +157,34 @@ impl Port {
     pub(crate) fn drain(&mut self, silence: Duration, most: Duration) -> Result<(), HarnessError> {
         let end = now() + most;
         loop {
-            self.read.clear();
+            self.discard()?;
             let deadline = (now() + silence).min(end);
             if !self.receive()? && !self.wait(PollFlags::IN, deadline)? || now() >= end {
-                self.read.clear();
-                return Ok(());
+                return self.discard();
             }
         }
     }
 
+    /// Takes what has arrived.
+    fn discard(&mut self) -> Result<(), HarnessError> {
+        while self.take_line()?.is_some() {}
+        self.read.clear();
+        Ok(())
+    }
+
     /// Takes the first whole line. Empty ones are left out: ends of lines have two bytes.
-    fn take_line(&mut self) -> Option<String> {
-        loop {
-            let end = self.read.iter().position(|byte| [b'\n', b'\r'].contains(byte))?;
+    fn take_line(&mut self) -> Result<Option<String>, HarnessError> {
+        while let Some(end) = self.read.iter().position(|byte| [b'\n', b'\r'].contains(byte)) {
             let line: Vec<u8> = self.read.drain(..=end).collect();
             let line = String::from_utf8_lossy(&line[..end]).trim().to_owned();
             if !line.is_empty() {
-                if self.recent.len() == RECENT_LINES {
-                    self.recent.remove(0);
+                if let Some(transcript) = &mut self.transcript {
+                    transcript.received(&line)?;
                 }
-                self.recent.push(line.clone());
-                return Some(line);
+                return Ok(Some(line));
             }
         }
+        Ok(None)
     }
 
     /// Reads what is there. False if nothing is.

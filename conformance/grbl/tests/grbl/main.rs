@@ -3,6 +3,7 @@
 mod misbehaviour;
 mod motion;
 mod programs;
+mod recorded;
 mod simulator;
 mod transcripts;
 
@@ -31,7 +32,12 @@ fn open(running: &Running, options: &str, limits: Limits) -> Result<Grbl, Contro
 }
 
 fn opened(running: &Running, options: &str) -> Grbl {
-    open(running, options, PATIENT).unwrap_or_else(|error| panic!("{error}"))
+    opened_at(&running.address, options)
+}
+
+fn opened_at(address: &str, options: &str) -> Grbl {
+    let setup = Setup::read(&format!("{address}?{options}")).expect("a setup");
+    Grbl::open(setup, PATIENT).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn run(grbl: &Grbl, program: &str) -> Result<Outcome, HarnessError> {

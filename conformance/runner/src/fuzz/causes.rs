@@ -6,8 +6,8 @@ use gaugeblock_vocabulary::{Options, Scenario};
 use super::plan::Plan;
 
 impl Plan<'_> {
-    /// The quirks and options of `choices` that each explain a divergence from the model. Empty if the controller is
-    /// compared with another controller.
+    /// The quirks and options of `choices` that each explain a divergence from the model, or that it does not come
+    /// again. Empty if the controller is compared with another controller.
     ///
     /// Costs a run of the model for each option.
     pub fn causes(&self, scenario: &Scenario, choices: &[&Choice]) -> Vec<String> {
@@ -21,6 +21,11 @@ impl Plan<'_> {
             expected.end.undetermined().is_none()
                 && self.divergence(&under, expected, found.clone()).is_none()
         };
+        if explains(scenario.options.clone()) {
+            return vec![
+                "chance, or what an earlier program left: run again, it agrees".to_owned(),
+            ];
+        }
         let mut causes = Vec::new();
         for choice in choices {
             for option in choice.options.iter().map(|option| &option.name) {

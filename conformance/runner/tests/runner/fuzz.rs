@@ -71,6 +71,17 @@ fn plan<'a>(iut: &'a dyn Adapter, against: &'a dyn Adapter) -> Plan<'a> {
     }
 }
 
+#[test]
+fn what_does_not_come_again_has_no_option_as_its_cause() {
+    let (production, reference) = (Production::default(), Reference::default());
+    let plan = plan(&production, &reference);
+    let suite = gaugeblock_embedded_suite::files().expect("the suite");
+    let suite = gaugeblock_suite::Suite::read(&suite).expect("the suite");
+    let choices: Vec<_> = suite.choices.iter().collect();
+    let causes = plan.causes(&Scenario::of("g0 x1\nm2\n"), &choices);
+    assert_eq!(causes, ["chance, or what an earlier program left: run again, it agrees"]);
+}
+
 /// Runs chunks of a shard; those in `done` were done before.
 fn chunks(plan: &Plan<'_>, shard: Shard, done: &BTreeSet<u64>) -> Vec<Chunk> {
     let stop = AtomicBool::new(false);

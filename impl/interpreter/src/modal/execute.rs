@@ -281,8 +281,8 @@ impl Modal {
     /// A move under inverse time has its F in its block (11.5.59). Which mode is in force M72 of the same block may
     /// have decided.
     pub(super) fn check_inverse_time(&self, block: &Block<'_>, code: u16) -> Result<(), Refusal> {
-        // Where a motion code alone sets the mode and moves nothing, there is no move that F would time.
-        let moves = block.axes_move || self.choices.move_in_place();
+        // G1 needs F, also where it only sets the mode.
+        let moves = block.axes_move || code == 10 || self.choices.move_in_place();
         let needs = self.active.now().feed_mode == FeedMode::InverseTime
             && takes_inverse_time(code)
             && moves

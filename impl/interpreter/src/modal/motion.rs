@@ -70,8 +70,12 @@ impl Modal {
         self.motion = mode_of(code);
         let moves = block.axes_move
             || self.choices.move_in_place() && block.g(MOTION).is_some() && !block.words.has_axes();
-        if self.motion == Motion::None || !moves {
+        if self.motion == Motion::None {
             return Ok(());
+        }
+        if !moves {
+            // G1 without axis words needs a feed rate, too (11.5.4).
+            return if code == 10 { self.check_feed_rate() } else { Ok(()) };
         }
         self.check_straight_or_arc()?;
         if !self.compensation.is_idle() {

@@ -20,6 +20,8 @@ pub(crate) struct Memory {
     pub(super) last_words: [f64; 3],
     /// Quirk rs274.polar-plane: the plane in force before the block that is executed.
     pub(super) plane_before: Option<Plane>,
+    /// Quirk grbl.offset-cancelled-late: the local offset that the last G92.1 has cancelled.
+    pub(super) cancelled_offset: Position,
     /// Quirk linuxcnc.modes-of-last-motion: the modes in force at the last motion; `None` before the first motion, and
     /// if the last one was in a sub.
     pub(super) at_last_motion: Option<Box<Modes>>,

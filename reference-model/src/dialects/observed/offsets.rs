@@ -1,6 +1,6 @@
 //! Quirks of offsets.
 
-use gaugeblock_vocabulary::{Compensation, FaultKind, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, FaultKind, Position};
 
 use super::program_end::without_local_offset;
 use super::values::in_single_precision;
@@ -81,6 +81,19 @@ impl LocalOffsetRules for Observed {
             return Err(refuse(quirk, FaultKind::CompensationActive, message));
         }
         Documented.check_local_offset(state)
+    }
+
+    /// Quirk grbl.offset-cancelled-late. The offset is recorded for `named_coordinate`.
+    fn local_offset_ends(&self, state: &mut State) {
+        state.memory.cancelled_offset = state.modes.g92_offset;
+    }
+
+    /// Quirk grbl.offset-cancelled-late. In the block of G92.1 axis words count with the offset that it cancels.
+    fn named_coordinate(&self, axis: Axis, value: f64, words: &Words, state: &State) -> f64 {
+        let named = Documented.named_coordinate(axis, value, words, state);
+        let cancels = words.g_tenths.contains(&921);
+        let late = cancels && state.has_quirk(quirk::grbl::OFFSET_CANCELLED_LATE);
+        if late { named + state.memory.cancelled_offset.get(axis) } else { named }
     }
 
     /// Quirk rs274.position-omitted-axes. Axes without a word in the block of G92 keep their local offset.

@@ -1,5 +1,7 @@
 //! Quirks of reading text and lines.
 
+use std::borrow::Cow;
+
 use gaugeblock_vocabulary::FaultKind;
 
 use super::{HasQuirk, Observed};
@@ -90,6 +92,29 @@ fn incomplete(words: &Words) -> Option<&'static str> {
     }
 }
 
+/// Of a number without a sign eight digits, whether or not zeros before the first other digit are among them. Further
+/// ones before the decimal point become zeros: the eight are multiplied by ten for each, in single precision.
+fn eight_digits(number: &str, after_zeros: bool) -> String {
+    let (mut kept, mut count, mut zeros, mut is_fraction) = (String::new(), 0, 0, false);
+    for digit in number.chars() {
+        is_fraction |= digit == '.';
+        if digit.is_ascii_digit() && (count > 0 || digit != '0' || !after_zeros) {
+            count += 1;
+        }
+        if count <= 8 || digit == '.' {
+            kept.push(digit);
+        } else if !is_fraction {
+            zeros += 1;
+        }
+    }
+    match kept.parse() {
+        Ok(eight) if zeros > 0 => {
+            (0..zeros).fold(eight, |number: f32, _| number * 10.0).to_string()
+        }
+        _ => kept,
+    }
+}
+
 impl SyntaxRules for Observed {
     /// Quirk grbl.line-number-limit. The greatest is 10,000,000, and what 32 bits do not hold is not above it.
     /// Quirk grblhal.line-number-limit. The greatest line number is 10,000,000.
@@ -141,6 +166,16 @@ impl SyntaxRules for Observed {
             return comments.into_iter().rfind(|comment| !comment.semicolon);
         }
         Documented.active_comment(comments, choices)
+    }
+
+    /// Quirk grbl.eight-digits. Eight count, zeros before them too.
+    /// Quirk grblhal.eight-digits. Eight count, without zeros before the first other digit.
+    fn digits_that_count<'t>(&self, digits: &'t str, choices: &Choices) -> Cow<'t, str> {
+        let leading = choices.has_quirk(quirk::grblhal::EIGHT_DIGITS);
+        if leading || choices.has_quirk(quirk::grbl::EIGHT_DIGITS) {
+            return Cow::Owned(eight_digits(digits, leading));
+        }
+        Documented.digits_that_count(digits, choices)
     }
 
     /// Quirk rs274.repeated-signs. A number may have any number of signs; each further minus sign negates.

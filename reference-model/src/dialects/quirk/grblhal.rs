@@ -3,6 +3,8 @@
 quirks! {
     super::first::GRBLHAL;
 
+    /// Eight digits of a number count, zeros before them not; further ones become zeros.
+    EIGHT_DIGITS = "grblhal.eight-digits",
     /// The greatest line number is 10,000,000.
     LINE_NUMBER_LIMIT = "grblhal.line-number-limit",
     /// A negative number after G is read as G0, after M as M0.

@@ -147,6 +147,13 @@ fn in_unit_before(rate: f64, words: &Words, state: &mut State) -> f64 {
 /// (feed.rate-after-mode-change).
 /// Rule arcs.needs-feed-rate. All this holds for arcs too.
 pub(super) fn check_feed_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
+    check_rate(words, state)?;
+    state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
+    state.dialect().check_spindle_of_feed(words, state)
+}
+
+/// The feed rate of a block that has a motion code of a feed move, also where it moves nothing.
+pub(super) fn check_rate(words: &Words, state: &mut State) -> Result<(), StepError> {
     if state.modes.feed_mode == FeedMode::InverseTime {
         if word(words, 'f').is_none() {
             state.coverage.refused(rule::feed::INVERSE_TIME_STRAY_RATE);
@@ -174,8 +181,7 @@ pub(super) fn check_feed_rate(words: &Words, state: &mut State) -> Result<(), St
     }
     state.coverage.accepted(rule::feed::MOVE_WITHOUT_RATE);
     state.coverage.accepted(rule::feed::RATE_AFTER_MODE_CHANGE);
-    state.coverage.accepted(rule::feed::APPLIES_TO_FEED_MOVES);
-    state.dialect().check_spindle_of_feed(words, state)
+    Ok(())
 }
 
 /// Records the feed rate per minute of a feed move of a length, active length unit or degrees.

@@ -1,6 +1,6 @@
 //! G52 and the G92 codes: an offset of every coordinate system.
 
-use gaugeblock_vocabulary::{Compensation, Position};
+use gaugeblock_vocabulary::{Axis, Compensation, Position};
 
 use super::offset_storage::{
     LOCAL_APPLIES, in_force_changes, store_flag, store_length, stored_axes, stored_offset,
@@ -17,6 +17,14 @@ pub(crate) trait LocalOffsetRules {
     /// Whether the local offset may be set, cancelled or restored now.
     fn check_local_offset(&self, _state: &State) -> Result<(), StepError> {
         Ok(())
+    }
+
+    /// Rule offsets.local-cleared. The local offset is cancelled: the axis words of the block count without it.
+    fn local_offset_ends(&self, _state: &mut State) {}
+
+    /// Rule units-planes.absolute. The coordinate that an axis word names in absolute distance mode.
+    fn named_coordinate(&self, _axis: Axis, value: f64, _words: &Words, _state: &State) -> f64 {
+        value
     }
 
     /// Rules offsets.position-omitted-axes and offsets.position-other-axes. The local offset of axes for which G92 has
@@ -120,6 +128,7 @@ fn name_point(words: &Words, state: &mut State) -> Result<(), StepError> {
 /// Rule offsets.local-cleared. G92.1 takes the offset away, and its parameters are zero.
 fn clear(state: &mut State) {
     state.coverage.accepted(rule::offsets::LOCAL_CLEARED);
+    state.dialect().local_offset_ends(state);
     suspend_offset(state);
     for axis in stored_axes(state) {
         store_length(LOCAL_APPLIES + 1, axis, 0.0, state);

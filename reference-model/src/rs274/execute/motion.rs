@@ -5,7 +5,7 @@ use gaugeblock_vocabulary::{
 };
 
 use super::arc;
-use super::feed::check_feed_rate;
+use super::feed::{check_feed_rate, check_rate};
 use super::programmed_motion::{by_offsets_alone, is_arc, is_feed, is_spline, motion_of};
 use super::straight::lead_to;
 use super::target::{end_point, machine_end_point};
@@ -250,10 +250,15 @@ fn without_axis_words(
     if state.choices.is(Refused) {
         return Err(refuse(rule, FaultKind::MissingWord, "a motion code without an axis word"));
     }
-    state.coverage.accepted(rule);
     if state.choices.is(MoveInPlace) {
+        state.coverage.accepted(rule);
         return move_to(motion, words, state, record);
     }
+    // Rule feed.move-without-rate. G1 needs a feed rate, also where it only sets the mode.
+    if motion == Motion::Feed {
+        check_rate(words, state)?;
+    }
+    state.coverage.accepted(rule);
     state.modes.motion = motion;
     Ok(())
 }

@@ -83,8 +83,9 @@ pub(crate) fn end_point(words: &Words, state: &mut State) -> Result<Position, St
         state.coverage.accepted(rule::units_planes::DIAMETER_X_ONLY);
     }
     for (axis, value) in moved(words, state) {
+        let named = state.dialect().named_coordinate(axis, value, words, state);
         let place = end.get_mut(axis);
-        *place = if incremental { *place + value } else { value };
+        *place = if incremental { *place + value } else { named };
     }
     Ok(end)
 }

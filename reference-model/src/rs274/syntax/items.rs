@@ -1,5 +1,7 @@
 //! Block delete, line number, words, settings, comments: the items of a line.
 
+use std::borrow::Cow;
+
 use gaugeblock_vocabulary::FaultKind;
 
 use super::parser::Parser;
@@ -49,6 +51,11 @@ pub(crate) trait SyntaxRules {
     /// Rule active-comments.semicolon. A semicolon comment is the last of its line and may be active.
     fn active_comment(&self, mut comments: Vec<Comment>, _choices: &Choices) -> Option<Comment> {
         comments.pop()
+    }
+
+    /// Rule numbers.many-digits. The digits of a number that count: all, as far as a double holds them.
+    fn digits_that_count<'t>(&self, digits: &'t str, _choices: &Choices) -> Cow<'t, str> {
+        Cow::Borrowed(digits)
     }
 
     /// Rule numbers.form. Whether a number may have a second sign: it is refused.

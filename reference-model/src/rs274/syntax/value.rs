@@ -144,7 +144,8 @@ impl Parser<'_> {
                 "a number has a second decimal point",
             ));
         }
-        let Ok(number) = text.parse() else {
+        let counted = self.choices.dialect().digits_that_count(&text, self.choices);
+        let Ok(number) = counted.parse() else {
             return Err(self.refuse(
                 rule::numbers::DIGITS,
                 FaultKind::BadNumber,

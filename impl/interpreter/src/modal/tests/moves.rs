@@ -29,7 +29,8 @@ fn straight_moves() {
         Effects("1 straight_traverse end=(x1); 2 straight_traverse end=(x1)"),
     );
     check_on(&machine(), in_place, "g1", Refused(ZeroFeed));
-    check("g1", After("motion = feed"));
+    check("g1", Refused(ZeroFeed));
+    check("g1 f1", After("motion = feed"));
     check("g1 x1", Refused(ZeroFeed));
     check("g1 x1 f0", Refused(ZeroFeed));
     check("g0 x1; g1 y1", Refused(ZeroFeed));
@@ -43,7 +44,7 @@ fn feed_modes() {
     check("g93 g1 x1 f2; y1", Refused(MissingWord));
     check("g93; g1 x1", Refused(MissingWord));
     // A motion code that sets its mode only is no move.
-    check("g93; g1", After("feed_mode = inverse_time"));
+    check("g93; g1", Refused(MissingWord));
     check("g93 f5", After("feed_rate = 0"));
     check("g93 g0 x1 f5", After("feed_rate = 0"));
     check("g93 g1 x1 f5; f8", After("feed_rate = 5"));

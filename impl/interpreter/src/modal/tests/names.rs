@@ -18,7 +18,7 @@ fn names_report_the_modes() {
     for (program, name, value) in [
         ("m5", "_motion_mode", 800.0),
         ("g0", "_motion_mode", 0.0),
-        ("g1", "_motion_mode", 10.0),
+        ("f1 g1", "_motion_mode", 10.0),
         ("g18.1", "_plane", 181.0),
         ("g18", "_plane", 180.0),
         ("m5", "_plane", 170.0),
