@@ -14,6 +14,7 @@ use crate::interrupt::Interrupt;
 use crate::port::{Traffic, Transcript};
 use crate::session::{Limits, Session};
 use crate::setup::{Motion, Setup};
+use crate::stored::Written;
 use crate::supports::{
     supports, supports_kept_offsets, supports_named_codes, supports_negative_codes,
 };
@@ -174,13 +175,19 @@ impl Grbl {
         let axes = self.identity.axes();
         let before = &self.identity.stored;
         let unit = self.identity.unit;
-        let writes = blocks_of(program).any(|words| words.writes_coordinate_system());
+        let any = |test: fn(&Words) -> bool| blocks_of(program).any(|words| test(&words));
+        let keeps = self.identity.dialect == Dialect::GrblHal;
+        let written = Written {
+            systems: any(Words::writes_coordinate_system),
+            local: keeps && any(Words::changes_local_offset),
+            tool: keeps && any(Words::changes_tool_offset),
+        };
         let now = session.stored()?.ok_or_else(refused)?;
-        for block in before.blocks_from(&now, &axes, unit, writes) {
+        for block in before.blocks_from(&now, &axes, unit, written) {
             session.accepted(&block)?;
         }
         let now = session.stored()?.ok_or_else(refused)?;
-        match before.blocks_from(&now, &axes, unit, false).first() {
+        match before.blocks_from(&now, &axes, unit, Written::default()).first() {
             None => Ok(()),
             Some(block) => Err(HarnessError::NotRun(format!("{block} has no effect"))),
         }

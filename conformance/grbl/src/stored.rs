@@ -13,6 +13,17 @@ const SYSTEMS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "
 /// Differences below this are in the last printed digit or beyond.
 const PRINTED_DIFFERENCE_MIN: f64 = 1e-6;
 
+/// What a program may have written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Written {
+    /// Coordinate systems.
+    pub(crate) systems: bool,
+    /// The G92 offset.
+    pub(crate) local: bool,
+    /// The tool length offset.
+    pub(crate) tool: bool,
+}
+
 /// What `$#` reports, in the length unit of reports.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Stored(BTreeMap<String, Vec<f64>>);
@@ -73,31 +84,31 @@ impl Stored {
     }
 
     /// Blocks that give each coordinate system that differs in `now` the value that it has here, and cancel a G92
-    /// offset and a tool length offset that are zero here. With `zeros` all systems that are zero here are set to zero:
-    /// a change can be too small to be printed.
+    /// offset and a tool length offset that are zero here. What is zero here and among `written` is set to zero in any
+    /// case: a change can be too small to be printed.
     pub(crate) fn blocks_from(
         &self,
         now: &Self,
         axes: &[Axis],
         unit: LengthUnit,
-        zeros: bool,
+        written: Written,
     ) -> Vec<String> {
         let unit = if unit == LengthUnit::Inch { "G20" } else { "G21" };
         let mut blocks = Vec::new();
         for (number, name) in (1..).zip(SYSTEMS) {
             let (Some(before), Some(now)) = (self.0.get(name), now.0.get(name)) else { continue };
             let differs = |(a, b): (&f64, &f64)| (a - b).abs() > PRINTED_DIFFERENCE_MIN;
-            if zeros && self.is_zero(name) || before.iter().zip(now).any(differs) {
+            if written.systems && self.is_zero(name) || before.iter().zip(now).any(differs) {
                 let word =
                     |(axis, value): (&Axis, &f64)| format!("{}{value}", axis.word().to_uppercase());
                 let words: String = axes.iter().zip(before).map(word).collect();
                 blocks.push(format!("{unit}G10L2P{number}{words}"));
             }
         }
-        if self.has_zero_local_offset() && !now.has_zero_local_offset() {
+        if self.has_zero_local_offset() && (written.local || !now.has_zero_local_offset()) {
             blocks.push("G92.1".to_owned());
         }
-        if self.has_zero_tool_offset() && !now.has_zero_tool_offset() {
+        if self.has_zero_tool_offset() && (written.tool || !now.has_zero_tool_offset()) {
             blocks.push("G49".to_owned());
         }
         blocks
@@ -125,6 +136,9 @@ mod tests {
 
     const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
     const MM: LengthUnit = LengthUnit::Millimetre;
+    const NOTHING: Written = Written { systems: false, local: false, tool: false };
+    const SYSTEMS_ONLY: Written = Written { systems: true, ..NOTHING };
+    const TOOL_ONLY: Written = Written { tool: true, ..NOTHING };
 
     fn stored(g55: &str) -> Stored {
         let mut stored = Stored::default();
@@ -156,9 +170,9 @@ mod tests {
     #[test]
     fn only_systems_that_differ_are_written_back() {
         let (before, now) = (stored("1.000,-2.500,0.000"), stored("9.000,0.000,0.000"));
-        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G21G10L2P2X1Y-2.5Z0"]);
-        assert_eq!(now.blocks_from(&now, &AXES, MM, false), [""; 0]);
-        assert_eq!(now.blocks_from(&now, &AXES, MM, true), ["G21G10L2P1X0Y0Z0"]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, NOTHING), ["G21G10L2P2X1Y-2.5Z0"]);
+        assert_eq!(now.blocks_from(&now, &AXES, MM, NOTHING), [""; 0]);
+        assert_eq!(now.blocks_from(&now, &AXES, MM, SYSTEMS_ONLY), ["G21G10L2P1X0Y0Z0"]);
         assert!(!before.has_zero_systems());
         assert!(stored("0.000,0.000,0.000").has_zero_systems());
     }
@@ -167,10 +181,10 @@ mod tests {
     fn local_offset_is_cancelled_if_it_was_zero() {
         let now = stored("0.000,0.000,0.000");
         let mut before = now.clone();
-        assert_eq!(before.blocks_from(&now, &AXES, MM, false), [""; 0]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, NOTHING), [""; 0]);
         before.0.insert("G92".to_owned(), vec![0.0; 3]);
         assert!(before.has_zero_local_offset() && !now.has_zero_local_offset());
-        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G92.1"]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, NOTHING), ["G92.1"]);
     }
 
     #[test]
@@ -179,8 +193,9 @@ mod tests {
         let mut before = now.clone();
         before.0.insert("TLO".to_owned(), vec![0.0]);
         assert!(before.has_zero_tool_offset() && !now.has_zero_tool_offset());
-        assert_eq!(before.blocks_from(&now, &AXES, MM, false), ["G49"]);
-        assert_eq!(now.blocks_from(&before, &AXES, MM, false), [""; 0]);
+        assert_eq!(before.blocks_from(&now, &AXES, MM, NOTHING), ["G49"]);
+        assert_eq!(before.blocks_from(&before, &AXES, MM, TOOL_ONLY), ["G49"]);
+        assert_eq!(now.blocks_from(&before, &AXES, MM, NOTHING), [""; 0]);
     }
 
     #[test]
