@@ -43,7 +43,7 @@ fn feed_modes() {
     check("g93 g1 x1 f2; y1 f3", After("feed_rate = 3"));
     check("g93 g1 x1 f2; y1", Refused(MissingWord));
     check("g93; g1 x1", Refused(MissingWord));
-    // A motion code that sets its mode only is no move.
+    // G1 needs F, also where it only sets the mode.
     check("g93; g1", Refused(MissingWord));
     check("g93 f5", After("feed_rate = 0"));
     check("g93 g0 x1 f5", After("feed_rate = 0"));
