@@ -363,7 +363,7 @@ class Driver:
             command.set_adaptive_feed(0)
         if not stat.feed_hold_enabled:
             command.set_feed_hold(1)
-        shutil.copyfile("parameters.new", "parameters.var")
+        shutil.copyfile("parameters.new", "memory/parameters.var")
         command.reset_interpreter()
         self.done()
         if order["block_delete"] is not None:
@@ -581,7 +581,7 @@ class Driver:
                 self.done()
             self.command.mdi("M66 P0 L0")
             self.done()
-        shutil.copyfile("parameters.var", "parameters.end")
+        shutil.copyfile("memory/parameters.var", "parameters.end")
         self.run_file(order["after"])
         if not self.done() or not self.wait(self.is_idle, 10.0):
             return False

@@ -47,7 +47,8 @@ const RECORDER: &str = include_str!("record.py");
 
 /// The first process of the private name spaces: its temporary directory is the session's, so that the controller's
 /// fixed lock file and whatever a program writes stay in there. All other mounts become read-only; those that are
-/// hidden below others cannot be reached and stay. What goes to either output stays in order.
+/// hidden below others cannot be reached and stay. The parameter file is in memory: the controller waits until it is on
+/// the disk, which may take seconds on a busy machine. What goes to either output stays in order.
 const ENTER: &str = r#"
 mount --bind "$1" /tmp && shift &&
 while read -r _ _ _ _ point _; do
@@ -55,7 +56,24 @@ while read -r _ _ _ _ point _; do
   case $point in /tmp | /tmp/*) continue ;; esac
   mountpoint -q "$point" || continue
   mount --options-source=mtab -o remount,bind,ro "$point" || exit
-done < /proc/self/mountinfo && cd /tmp && exec "$@" 2>&1
+done < /proc/self/mountinfo && cd /tmp &&
+mount -t tmpfs -o mode=777,size=16m memory memory && cp parameters.var memory && chmod 666 memory/parameters.var &&
+exec "$@" 2>&1
+"#;
+
+/// Gives the controller's servo thread a real-time priority once it exists, as it has on a machine. It is in a process
+/// group of its own and bound to one processor: as an ordinary thread it may wait for seconds there, whatever its
+/// priority, and the task controller then takes motion for dead.
+const REALTIME: &str = r#"
+(
+  for _ in $(seq 600); do
+    for name in /proc/[0-9]*/task/*/comm; do
+      read -r thread < "$name" || continue
+      case $thread in 'rtapi_app:T#'*) thread=${name%/comm}; chrt --fifo --pid 1 "${thread##*/}"; exit ;; esac
+    done
+    sleep 0.05
+  done
+) < /dev/null > /dev/null 2>&1 &
 "#;
 
 /// A running controller.
@@ -284,7 +302,8 @@ fn command(directory: &Path) -> Command {
         command.args(["--user", "--map-current-user", "--keep-caps"]);
     }
     command.args(["-i", "-n", "-m", "-p", "-f", "--mount-proc", "--kill-child"]);
-    command.args(["sh", "-c", ENTER, "sh"]).arg(directory);
+    let realtime = if is_root() { REALTIME } else { "" };
+    command.args(["sh", "-c", &[realtime, ENTER].concat(), "sh"]).arg(directory);
     if is_root() {
         // Its real-time tasks must not be late because others use the machine.
         command.args(["nice", "-n", PRIORITY]);
@@ -313,7 +332,7 @@ pub(super) fn is_root() -> bool {
 }
 
 fn write_files(workspace: &Workspace, setup: &Setup, tools: &str) -> io::Result<()> {
-    for folder in ["programs", "prefix", "user", "elsewhere"] {
+    for folder in ["programs", "prefix", "user", "elsewhere", "memory"] {
         let path = workspace.path().join(folder);
         fs::create_dir(&path)?;
         give(&fs::File::open(path)?, 0o755)?;
@@ -421,6 +440,8 @@ print(json.dumps(written))
         let places = serde_json::to_string(&places).expect("JSON");
         own(&workspace, "places.json", &places, 0o644).expect("a file");
         own(&workspace, "driver.py", INTRUDER, 0o755).expect("a file");
+        own(&workspace, "parameters.var", "", 0o644).expect("a file");
+        fs::create_dir(workspace.path().join("memory")).expect("a folder");
         give(&fs::File::open(workspace.path()).expect("it is there"), 0o700).expect("permissions");
         let output = command(workspace.path()).stdin(Stdio::null()).output().expect("it runs");
         let said = String::from_utf8_lossy(&output.stdout);

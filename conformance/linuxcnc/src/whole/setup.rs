@@ -141,7 +141,7 @@ pub(super) fn machine_sections(scenario: &Scenario) -> Sections {
     );
     put(
         "RS274NGC",
-        &["PARAMETER_FILE=parameters.var", "SUBROUTINE_PATH=programs", "USER_M_PATH=user"],
+        &["PARAMETER_FILE=memory/parameters.var", "SUBROUTINE_PATH=programs", "USER_M_PATH=user"],
     );
     put("EMCMOT", &["EMCMOT=motmod", "COMM_TIMEOUT=4", "BASE_PERIOD=0"]);
     put("TASK", &["TASK=milltask", "CYCLE_TIME=0.0002"]);
